@@ -1,0 +1,83 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/geometry/pose.hpp"
+#include "common/grid/map_file.hpp"
+
+namespace aisle::scenario {
+
+struct Vehicle {
+  std::string id;                       // "agv-1"
+  std::string model{"differential"};
+  geometry::Pose2 start_in_map;
+  double radius_m{0.35};
+  double max_speed_mps{1.2};
+};
+
+/// Goals in order; `loops` times over (1: once).
+struct Mission {
+  std::string vehicle;
+  std::vector<geometry::Pose2> goals_in_map;
+  bool heading_matters{false};
+  int loops{1};
+};
+
+/// A person: walks along waypoints at a speed, to and fro or once; or follows a recorded file.
+struct Mover {
+  std::string id;
+  double radius_m{0.25};
+  double speed_mps{1.2};
+  double start_s{0.0};
+  bool loop{true};
+  bool courteous{true};                 // stops short of a vehicle in its way, as people do
+  std::vector<geometry::Point2> waypoints_in_map;
+};
+
+/// Recorded people (frame id x y rows; 25 frames a second), shifted and turned into the map.
+struct Recording {
+  std::filesystem::path file;
+  geometry::Pose2 frame_in_map;
+  double radius_m{0.25};
+  double begin_s{0.0};
+  double end_s{1e9};
+};
+
+/// A static thing that the map does not show.
+struct Block {
+  std::string id;
+  geometry::Pose2 center_in_map;
+  double length_m{0.8};
+  double width_m{0.8};
+  double appear_s{0.0};
+};
+
+/// A rectangle blocked or freed in the map at a given time.
+struct MapEdit {
+  double at_s{0.0};
+  bool block{true};
+  geometry::Point2 low_in_map;
+  geometry::Point2 high_in_map;
+};
+
+struct Scenario {
+  std::string name;
+  std::filesystem::path map_file;       // relative to the scenario file, or $AISLE_DATA / ../shared/data when it begins with "data:"
+  grid::MapFileOptions map_options;
+  std::vector<Vehicle> vehicles;
+  std::vector<Mission> missions;
+  std::vector<Mover> movers;
+  std::vector<Recording> recordings;
+  std::vector<Block> blocks;
+  std::vector<MapEdit> map_edits;
+  std::uint64_t seed{1};
+  double duration_s{300.0};             // the referee gives up then
+  double start_jitter_m{0.0};           // starts, movers' speeds and phases vary by seed
+};
+
+/// @throws config::BadInput: file:line, key, value, limit; unknown vehicle in a mission; a start inside a wall is found by whoever loads the map.
+Scenario read_scenario(const std::filesystem::path& file);
+
+}  // namespace aisle::scenario
