@@ -1,0 +1,43 @@
+#include "common/config/nearest_name.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+
+namespace aisle::config {
+namespace {
+
+std::size_t edits(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kLongestName = 256;
+  if (name.size() > kLongestName) return {};
+  std::string best;
+  std::size_t best_edits = kLongestName;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edits(name, candidate);
+    const std::size_t allowed = std::max<std::size_t>(2, std::max(name.size(), candidate.size()) / 3);
+    if (distance <= allowed && distance < candidate.size() && distance < best_edits) {
+      best = candidate;
+      best_edits = distance;
+    }
+  }
+  return best;
+}
+
+}  // namespace aisle::config
