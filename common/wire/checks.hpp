@@ -1,0 +1,84 @@
+#pragma once
+// What every decoder does with a sample from the wire: it is distrusted until each field was looked at.
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace aisle::wire {
+
+/// A decoded value, or the reason why the sample must not be used. Reasons name the field, its value and the limit.
+template <class T>
+class [[nodiscard]] Decoded {
+ public:
+  Decoded(T value) : value_(std::move(value)) {}  // NOLINT(google-explicit-constructor): `return value;` in a decoder
+  static Decoded refused(std::string reason) {
+    Decoded none;
+    none.reason_ = std::move(reason);
+    return none;
+  }
+
+  explicit operator bool() const { return value_.has_value(); }
+  /// @pre there is a value
+  const T& operator*() const& { return *value_; }
+  T&& operator*() && { return std::move(*value_); }
+  const T* operator->() const { return &*value_; }
+  /// Empty when there is a value.
+  const std::string& reason() const { return reason_; }
+
+ private:
+  Decoded() = default;
+  std::optional<T> value_;
+  std::string reason_;
+};
+
+/// Checks one sample, field by field, and keeps the first reason. All bounds are inclusive; a NaN is within no bounds.
+///   Checks checks;
+///   checks.within("radius_m", sample.radius_m(), 0.0, 10.0).known("shape", sample.shape(), EditShape::SHAPE_DISC);
+///   if (!checks.ok()) return Decoded<Edit>::refused(checks.reason());
+class Checks {
+ public:
+  Checks& finite(const char* field, double value) {
+    return std::isfinite(value) ? *this : refuse(field, " is not a finite number");
+  }
+  Checks& within(const char* field, double value, double low, double high) {
+    return value >= low && value <= high ? *this : refuse(field, " = " + text(value) + " is not within " + text(low) + " and " + text(high));
+  }
+  Checks& count(const char* field, std::size_t size, std::size_t low, std::size_t high) {
+    return size >= low && size <= high
+               ? *this
+               : refuse(field, " has " + std::to_string(size) + " elements, not " + std::to_string(low) + " to " + std::to_string(high));
+  }
+  /// An identifier that must not be empty and has no control characters (it ends up in logs and file names).
+  Checks& id(const char* field, const std::string& value) {
+    for (const char c : value) {
+      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return refuse(field, " has control characters");
+    }
+    return value.empty() ? refuse(field, " is empty") : *this;
+  }
+  /// An enumerator of an IDL enum that counts from 0 to `last`.
+  template <class Enum>
+  Checks& known(const char* field, Enum value, Enum last) {
+    const auto number = static_cast<long long>(value);
+    return number >= 0 && number <= static_cast<long long>(last) ? *this : refuse(field, " = " + std::to_string(number) + " is no known value");
+  }
+  Checks& holds(bool condition, const char* what) { return condition ? *this : refuse(what, ""); }
+
+  bool ok() const { return reason_.empty(); }
+  const std::string& reason() const { return reason_; }
+
+ private:
+  static std::string text(double value) {
+    const std::string long_text = std::to_string(value);
+    return long_text.substr(0, long_text.find_last_not_of('0') + 1);
+  }
+  Checks& refuse(const char* field, const std::string& why) {
+    if (reason_.empty()) reason_ = field + why;
+    return *this;
+  }
+  std::string reason_;
+};
+
+}  // namespace aisle::wire
