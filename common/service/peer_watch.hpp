@@ -1,0 +1,57 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "common/time/stamp.hpp"
+
+namespace aisle::service {
+
+/// What a service says of itself on `service_health`, as far as other processes judge it.
+struct PeerHealth {
+  std::string instance_id;
+  std::string host;
+  std::uint32_t process_id{0};
+  std::uint64_t boot_id{0};
+  std::uint32_t idl_version{0};
+  std::string software_version;
+  std::int64_t wall_clock_ns{0};
+  bool is_stopping{false};
+};
+
+/// Something that does not fit, in words.
+struct Finding {
+  enum class Kind { kDuplicateInstance, kOtherIdlVersion, kClockSkew };
+  Kind kind;
+  std::string instance_id;
+  std::string text;
+};
+
+/// Notices two processes with one instance id, another IDL version, and clocks more than a second apart. Says each once for each
+/// start of the other process. Pure: times come in as arguments. Remembers at most 512 instances.
+class PeerWatch {
+ public:
+  /// `own_instance_id` and `own_boot_id`: of the process that watches; empty and 0 for an observer without a health of its own.
+  PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std::uint32_t own_idl_version);
+
+  /// A sample that arrived at `now`, when this host's wall clock showed `wall_clock_ns`.
+  std::vector<Finding> take(const PeerHealth& peer, time::Stamp now, std::int64_t wall_clock_ns);
+
+ private:
+  struct Seen {
+    PeerHealth newest;             // of the start with the highest boot id
+    time::Stamp first_arrival{};   // of that start
+    double last_skew_s{0.0};
+    int samples{0};
+    bool said_duplicate{false}, said_version{false}, said_skew{false};
+  };
+  bool is_duplicate(const PeerHealth& peer, const Seen* seen, time::Stamp now) const;
+
+  std::string own_instance_id_;
+  std::uint64_t own_boot_id_;
+  std::uint32_t own_idl_version_;
+  std::unordered_map<std::string, Seen> seen_;
+};
+
+}  // namespace aisle::service
