@@ -1,0 +1,58 @@
+#pragma once
+#include <array>
+#include <cmath>
+
+#include "common/grid/clearance.hpp"
+
+namespace aisle::grid {
+
+/// The square between the centres of four neighbouring cells, and what their clearances say of the points in it.
+/// Points are given in cells from the lower left centre: s to the right, t upwards, both in [0, 1].
+///
+/// Why the bounds hold, with d(p) the true distance to the union of occupied squares, all in cells:
+/// 1. d(p) >= the least d of the four centres. A square covers [k-1/2, k+1/2] along each axis, so along each axis p is no nearer to
+///    it than the nearer of the two centre coordinates.
+/// 2. d is the least of the distances to single squares, each convex. For a square outside the four cells, bilinear interpolation
+///    overestimates the convex distance by at most kWorst, and by at most kSlope (s(1-s) + t(1-t)); found by scanning all squares
+///    near by, and guarded by a test against brute force.
+/// 3. If one of the four cells is occupied, it decides: what lies outside the four is at least half a cell away.
+class BetweenCenters {
+ public:
+  struct Point {
+    double s;
+    double t;
+  };
+
+  /// `x`, `y`: the cell with the lower left centre; may be -1, since outside the grid is occupied.
+  BetweenCenters(const ClearanceField& field, int x, int y);
+
+  /// The coordinate itself, or the centre line that rounding has just missed.
+  static double snapped(double cells) {
+    const double whole = std::round(cells);
+    return std::fabs(cells - whole) < 1e-9 ? whole : cells;
+  }
+
+  /// Lower bound of the clearance at a point, exact at the four centres, in metres.
+  double clearance_m(Point p) const;
+
+  /// True when the clearance is surely at least `radius_m`, and more than 0, all along the straight piece from a to b.
+  bool is_free_along(Point a, Point b, double radius_m) const;
+
+ private:
+  static constexpr double kWorst = 0.115;
+  static constexpr double kSlope = 0.54;
+
+  static constexpr double kFar = 1e9;
+
+  double blended_m(Point p) const;
+  double least_blended_m(Point a, Point b) const;
+  /// Of the centres that surround the piece: all four, or two when it lies on the line between them, or one.
+  double least_around_m(Point a, Point b) const;
+  double nearest_of_four_m(Point a, Point b) const;
+
+  double cell_m_;
+  std::array<double, 4> corner_m_{};  // lower left, lower right, upper left, upper right
+  double least_m_;
+};
+
+}  // namespace aisle::grid
