@@ -1,0 +1,72 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace aisle::referee {
+
+/// What a vehicle says about itself and about the command that it obeys. Empty command_agv_id: none yet.
+struct VehicleReport {
+  std::string agv_id;
+  std::uint64_t boot_id{0};
+  double t_s{0.0};
+  double speed_mps{0.0};
+  std::string command_agv_id;
+  std::string command_source;
+  std::uint64_t command_boot{0};
+  std::uint32_t command_epoch{0};
+  std::uint64_t command_sequence{0};
+  std::uint64_t command_plan_id{0};
+};
+
+struct AuthorityViolation {
+  enum class Kind { kForeignVehicle, kEpochWentBack, kSequenceWentBack, kStalePlan };
+  Kind kind;
+  std::string agv_id;
+  double t_s;
+  std::string text;
+};
+
+/// Says whether a vehicle obeyed someone it should not have: a command for another vehicle, of an epoch lower than one it obeyed
+/// before, an older one of the same sender, or one of a plan that was replaced more than kGrace_s ago while it drives
+/// (kBrakingGrace_s where the newest plan is a refusal, or the command belongs to no plan: it may brake).
+/// Each kind is reported once until it ends. A vehicle that restarts begins anew.
+class AuthorityWatch {
+ public:
+  /// `plan_id` is the newest for this vehicle; `drivable`: a path was found.
+  void plan_arrived(const std::string& agv_id, std::uint64_t plan_id, bool drivable, double t_s);
+  void vehicle_reported(const VehicleReport& report);
+  const std::vector<AuthorityViolation>& violations() const { return violations_; }
+
+  static constexpr double kGrace_s = 0.5;
+  static constexpr double kBrakingGrace_s = 2.0;
+  static constexpr double kMoving_mps = 0.05;
+
+ private:
+  struct Followed {
+    bool reported{false};
+    std::uint64_t boot_id{0};
+    std::uint32_t highest_epoch{0};
+    std::string source;
+    std::uint64_t source_boot{0};
+    std::uint32_t epoch{0};
+    std::uint64_t sequence{0};
+    bool plan_seen{false};
+    std::uint64_t plan_id{0};
+    bool plan_drivable{false};
+    double plan_since_s{0.0};
+    double without_plan_since_s{-1.0};
+    std::map<AuthorityViolation::Kind, bool> going_on;
+  };
+  void check_order(Followed& vehicle, const VehicleReport& report);
+  void check_plan(Followed& vehicle, const VehicleReport& report);
+  void judge(Followed& vehicle, const VehicleReport& report, AuthorityViolation::Kind kind, bool violated, const std::string& text);
+
+  std::map<std::string, Followed> vehicles_;
+  std::vector<AuthorityViolation> violations_;
+};
+
+const char* name_of(AuthorityViolation::Kind kind);
+
+}  // namespace aisle::referee

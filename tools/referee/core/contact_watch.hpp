@@ -1,0 +1,124 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tools/referee/core/closest_approach.hpp"
+#include "tools/referee/core/walls.hpp"
+
+namespace aisle::referee {
+
+enum class BodyKind { kVehicle, kPerson, kBlock };
+
+/// Ground truth of one body at one moment. Seconds since the start of the run, map frame.
+struct BodySample {
+  std::string id;
+  BodyKind kind{BodyKind::kVehicle};
+  Shape shape;
+  geometry::Pose2 base_in_map;
+  double speed_mps{0.0};
+  double t_s{0.0};
+  std::uint64_t boot_id{0};  // of the simulation that says so; where it changes, the body was set down anew
+};
+
+enum class PairClass { kVehicleVehicle, kVehiclePerson, kVehicleBlock, kVehicleWall };
+inline constexpr std::array<PairClass, 4> kPairClasses{PairClass::kVehicleVehicle, PairClass::kVehiclePerson, PairClass::kVehicleBlock,
+                                                       PairClass::kVehicleWall};
+/// "vehicle_vehicle", "vehicle_person", ...
+const char* name_of(PairClass pair);
+
+/// From the first touch until the two were apart. `b` is "wall" for a wall.
+struct Contact {
+  PairClass pair{PairClass::kVehicleVehicle};
+  std::string a;
+  std::string b;
+  double begin_s{0.0};
+  double end_s{0.0};
+  geometry::Point2 at_in_map;      // of a, at the first touch
+  double relative_speed_mps{0.0};  // the greatest while they touched
+  double vehicle_speed_mps{0.0};   // of the faster vehicle, the greatest while they touched
+  double depth_m{0.0};
+  bool vehicle_moved() const { return vehicle_speed_mps > 0.05; }
+};
+
+/// Least clearance so far; nothing where such a pair never came within sight of each other.
+struct Clearances {
+  std::array<std::optional<double>, kPairClasses.size()> least_m;
+  std::optional<double> overall_m() const;
+};
+
+/// Judges contacts between vehicles, persons, blocks and walls from ground truth; person with person or wall is nobody's fault.
+/// Between two samples a body is taken to move straight, whatever their distance, so nothing slips through between samples;
+/// pairs are compared on a common time, whatever the moments of their samples. A body that falls silent stays where it was
+/// (vehicles for good, others for kMemory_s). Touches of one pair that follow within kMerge_s are one contact.
+class ContactWatch {
+ public:
+  /// `walls` may be null: then there are none. It must outlive the watch.
+  explicit ContactWatch(const Walls* walls);
+
+  /// A sample that is older than one already seen of the same body is ignored.
+  void see(const BodySample& sample);
+  void gone(const std::string& id);
+
+  /// Judges everything up to `until_s`; samples for earlier moments that come later count as from then.
+  void advance(double until_s);
+
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  const Clearances& clearances() const { return clearances_; }
+
+  static constexpr double kMemory_s = 3.0;
+  static constexpr double kMerge_s = 0.5;
+  static constexpr double kApart_m = 0.02;
+
+ private:
+  struct Knot {
+    double t_s;
+    geometry::Pose2 pose;
+    double speed_mps;
+  };
+  struct Body {
+    BodyKind kind;
+    Shape shape;
+    std::uint64_t boot_id;
+    std::deque<Knot> knots;  // the first is at or before judged_until_s_
+    double last_seen_s;
+  };
+  struct Piece {
+    Motion motion;
+    double speed_mps;
+    double velocity_x_mps;
+    double velocity_y_mps;
+  };
+  struct Moment {
+    double begin_s, end_s;
+  };
+  struct Touch {
+    std::size_t contact;
+    double last_s;
+  };
+
+  std::vector<double> breaks(const Body& a, const Body* b, double until_s) const;
+  static Knot knot_at(const Body& body, double t_s);
+  static Piece piece_of(const Body& body, const Moment& moment);
+  void judge_pair(const std::string& id_a, const Body& a, const std::string& id_b, const Body& b, double until_s);
+  void judge_walls(const std::string& id, const Body& body, double until_s);
+  void note(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b, const Moment& moment,
+            const Approach& approach);
+  void note_touch(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b, double t_s,
+                  double depth_m, double at);
+  void forget(double until_s);
+
+  const Walls* walls_;
+  double judged_until_s_{-1e18};
+  std::map<std::string, Body> bodies_;
+  std::map<std::pair<std::string, std::string>, Touch> touches_;
+  std::vector<Contact> contacts_;
+  Clearances clearances_;
+};
+
+}  // namespace aisle::referee

@@ -1,0 +1,166 @@
+#include "tools/referee/core/judge.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace aisle::referee {
+namespace {
+constexpr double kBodyTrace_s = 0.2;
+constexpr double kMilli = 1e3;
+}  // namespace
+
+Judge::Judge(const Walls* walls, const Expectation& expectation) : contacts_(walls), expectation_(expectation) {}
+
+Judge::VehicleBook& Judge::vehicle(const std::string& agv_id) {
+  VehicleBook& book = vehicles_[agv_id];
+  book.row.agv_id = agv_id;
+  return book;
+}
+
+void Judge::body_seen(const BodySample& sample) {
+  contacts_.see(sample);
+  if (sample.kind != BodyKind::kVehicle) {
+    trace_body(sample);
+    return;
+  }
+  VehicleBook& book = vehicle(sample.id);
+  book.row.shape = sample.shape;
+  if (book.last_truth_s >= 0.0 && book.truth_boot == sample.boot_id) {
+    book.row.truth_gap_ms_max = std::max(book.row.truth_gap_ms_max, (sample.t_s - book.last_truth_s) * kMilli);
+  }
+  book.last_truth_s = sample.t_s;
+  book.truth_boot = sample.boot_id;
+  const Standing standing = book.holds ? Standing::kHolds : book.waits ? Standing::kWaits : Standing::kNone;
+  book.row.drive.drove(sample.t_s, sample.base_in_map, sample.speed_mps, goals_.open_goal(sample.id) != nullptr, standing);
+}
+
+void Judge::trace_body(const BodySample& sample) {
+  BodyTrace& trace = bodies_[sample.id];
+  trace.kind = sample.kind;
+  trace.shape = sample.shape;
+  const bool moved = trace.way.empty() || geometry::distance(trace.way.back().second.position(), sample.base_in_map.position()) > 0.05;
+  if (moved && (trace.way.empty() || sample.t_s - trace.way.back().first >= kBodyTrace_s)) {
+    trace.way.emplace_back(sample.t_s, sample.base_in_map);
+  }
+}
+
+void Judge::body_gone(const std::string& id) { contacts_.gone(id); }
+
+void Judge::vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands, bool holds) {
+  authority_.vehicle_reported(report);
+  VehicleBook& book = vehicle(report.agv_id);
+  book.row.refused_commands = std::max(book.row.refused_commands, refused_commands);
+  book.holds = holds;
+}
+
+void Judge::plan_arrived(const PlanNews& plan) {
+  authority_.plan_arrived(plan.agv_id, plan.plan_id, plan.found, plan.t_s);
+  VehicleBook& book = vehicle(plan.agv_id);
+  const bool is_new = !book.has_plan || book.plan_id != plan.plan_id;
+  if (is_new) {
+    if (book.has_plan && book.planned_goal == plan.goal_id) ++book.row.replans;
+    planning_ms_.add(plan.planning_ms);
+    if (plan.found) book.row.plans.push_back({plan.t_s, plan.waypoints_in_map});
+  }
+  book.has_plan = true;
+  book.plan_id = plan.plan_id;
+  book.planned_goal = plan.goal_id;
+  book.plan_revision = plan.map_revision;
+  for (PendingEdit& edit : pending_edits_) {
+    const auto waits = std::find(edit.waiting.begin(), edit.waiting.end(), plan.agv_id);
+    if (waits == edit.waiting.end() || plan.map_revision < edit.revision) continue;
+    map_edit_to_plan_ms_.add(std::max(0.0, plan.t_s - edit.answered_s) * kMilli);
+    edit.waiting.erase(waits);
+  }
+}
+
+void Judge::command_arrived(const CommandNews& command) {
+  VehicleBook& book = vehicle(command.agv_id);
+  if (book.last_command_s >= 0.0) book.row.command_gap_ms.add((command.t_s - book.last_command_s) * kMilli);
+  book.last_command_s = command.t_s;
+  control_ms_.add(command.control_ms);
+  if (command.scan_stamp_ns > book.last_scan_stamp_ns) {
+    book.last_scan_stamp_ns = command.scan_stamp_ns;
+    book.row.scan_to_command_ms.add(static_cast<double>(command.stamp_ns - command.scan_stamp_ns) / 1e6);
+  }
+}
+
+void Judge::goal_arrived(const GoalRecord& goal, bool cancelled) { goals_.assigned(goal, cancelled); }
+
+void Judge::navigation_arrived(const GoalNews& news, bool waits) {
+  VehicleBook& book = vehicle(news.agv_id);
+  book.waits = waits;
+  if (book.row.drive.seen()) goals_.heard(news, book.row.drive.base_in_map());
+}
+
+void Judge::edit_asked(const EditRow& edit) {
+  const bool known = std::any_of(edits_.begin(), edits_.end(), [&](const EditRow& e) { return e.edit_id == edit.edit_id; });
+  if (!known) edits_.push_back(edit);
+}
+
+void Judge::edit_answered(const std::string& edit_id, bool applied, const std::string& outcome, std::uint64_t revision, double t_s) {
+  const auto row = std::find_if(edits_.begin(), edits_.end(), [&](const EditRow& e) { return e.edit_id == edit_id; });
+  if (row == edits_.end() || row->answered_s >= 0.0) return;
+  row->answered_s = t_s;
+  row->outcome = outcome;
+  row->revision = revision;
+  if (!applied) return;
+  PendingEdit pending{t_s, revision, {}};
+  for (const auto& [agv_id, book] : vehicles_) {
+    if (goals_.open_goal(agv_id) == nullptr || !book.has_plan) continue;
+    if (book.plan_revision >= revision) {
+      map_edit_to_plan_ms_.add(0.0);  // the plan was faster on the wire than the answer
+    } else {
+      pending.waiting.push_back(agv_id);
+    }
+  }
+  pending_edits_.push_back(std::move(pending));
+}
+
+void Judge::health_arrived(const HealthNews& health) {
+  ServiceRow& row = services_[health.instance];
+  row.instance = health.instance;
+  row.service = health.service;
+  std::uint64_t& boot = boots_[health.instance];
+  if (row.starts == 0 || boot != health.boot_id) {
+    ++row.starts;
+    boot = health.boot_id;
+  } else {
+    row.cpu_percent_sum += health.cpu_percent;  // the first sample of a start has no sample before it
+    ++row.cpu_samples;
+  }
+  row.resident_mb_max = std::max(row.resident_mb_max, health.resident_mb);
+}
+
+void Judge::advance(double until_s) { contacts_.advance(until_s); }
+
+bool Judge::is_over(double now_s) const {
+  if (expectation_.goals == 0 || goals_.assigned_count() < expectation_.goals) return false;
+  if (goals_.count(GoalOutcome::kOpen) > 0) return false;
+  return std::all_of(vehicles_.begin(), vehicles_.end(), [&](const auto& entry) {
+    const DriveBook& drive = entry.second.row.drive;
+    return !drive.seen() || (drive.stands() && now_s - drive.stands_since_s() >= kSettle_s);
+  });
+}
+
+RunReport Judge::finish(double t_s) {
+  contacts_.advance(t_s);
+  goals_.close(t_s);
+  RunReport report;
+  report.duration_s = t_s;
+  report.goals_expected = std::max(expectation_.goals, goals_.assigned_count());
+  report.goals = goals_.all();
+  report.contacts = contacts_.contacts();
+  report.clearances = contacts_.clearances();
+  report.violations = authority_.violations();
+  for (const auto& [agv_id, book] : vehicles_) report.vehicles.emplace(agv_id, book.row);
+  report.bodies = bodies_;
+  report.edits = edits_;
+  report.services = services_;
+  report.planning_ms = planning_ms_;
+  report.control_ms = control_ms_;
+  report.map_edit_to_plan_ms = map_edit_to_plan_ms_;
+  return report;
+}
+
+}  // namespace aisle::referee

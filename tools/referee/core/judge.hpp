@@ -1,0 +1,111 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tools/referee/core/run_report.hpp"
+
+namespace aisle::referee {
+
+struct PlanNews {
+  std::string agv_id;
+  std::uint64_t plan_id{0};
+  std::string goal_id;
+  std::uint64_t map_revision{0};
+  bool found{false};
+  std::string outcome;  // "no path: ...", for the report
+  std::vector<geometry::Point2> waypoints_in_map;
+  double planning_ms{0.0};
+  double t_s{0.0};
+};
+
+struct CommandNews {
+  std::string agv_id;
+  std::int64_t stamp_ns{0};
+  std::int64_t scan_stamp_ns{0};  // 0: knows of no scan
+  double control_ms{0.0};
+  double t_s{0.0};                // when it arrived
+};
+
+
+struct HealthNews {
+  std::string instance;
+  std::string service;
+  std::uint64_t boot_id{0};
+  double cpu_percent{0.0};
+  double resident_mb{0.0};
+};
+
+/// What a run should do: for the end of it.
+struct Expectation {
+  int goals{0};  // 0: nobody knows
+};
+
+/// Judges one simulated run from what is on the wire. Knows nothing of how planners work, and shares no code with them.
+/// All moments are seconds since the start of the run on one clock; call `advance` at least some ten times a second.
+class Judge {
+ public:
+  Judge(const Walls* walls, const Expectation& expectation);
+
+  void body_seen(const BodySample& sample);
+  void body_gone(const std::string& id);
+  void vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands, bool holds);
+  void plan_arrived(const PlanNews& plan);
+  void command_arrived(const CommandNews& command);
+  void goal_arrived(const GoalRecord& goal, bool cancelled);
+  void navigation_arrived(const GoalNews& news, bool waits);
+  void edit_asked(const EditRow& edit);
+  void edit_answered(const std::string& edit_id, bool applied, const std::string& outcome, std::uint64_t revision, double t_s);
+  void health_arrived(const HealthNews& health);
+
+  /// Judges contacts up to `until_s`: some tenths of a second behind the newest sample, so that none comes too late.
+  void advance(double until_s);
+
+  /// Every expected goal is decided and every vehicle has stood for kSettle_s at `now_s`.
+  bool is_over(double now_s) const;
+  const ContactWatch& contacts() const { return contacts_; }
+  const GoalBook& goals() const { return goals_; }
+  int vehicles_seen() const { return static_cast<int>(vehicles_.size()); }
+
+  /// Closes the books. Scenario's name, seed and the like are the caller's.
+  RunReport finish(double t_s);
+
+  static constexpr double kSettle_s = 1.0;
+
+ private:
+  struct VehicleBook {
+    VehicleRow row;
+    bool holds{false};
+    bool waits{false};
+    double last_truth_s{-1.0};
+    std::uint64_t truth_boot{0};
+    double last_command_s{-1.0};
+    std::int64_t last_scan_stamp_ns{0};
+    std::string planned_goal;
+    std::uint64_t plan_id{0};
+    bool has_plan{false};
+    std::uint64_t plan_revision{0};
+  };
+  struct PendingEdit {
+    double answered_s;
+    std::uint64_t revision;
+    std::vector<std::string> waiting;  // vehicles whose plan has not been looked at since
+  };
+  VehicleBook& vehicle(const std::string& agv_id);
+  void trace_body(const BodySample& sample);
+
+  ContactWatch contacts_;
+  AuthorityWatch authority_;
+  GoalBook goals_;
+  Expectation expectation_;
+  std::map<std::string, VehicleBook> vehicles_;
+  std::map<std::string, BodyTrace> bodies_;
+  std::vector<EditRow> edits_;
+  std::vector<PendingEdit> pending_edits_;
+  std::map<std::string, ServiceRow> services_;
+  std::map<std::string, std::uint64_t> boots_;
+  Distribution planning_ms_, control_ms_, map_edit_to_plan_ms_;
+};
+
+}  // namespace aisle::referee

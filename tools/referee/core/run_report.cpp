@@ -1,0 +1,57 @@
+#include "tools/referee/core/run_report.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace aisle::referee {
+
+int RunReport::count(GoalOutcome outcome) const {
+  return static_cast<int>(std::count_if(goals.begin(), goals.end(), [&](const GoalRecord& g) { return g.outcome == outcome; }));
+}
+
+int RunReport::goals_missed() const { return goals_expected - count(GoalOutcome::kReached) - count(GoalOutcome::kCancelled); }
+
+int RunReport::contacts_moving_vehicle() const {
+  return static_cast<int>(std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.vehicle_moved(); }));
+}
+
+double RunReport::distance_m() const {
+  return std::accumulate(vehicles.begin(), vehicles.end(), 0.0, [](double sum, const auto& v) { return sum + v.second.drive.distance_m(); });
+}
+
+int RunReport::stops() const {
+  return std::accumulate(vehicles.begin(), vehicles.end(), 0, [](int sum, const auto& v) { return sum + v.second.drive.stops(); });
+}
+
+int RunReport::replans() const {
+  return std::accumulate(vehicles.begin(), vehicles.end(), 0, [](int sum, const auto& v) { return sum + v.second.replans; });
+}
+
+Distribution RunReport::command_gap_ms() const {
+  Distribution all;
+  for (const auto& [id, row] : vehicles) all.add_all(row.command_gap_ms);
+  return all;
+}
+
+Distribution RunReport::scan_to_command_ms() const {
+  Distribution all;
+  for (const auto& [id, row] : vehicles) all.add_all(row.scan_to_command_ms);
+  return all;
+}
+
+double RunReport::cpu_percent_total() const {
+  double sum = 0.0;
+  for (const auto& [id, row] : services) {
+    if (row.service != "referee") sum += row.cpu_percent_mean();
+  }
+  return sum;
+}
+
+bool RunReport::passed() const {
+  const bool touched = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
+    return c.vehicle_moved() || c.pair != PairClass::kVehiclePerson || people_give_way;
+  });
+  return goals_missed() == 0 && !touched && violations.empty();
+}
+
+}  // namespace aisle::referee

@@ -1,0 +1,95 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/referee/core/authority_watch.hpp"
+#include "tools/referee/core/contact_watch.hpp"
+#include "tools/referee/core/distribution.hpp"
+#include "tools/referee/core/drive_book.hpp"
+#include "tools/referee/core/goal_book.hpp"
+
+namespace aisle::referee {
+
+/// One plan as it was drawn: for the picture.
+struct PlanTrace {
+  double t_s{0.0};
+  std::vector<geometry::Point2> waypoints_in_map;
+};
+
+struct VehicleRow {
+  std::string agv_id;
+  Shape shape;
+  DriveBook drive;
+  std::vector<PlanTrace> plans;
+  int replans{0};
+  std::uint64_t refused_commands{0};
+  Distribution command_gap_ms;
+  Distribution scan_to_command_ms;
+  double truth_gap_ms_max{0.0};  // between two samples of ground truth
+};
+
+struct BodyTrace {
+  BodyKind kind{BodyKind::kPerson};
+  Shape shape;
+  std::vector<std::pair<double, geometry::Pose2>> way;  // seconds, pose; a block has one
+};
+
+/// A map edit that was asked for, and what the map said.
+struct EditRow {
+  std::string edit_id;
+  bool block{true};
+  std::vector<geometry::Point2> outline_in_map;  // of a disc: points on it
+  double asked_s{0.0};
+  double answered_s{-1.0};
+  std::string outcome;  // "applied", "refused: ..."; empty: no answer
+  std::uint64_t revision{0};
+};
+
+/// What one process took, from its own service_health.
+struct ServiceRow {
+  std::string instance;
+  std::string service;
+  int starts{0};  // 1, and one more for each restart
+  double cpu_percent_sum{0.0};
+  int cpu_samples{0};
+  double resident_mb_max{0.0};
+  double cpu_percent_mean() const { return cpu_samples > 0 ? cpu_percent_sum / cpu_samples : 0.0; }
+};
+
+/// Everything a run leaves: what report.json and the pictures are made of.
+struct RunReport {
+  std::string scenario;
+  std::uint64_t seed{0};
+  double duration_s{0.0};
+  int goals_expected{0};  // by the scenario; those never given count as missed
+  std::vector<GoalRecord> goals;
+  std::vector<Contact> contacts;
+  Clearances clearances;
+  std::vector<AuthorityViolation> violations;
+  std::map<std::string, VehicleRow> vehicles;
+  std::map<std::string, BodyTrace> bodies;  // persons and blocks
+  std::vector<EditRow> edits;
+  std::map<std::string, ServiceRow> services;
+  Distribution planning_ms;
+  Distribution control_ms;
+  Distribution map_edit_to_plan_ms;
+  std::string ended_because;
+  bool people_give_way{true};  // false where people are recordings: these walk into vehicles that stand, which is not held against them
+
+  int count(GoalOutcome outcome) const;
+  int goals_missed() const;
+  int contacts_moving_vehicle() const;
+  double distance_m() const;
+  int stops() const;
+  int replans() const;
+  Distribution command_gap_ms() const;
+  Distribution scan_to_command_ms() const;
+  double cpu_percent_total() const;  // of the services, not of the referee
+  /// Every goal reached, nothing touched, nobody obeyed whom it should not.
+  bool passed() const;
+};
+
+}  // namespace aisle::referee
