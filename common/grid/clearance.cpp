@@ -71,12 +71,15 @@ class RowEnvelope {
   }
 
   /// Squared half cells from the centres of cells x0..x1-1 to the nearest site; kept where `out` is already less.
-  void lower(std::int32_t x0, std::int32_t x1, std::int64_t* out) const {
-    std::size_t k = 0;
-    for (std::int32_t x = x0; x < x1; ++x) {
-      while (k + 1 < count_ && begin_[k + 1] <= x) ++k;
-      const std::int64_t across = 2 * (static_cast<std::int64_t>(x) - site_[k]) + 1;
-      out[x - x0] = std::min(out[x - x0], across * across + height_[k]);
+  void lower(std::int32_t x0, std::int32_t x1, double* out) const {
+    for (std::size_t k = 0; k < count_; ++k) {
+      const std::int32_t begin = std::max(x0, begin_[k]);
+      const std::int32_t end = k + 1 < count_ ? std::min(x1, begin_[k + 1]) : x1;
+      const auto height = static_cast<double>(height_[k]);
+      for (std::int32_t x = begin; x < end; ++x) {
+        const double across = 2 * (x - site_[k]) + 1;
+        out[x - x0] = std::min(out[x - x0], across * across + height);
+      }
     }
   }
   bool empty() const { return count_ == 0; }
@@ -92,8 +95,9 @@ class RowEnvelope {
   static std::int32_t first_better(std::int32_t a, std::int64_t height_a, std::int32_t b, std::int64_t height_b) {
     const std::int64_t gap = b - a;
     const std::int64_t top = height_b - height_a + 4 * gap * (static_cast<std::int64_t>(a) + b - 1);
-    const double x = std::floor(static_cast<double>(top) / static_cast<double>(8 * gap));
-    return static_cast<std::int32_t>(std::clamp(x, -2.0, 2.0e9)) + 1;
+    if (top < 0) return 0;
+    // A double holds both exactly, and the quotient is nearer to a whole number than rounding can tell only when it is one.
+    return static_cast<std::int32_t>(static_cast<double>(top) / static_cast<double>(8 * gap)) + 1;
   }
 
   std::vector<std::int32_t> site_;
@@ -126,10 +130,10 @@ void ClearanceField::recompute(const OccupancyGrid& grid, Cell low, Cell high) {
   const auto far = static_cast<std::uint16_t>(std::min<std::int32_t>(kFar, 2 * reach));
   const auto half_cell_m = static_cast<float>(0.5 * geometry_.resolution_m);
   const auto max_m = static_cast<float>(max_m_);
-  const auto far_squared = static_cast<std::int64_t>(kFar) * kFar;
+  const double far_squared = static_cast<double>(kFar) * kFar;
 
   RowEnvelope envelope(seen.width());
-  std::vector<std::int64_t> squared(static_cast<std::size_t>(window.width()));
+  std::vector<double> squared(static_cast<std::size_t>(window.width()));
   for (int y = window.y0; y < window.y1; ++y) {
     const std::uint16_t* row = columns.data() + static_cast<std::size_t>(y - seen.y0) * static_cast<std::size_t>(seen.width());
     const auto at = [&](int x) -> std::int64_t { return x < 0 || x >= geometry_.width ? 0 : row[x - seen.x0]; };
@@ -140,7 +144,7 @@ void ClearanceField::recompute(const OccupancyGrid& grid, Cell low, Cell high) {
     }
     float* out = clearance_m_.data() + geometry_.index({window.x0, y});
     for (int x = window.x0; x < window.x1; ++x) {
-      const std::int64_t own = at(x);
+      const double own = row[x - seen.x0];
       squared[static_cast<std::size_t>(x - window.x0)] = own < far ? own * own : far_squared;
     }
     if (!envelope.empty()) envelope.lower(window.x0, window.x1, squared.data());
