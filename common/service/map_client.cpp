@@ -1,0 +1,78 @@
+#include "common/service/map_client.hpp"
+
+#include <utility>
+
+#include "common/wire/map.hpp"
+
+namespace aisle::service {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+
+namespace {
+constexpr milliseconds kLookEvery{100};
+constexpr milliseconds kAskForInfoAfter{1000};
+constexpr std::size_t kMaxReasons = 16;
+}  // namespace
+
+MapClient::MapClient(bus::Bus& bus, const std::string& requester_id, const Options& options)
+    : bus_(bus), options_(options), requester_id_(requester_id), map_id_(options.map_id), progress_(Clock::now()) {
+  requests_ = bus_.writer<topics::MapRequest>();
+  bus_.on<topics::MapInfo>([this](const aisle::MapInfo& sample, const bus::SampleInfo& info) {
+    if (info.kind == bus::SampleKind::kData) take(sample);
+  });
+  bus_.on<topics::MapTile>([this](const aisle::MapTile& sample, const bus::SampleInfo& info) {
+    if (info.kind == bus::SampleKind::kData) take(sample);
+  });
+  bus_.every(kLookEvery, [this] { ask_for_missing(); });
+}
+
+void MapClient::take(const aisle::MapInfo& sample) {
+  auto summary = wire::decode(sample);
+  if (!summary) return drop("map_info: " + summary.reason());
+  if (!is_ours(summary->map_id)) return;
+  map_id_ = summary->map_id;
+  note(mirror_.take(*summary));
+}
+
+void MapClient::take(const aisle::MapTile& sample) {
+  auto tile = wire::decode(sample);
+  if (!tile) return drop("map_tile: " + tile.reason());
+  if (is_ours(tile->map_id)) note(mirror_.take(*tile));
+}
+
+bool MapClient::is_ours(const std::string& map_id) {
+  if (map_id_.empty() || map_id == map_id_) return true;
+  drop("map of another id: " + map_id);
+  return false;
+}
+
+void MapClient::note(grid::MapMirror::Change change) {
+  if (change == grid::MapMirror::Change::kNone) return;
+  progress_ = Clock::now();
+  if (change != grid::MapMirror::Change::kComplete) return;
+  hash_ = mirror_.summary()->hash;
+  if (options_.with_clearance) {
+    if (clearance_.geometry() == mirror_.grid().geometry()) {
+      clearance_.update(mirror_.grid(), mirror_.changed_low(), mirror_.changed_high());
+    } else {
+      clearance_ = grid::ClearanceField(mirror_.grid(), options_.clearance_max_m);
+    }
+  }
+  if (on_map_) on_map_(mirror_.grid(), clearance_, mirror_.changed_low(), mirror_.changed_high());
+}
+
+void MapClient::ask_for_missing() {
+  if (mirror_.is_complete()) return;
+  const bool knows_what = mirror_.summary().has_value();
+  if (Clock::now() - progress_ < (knows_what ? options_.ask_after : kAskForInfoAfter)) return;
+  if (requests_.matched_readers() == 0) return;
+  progress_ = Clock::now();
+  requests_.write(wire::encode(wire::MapRequest{requester_id_, map_id_, ++requests_sent_, mirror_.missing_tiles()}));
+}
+
+void MapClient::drop(const std::string& reason) {
+  if (dropped_.size() < kMaxReasons || dropped_.count(reason) > 0) ++dropped_[reason];
+}
+
+}  // namespace aisle::service

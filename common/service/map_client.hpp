@@ -1,0 +1,77 @@
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "common/bus/bus.hpp"
+#include "common/grid/clearance.hpp"
+#include "common/grid/map_mirror.hpp"
+
+namespace aisle::service {
+
+/// The site's map as a service uses it: follows `map_info` and `map_tile`, asks aisle-map for tiles that do not come, and tells
+/// when a whole map of a new revision is there. Lives on the bus's loop; make it before the loop runs and keep it while it runs.
+///
+///   MapClient map(shell.bus(), shell.instance_id(), {});
+///   map.on_map([&](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low, grid::Cell high) {...});
+class MapClient {
+ public:
+  struct Options {
+    std::string map_id;                          // empty: the first map that is heard
+    bool with_clearance{true};                   // false: no field is computed, the handler gets an empty one
+    double clearance_max_m{5.0};
+    std::chrono::milliseconds ask_after{300};    // without progress
+  };
+
+  /// `low` to `high`, both included, are the cells that changed: the whole grid at first, none (high below low) when a revision
+  /// changed nothing. The references stay valid, and their content the same, until the next call.
+  using OnMap = std::function<void(const grid::OccupancyGrid&, const grid::ClearanceField&, grid::Cell low, grid::Cell high)>;
+
+  /// `requester_id`: of this process, e.g. the shell's instance id.
+  MapClient(bus::Bus& bus, const std::string& requester_id, const Options& options);
+  MapClient(const MapClient&) = delete;
+  MapClient& operator=(const MapClient&) = delete;
+
+  /// Called in the loop after each revision that became complete.
+  void on_map(OnMap handler) { on_map_ = std::move(handler); }
+
+  /// True once a whole map was there; from then on grid() and clearance() hold the newest whole map.
+  bool has_map() const { return mirror_.revision() > 0; }
+  /// True when that map is also the newest that aisle-map announced.
+  bool is_complete() const { return mirror_.is_complete(); }
+  /// Of the newest whole map; 0 before the first.
+  std::uint64_t revision() const { return mirror_.revision(); }
+  const std::string& map_id() const { return map_id_; }
+  std::uint64_t hash() const { return hash_; }
+  /// @pre has_map()
+  const grid::OccupancyGrid& grid() const { return mirror_.grid(); }
+  const grid::ClearanceField& clearance() const { return clearance_; }
+
+  /// Samples that were not used, by reason; "map of another id: NAME" among them.
+  const std::map<std::string, std::uint64_t>& dropped() const { return dropped_; }
+
+ private:
+  void take(const aisle::MapInfo& sample);
+  void take(const aisle::MapTile& sample);
+  bool is_ours(const std::string& map_id);
+  void note(grid::MapMirror::Change change);
+  void ask_for_missing();
+  void drop(const std::string& reason);
+
+  bus::Bus& bus_;
+  Options options_;
+  std::string requester_id_;
+  std::string map_id_;
+  bus::Writer<topics::MapRequest> requests_;
+  std::uint64_t requests_sent_{0};
+  std::chrono::steady_clock::time_point progress_;
+  grid::MapMirror mirror_;
+  grid::ClearanceField clearance_;
+  std::uint64_t hash_{0};
+  OnMap on_map_;
+  std::map<std::string, std::uint64_t> dropped_;
+};
+
+}  // namespace aisle::service
