@@ -1,5 +1,9 @@
 #pragma once
 // The one table of topics: name, type and QoS. Every reader and writer is made from it; docs/topics.md is printed from it.
+// key() refers to the key fields of a sample: `Topic::key(copy) = Topic::key(sample)`.
+#include <chrono>
+#include <tuple>
+
 #include "common/bus/qos.hpp"
 #include "idl/map.hpp"
 #include "idl/planning.hpp"
@@ -23,6 +27,7 @@ struct MapInfo {
   using Sample = aisle::MapInfo;
   static constexpr const char* kName = "map_info";
   static constexpr const char* kKey = "map_id";
+  static auto key(Sample& sample) { return std::tie(sample.map_id()); }
   static constexpr Qos kQos = kState;
   static constexpr const char* kWhy = "late joiners get the newest revision and the hashes that tiles must have";
 };
@@ -30,6 +35,7 @@ struct MapTile {
   using Sample = aisle::MapTile;
   static constexpr const char* kName = "map_tile";
   static constexpr const char* kKey = "map_id, tile_x, tile_y";
+  static auto key(Sample& sample) { return std::tie(sample.map_id(), sample.tile_x(), sample.tile_y()); }
   static constexpr Qos kQos = kState;
   static constexpr const char* kWhy = "an edit resends the tiles it changed, never the map";
 };
@@ -37,6 +43,7 @@ struct MapRequest {
   using Sample = aisle::MapRequest;
   static constexpr const char* kName = "map_request";
   static constexpr const char* kKey = "requester_id";
+  static auto key(Sample& sample) { return std::tie(sample.requester_id()); }
   static constexpr Qos kQos = kQueue;
   static constexpr const char* kWhy = "a mirror asks again for tiles that it misses";
 };
@@ -44,6 +51,7 @@ struct MapEdit {
   using Sample = aisle::MapEdit;
   static constexpr const char* kName = "map_edit";
   static constexpr const char* kKey = "edit_id";
+  static auto key(Sample& sample) { return std::tie(sample.edit_id()); }
   static constexpr Qos kQos = kQueue;
   static constexpr const char* kWhy = "each edit counts; it is applied once, or refused with a reason";
 };
@@ -51,6 +59,7 @@ struct MapEditResult {
   using Sample = aisle::MapEditResult;
   static constexpr const char* kName = "map_edit_result";
   static constexpr const char* kKey = "edit_id";
+  static auto key(Sample& sample) { return std::tie(sample.edit_id()); }
   static constexpr Qos kQos = kQueue;
   static constexpr const char* kWhy = "the answer to each edit";
 };
@@ -58,6 +67,7 @@ struct VehicleInfo {
   using Sample = aisle::VehicleInfo;
   static constexpr const char* kName = "vehicle_info";
   static constexpr const char* kKey = "agv_id";
+  static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
   static constexpr Qos kQos = kState;
   static constexpr const char* kWhy = "footprint, model, limits and sensor, for late joiners too";
 };
@@ -65,6 +75,7 @@ struct VehicleState {
   using Sample = aisle::VehicleState;
   static constexpr const char* kName = "vehicle_state";
   static constexpr const char* kKey = "agv_id";
+  static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
   static constexpr Qos kQos{Reliability::kBestEffort, Durability::kVolatile, 1, 0, milliseconds{200}, Ownership::kShared, milliseconds{0}};
   static constexpr const char* kWhy = "only the newest matters";
 };
@@ -72,6 +83,7 @@ struct Scan {
   using Sample = aisle::Scan;
   static constexpr const char* kName = "scan";
   static constexpr const char* kKey = "agv_id";
+  static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
   static constexpr Qos kQos = kStream;
   static constexpr const char* kWhy = "sensor data";
 };
@@ -79,6 +91,7 @@ struct Goal {
   using Sample = aisle::Goal;
   static constexpr const char* kName = "goal";
   static constexpr const char* kKey = "agv_id";
+  static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
   static constexpr Qos kQos = kState;
   static constexpr const char* kWhy = "a planner that restarts finds the open goals";
 };
@@ -86,6 +99,7 @@ struct Plan {
   using Sample = aisle::Plan;
   static constexpr const char* kName = "plan";
   static constexpr const char* kKey = "agv_id";
+  static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
   static constexpr Qos kQos{Reliability::kReliable, Durability::kTransientLocal, 1, 0, milliseconds{0}, Ownership::kExclusive, milliseconds{200}};
   static constexpr const char* kWhy = "one planner is heard; a standby takes over within the lease";
 };
@@ -93,6 +107,7 @@ struct Track {
   using Sample = aisle::Track;
   static constexpr const char* kName = "track";
   static constexpr const char* kKey = "track_id";
+  static auto key(Sample& sample) { return std::tie(sample.track_id()); }
   static constexpr Qos kQos{Reliability::kReliable, Durability::kVolatile, 1, 0, milliseconds{0}, Ownership::kShared, milliseconds{0}};
   static constexpr const char* kWhy = "disposed when lost";
 };
@@ -100,6 +115,7 @@ struct TrackingStatus {
   using Sample = aisle::TrackingStatus;
   static constexpr const char* kName = "tracking_status";
   static constexpr const char* kKey = "source_id";
+  static auto key(Sample& sample) { return std::tie(sample.source_id()); }
   static constexpr Qos kQos = kStream;
   static constexpr const char* kWhy = "tells no obstacle from no tracker, and which scans are in the tracks";
 };
@@ -107,6 +123,7 @@ struct VelocityCommand {
   using Sample = aisle::VelocityCommand;
   static constexpr const char* kName = "velocity_command";
   static constexpr const char* kKey = "agv_id";
+  static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
   static constexpr Qos kQos{Reliability::kBestEffort, Durability::kVolatile, 1, 0, milliseconds{200}, Ownership::kExclusive, milliseconds{200}};
   static constexpr const char* kWhy = "50 Hz; a late command is worse than none";
 };
@@ -114,6 +131,7 @@ struct NavigationStatus {
   using Sample = aisle::NavigationStatus;
   static constexpr const char* kName = "navigation_status";
   static constexpr const char* kKey = "agv_id";
+  static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
   static constexpr Qos kQos = kState;
   static constexpr const char* kWhy = "phase, reason and intent, for planners, peers and people";
 };
@@ -121,6 +139,7 @@ struct WorldObstacle {
   using Sample = aisle::WorldObstacle;
   static constexpr const char* kName = "world_obstacle";
   static constexpr const char* kKey = "obstacle_id";
+  static auto key(Sample& sample) { return std::tie(sample.obstacle_id()); }
   static constexpr Qos kQos = kStream;
   static constexpr const char* kWhy = "ground truth, for simulated sensors and for the referee";
 };
@@ -128,6 +147,7 @@ struct ServiceHealth {
   using Sample = aisle::ServiceHealth;
   static constexpr const char* kName = "service_health";
   static constexpr const char* kKey = "instance_id";
+  static auto key(Sample& sample) { return std::tie(sample.instance_id()); }
   static constexpr Qos kQos{Reliability::kReliable, Durability::kTransientLocal, 1, 0, milliseconds{0}, Ownership::kShared, milliseconds{2000}};
   static constexpr const char* kWhy = "hello: versions, ids, map hash, state, what it waits for, counters";
 };
