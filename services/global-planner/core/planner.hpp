@@ -9,11 +9,16 @@
 namespace aisle::global_planner {
 
 /// Plan from start to goal for a vehicle whose centre keeps `radius_m` (its radius and safety margin) from whatever is not free.
+///
+/// A vehicle may stand nearer to an obstacle than its margin allows, and a goal may lie so: within `tight_range_m` of such a
+/// start or goal the radius shrinks to what its cell offers, but never below `least_radius_m` (the bare vehicle).
 struct Problem {
   const grid::ClearanceField& clearance;
   geometry::Point2 start_in_map;
   geometry::Point2 goal_in_map;
   double radius_m{0.0};
+  double least_radius_m{1e9};   // radius_m and more: starts and goals get no exception
+  double tight_range_m{1.5};
 };
 
 enum class Outcome { kFound, kNoPath, kStartBlocked, kGoalBlocked, kOutOfMap, kOutOfTime };
@@ -25,8 +30,10 @@ struct Plan {
   std::size_t expanded{0};                          // cells popped and not stale
 };
 
-/// Looked at between expansions.
+/// Looked at between expansions, every 256 of them.
 using OutOfTime = std::function<bool()>;
+
+class Drivable;
 
 /// A search and its list of passes. Not for several threads at once: it keeps its memory between calls.
 class Planner {
@@ -36,7 +43,14 @@ class Planner {
   [[nodiscard]] Plan plan(const Problem& problem, const OutOfTime& out_of_time);
 
  private:
-  virtual Plan search(const Problem& problem, const OutOfTime& out_of_time) = 0;
+  /// Both ends are in the map and drivable, and lie in different cells; the answer needs no length.
+  virtual Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) = 0;
 };
+
+/// False also for points that are not finite.
+bool is_in_map(const grid::Geometry& geometry, geometry::Point2 in_map);
+
+/// Sum of the distances between neighbouring points.
+double path_length_m(const std::vector<geometry::Point2>& path);
 
 }  // namespace aisle::global_planner

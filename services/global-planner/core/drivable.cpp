@@ -1,0 +1,64 @@
+#include "services/global-planner/core/drivable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/grid/line_of_sight.hpp"
+
+namespace aisle::global_planner {
+namespace {
+
+using geometry::Point2;
+
+/// Even a vehicle without size may not be on an obstacle.
+constexpr double kLeastRadius_m = 1e-6;
+
+/// The least float that is not below the number.
+float rounded_up(double number) {
+  const auto rounded = static_cast<float>(number);
+  return static_cast<double>(rounded) >= number ? rounded : std::nextafter(rounded, std::numeric_limits<float>::max());
+}
+
+}  // namespace
+
+Drivable::Drivable(const Problem& problem)
+    : clearance_(problem.clearance),
+      geometry_(problem.clearance.geometry()),
+      clearances_m_(problem.clearance.cells_m().data()),
+      radius_m_(std::max(problem.radius_m, kLeastRadius_m)),
+      least_m_(rounded_up(radius_m_)),
+      start_(tight_end(problem, problem.start_in_map)),
+      goal_(tight_end(problem, problem.goal_in_map)),
+      has_tight_end_(start_.range_m > 0.0 || goal_.range_m > 0.0) {}
+
+TightEnd Drivable::tight_end(const Problem& problem, Point2 end_in_map) const {
+  const double here_m = std::min(clearance_.clearance_m(end_in_map), clearance_.clearance_m(geometry_.cell_at(end_in_map)));
+  const bool is_tight = here_m < radius_m_ && here_m >= std::max(problem.least_radius_m, kLeastRadius_m);
+  return {end_in_map, is_tight ? problem.tight_range_m : 0.0, here_m};
+}
+
+bool Drivable::is_traversable_at_tight_end(float clearance_m, grid::Cell c) const {
+  return clearance_m >= radius_at(geometry_.center_in_map(c));
+}
+
+double Drivable::radius_at(Point2 in_map) const {
+  double radius_m = radius_m_;
+  for (const TightEnd* end : {&start_, &goal_}) {
+    if (end->range_m > 0.0 && geometry::distance(in_map, end->center_in_map) <= end->range_m) radius_m = std::min(radius_m, end->radius_m);
+  }
+  return radius_m;
+}
+
+bool Drivable::is_line_free(Point2 from, Point2 to) const {
+  if (grid::is_line_free(clearance_, from, to, radius_m_)) return true;
+  if (!has_tight_end_) return false;
+  const double length_m = geometry::distance(from, to);
+  const int pieces = 1 + static_cast<int>(length_m / (0.25 * geometry_.resolution_m));
+  for (int i = 0; i <= pieces; ++i) {
+    if (!is_free(from + (static_cast<double>(i) / pieces) * (to - from))) return false;
+  }
+  return true;
+}
+
+}  // namespace aisle::global_planner

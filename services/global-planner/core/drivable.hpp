@@ -1,0 +1,50 @@
+#pragma once
+#include "services/global-planner/core/planner.hpp"
+
+namespace aisle::global_planner {
+
+/// A disc around a start or goal in which less than the full radius is accepted.
+struct TightEnd {
+  geometry::Point2 center_in_map;
+  double range_m{0.0};     // 0: no exception
+  double radius_m{0.0};    // that the end itself offers
+};
+
+/// Where the vehicle of one problem may be: the clearance field seen through its radius, tight ends included.
+/// @pre start and goal are in the map
+class Drivable {
+ public:
+  explicit Drivable(const Problem& problem);
+
+  const grid::Geometry& geometry() const { return geometry_; }
+
+  /// May the vehicle's centre be at the centre of this cell? False outside the grid.
+  bool is_traversable(grid::Cell c) const { return geometry_.contains(c) && is_traversable(geometry_.index(c), c); }
+
+  /// The same for a cell known to lie in the grid.
+  bool is_traversable(std::size_t index, grid::Cell c) const {
+    const float clearance_m = clearances_m_[index];
+    return clearance_m >= least_m_ || (has_tight_end_ && is_traversable_at_tight_end(clearance_m, c));
+  }
+
+  /// May the vehicle's centre be at this point?
+  bool is_free(geometry::Point2 in_map) const { return clearance_.clearance_m(in_map) >= radius_at(in_map); }
+
+  /// May the vehicle sweep the straight segment?
+  bool is_line_free(geometry::Point2 from_in_map, geometry::Point2 to_in_map) const;
+
+ private:
+  TightEnd tight_end(const Problem& problem, geometry::Point2 end_in_map) const;
+  bool is_traversable_at_tight_end(float clearance_m, grid::Cell c) const;
+  double radius_at(geometry::Point2 in_map) const;
+
+  const grid::ClearanceField& clearance_;
+  const grid::Geometry& geometry_;
+  const float* clearances_m_;
+  double radius_m_;
+  float least_m_;            // radius_m_, rounded up
+  TightEnd start_, goal_;
+  bool has_tight_end_;
+};
+
+}  // namespace aisle::global_planner

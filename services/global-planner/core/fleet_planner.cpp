@@ -1,0 +1,324 @@
+#include "services/global-planner/core/fleet_planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "services/global-planner/core/drivable.hpp"
+#include "services/global-planner/core/nearest_reachable.hpp"
+#include "services/global-planner/core/passes/passes.hpp"
+
+namespace aisle::global_planner {
+namespace {
+
+using geometry::Point2;
+using time::from_seconds;
+using time::Stamp;
+
+constexpr std::size_t kLongestDetail = 256;       // as in the IDL
+constexpr double kChecked_m = 1e-4;               // a plan is checked for this much less than it was made for, against rounding
+constexpr double kOffPath_m = 0.3;                // farther from its plan a blocked vehicle gets one from where it stands
+constexpr double kStandsWithin_m = 0.05;
+
+std::string shortened(std::string text) { return text.size() <= kLongestDetail ? text : text.substr(0, kLongestDetail); }
+
+bool is_arrived(const std::optional<Navigation>& navigation, const std::optional<Goal>& goal) {
+  return navigation && goal && navigation->activity == Navigation::Activity::kArrived && navigation->goal_id == goal->id;
+}
+
+}  // namespace
+
+FleetPlanner::FleetPlanner(const FleetSettings& settings, std::unique_ptr<Planner> planner)
+    : settings_(settings), planner_(std::move(planner)) {}
+
+void FleetPlanner::set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low, grid::Cell high) {
+  const bool is_same_place = map_revision_ > 0 && map_id == map_id_ && grid.geometry() == grid_.geometry();
+  grid_ = grid;
+  map_id_ = map_id;
+  map_revision_ = revision;
+  if (is_same_place) {
+    clearance_.update(grid_, low, high);
+  } else {
+    rebuild_clearance();
+  }
+}
+
+void FleetPlanner::rebuild_clearance() { clearance_ = grid::ClearanceField(grid_, reach_m_); }
+
+void FleetPlanner::set_vehicle(const std::string& agv_id, double radius_m) {
+  vehicle(agv_id).radius_m = radius_m;
+  const double needed_m = radius_m + settings_.margin_m + 0.5;
+  if (needed_m <= reach_m_) return;
+  reach_m_ = needed_m;
+  if (map_revision_ > 0) rebuild_clearance();
+}
+
+void FleetPlanner::set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, Stamp now) {
+  Vehicle& v = vehicle(agv_id);
+  if (!v.pose.seen() || geometry::distance(v.stands_at, base_in_map.position()) > kStandsWithin_m) {
+    v.stands_at = base_in_map.position();
+    v.stands_since = now;
+  }
+  v.pose.set(base_in_map, now);
+}
+
+void FleetPlanner::set_goal(const std::string& agv_id, const Goal& goal) {
+  Vehicle& v = vehicle(agv_id);
+  if (v.goal && *v.goal == goal) return;
+  v.goal = goal;
+  v.next_attempt = Stamp{};
+  v.wait_s = 0.0;
+}
+
+void FleetPlanner::set_navigation(const std::string& agv_id, const Navigation& navigation, Stamp now) {
+  Vehicle& v = vehicle(agv_id);
+  v.navigation = navigation;
+  v.navigation_arrived = now;
+  if (navigation.activity != Navigation::Activity::kBlocked || navigation.cause != Navigation::Cause::kObstacle) return;
+  const Disc disc{navigation.blocked_at_in_map, navigation.blocked_radius_m > 0.0 ? navigation.blocked_radius_m : 0.3};
+  const auto same = std::find_if(v.reports.begin(), v.reports.end(), [&](const Report& report) {
+    return geometry::distance(report.disc.center_in_map, disc.center_in_map) < 0.3;
+  });
+  if (same != v.reports.end()) {
+    *same = {disc, now};
+  } else {
+    if (v.reports.size() >= 16) v.reports.erase(v.reports.begin());
+    v.reports.push_back({disc, now});
+  }
+}
+
+void FleetPlanner::forget_vehicle(const std::string& agv_id) { vehicles_.erase(agv_id); }
+
+void FleetPlanner::adopt(const FleetPlan& plan) {
+  Vehicle& v = vehicle(plan.agv_id);
+  v.plan = plan;
+  v.is_adopted = true;
+  v.progress = PathProgress(plan.waypoints_in_map);
+}
+
+FleetPlanner::Vehicle& FleetPlanner::vehicle(const std::string& agv_id) {
+  Vehicle& v = vehicles_[agv_id];
+  v.id = agv_id;
+  return v;
+}
+
+std::optional<FleetPlan> FleetPlanner::step(Stamp now, const OutOfTime& out_of_time) {
+  auto turn = vehicles_.upper_bound(last_attended_);
+  for (std::size_t i = 0; i < vehicles_.size(); ++i, ++turn) {
+    if (turn == vehicles_.end()) turn = vehicles_.begin();
+    const std::uint64_t before = searches_;
+    std::optional<FleetPlan> plan = attend(turn->second, now, out_of_time);
+    if (!plan && searches_ == before) continue;
+    last_attended_ = turn->first;
+    return plan;
+  }
+  return {};
+}
+
+std::optional<FleetPlan> FleetPlanner::attend(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
+  if (!v.goal) return {};
+  if (v.goal->is_cancelled) return cancel(v);
+  const geometry::Pose2* pose = v.pose.fresh(now, from_seconds(settings_.state_life_s));
+  if (map_revision_ == 0 || !v.radius_m || pose == nullptr) return {};
+  if (!v.plan && is_arrived(v.navigation, v.goal)) return {};   // reached in a former life of this planner
+  if (!v.plan || v.plan->goal != *v.goal) return publish(v, plan_anew(v, Trigger::kNewGoal, now, out_of_time), now);
+  v.progress.advance(pose->position());
+  if (v.is_adopted || v.plan->map_revision != map_revision_ || v.plan->map_id != map_id_) return check_map(v, now, out_of_time);
+  if (is_arrived(v.navigation, v.goal)) return {};
+  return v.plan->outcome == FleetOutcome::kFound ? check_obstacles(v, now, out_of_time) : retry(v, now, out_of_time);
+}
+
+std::optional<FleetPlan> FleetPlanner::cancel(Vehicle& v) {
+  if (v.plan && v.plan->goal == *v.goal) return {};
+  FleetPlan plan;
+  plan.outcome = FleetOutcome::kCancelled;
+  plan.detail = fmt::format("goal {} was cancelled", v.goal->id);
+  return publish(v, std::move(plan), Stamp{});
+}
+
+std::optional<FleetPlan> FleetPlanner::check_map(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
+  const bool is_kept = is_arrived(v.navigation, v.goal) || (v.plan->outcome == FleetOutcome::kFound && is_rest_free(v));
+  if (!is_kept) return publish(v, plan_anew(v, v.is_adopted ? Trigger::kTakeover : Trigger::kMapChanged, now, out_of_time), now);
+  v.plan->map_id = map_id_;
+  v.plan->map_revision = map_revision_;
+  if (v.is_adopted) {
+    v.is_adopted = false;
+    v.plan->plan_id = next_plan_id_++;
+    v.plan->trigger = Trigger::kTakeover;
+  }
+  return v.plan;
+}
+
+std::optional<FleetPlan> FleetPlanner::retry(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
+  if (now < v.next_attempt) return {};
+  FleetPlan plan = plan_anew(v, v.plan->trigger, now, out_of_time);
+  if (plan.outcome != v.plan->outcome) return publish(v, std::move(plan), now);
+  put_off(v, now);
+  return {};
+}
+
+std::optional<FleetPlan> FleetPlanner::check_obstacles(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
+  if (now < v.next_attempt) return {};
+  const std::vector<Obstacle> around = obstacles_for(v, now);
+  const Obstacle* on_the_way = first_on_the_way(v, around);
+  const bool is_stuck = is_blocked_on_its_plan(v, now) && v.progress.off_path_m() > kOffPath_m;
+  if (on_the_way == nullptr && !is_stuck) return {};
+
+  const Plan found = search(v, around, out_of_time);
+  if (found.outcome != Outcome::kFound) {
+    if (v.wait_s == 0.0) {
+      events_.push_back(fmt::format("{}: no way around {}; plan {} is kept", v.id, on_the_way ? on_the_way->name : "what blocks it", v.plan->plan_id));
+    }
+    put_off(v, now);
+    return {};
+  }
+  FleetPlan plan;
+  plan.trigger = on_the_way != nullptr ? on_the_way->trigger : Trigger::kVehicleBlocked;
+  plan.waypoints_in_map = found.waypoints_in_map;
+  plan.length_m = found.length_m;
+  if (on_the_way != nullptr) plan.detail = shortened("around " + on_the_way->name);
+  return publish(v, std::move(plan), now);
+}
+
+FleetPlan FleetPlanner::plan_anew(const Vehicle& v, Trigger trigger, Stamp now, const OutOfTime& out_of_time) {
+  FleetPlan plan;
+  plan.trigger = trigger;
+  const std::vector<Obstacle> around = obstacles_for(v, now);
+  Plan found = search(v, around, out_of_time);
+  if (found.outcome != Outcome::kFound && !around.empty()) {
+    found = search(v, {}, out_of_time);
+    if (found.outcome == Outcome::kFound) plan.detail = shortened("no way around " + around.front().name + (around.size() > 1 ? " and others" : ""));
+  }
+  plan.outcome = static_cast<FleetOutcome>(found.outcome);
+  if (found.outcome != Outcome::kFound) plan.detail = shortened(why(v, found.outcome, out_of_time));
+  plan.waypoints_in_map = std::move(found.waypoints_in_map);
+  plan.length_m = found.length_m;
+  return plan;
+}
+
+std::optional<FleetPlan> FleetPlanner::publish(Vehicle& v, FleetPlan plan, Stamp now) {
+  plan.agv_id = v.id;
+  plan.plan_id = next_plan_id_++;
+  plan.goal = *v.goal;
+  plan.map_id = map_id_;
+  plan.map_revision = map_revision_;
+  v.progress = PathProgress(plan.waypoints_in_map);
+  v.is_adopted = false;
+  v.wait_s = 0.0;
+  v.next_attempt = now + from_seconds(settings_.replan_s);
+  events_.push_back(plan.outcome == FleetOutcome::kFound
+                        ? fmt::format("{}: plan {} to {} ({}): {:.2f} m, {} points{}{}", v.id, plan.plan_id, plan.goal.id, name(plan.trigger),
+                                      plan.length_m, plan.waypoints_in_map.size(), plan.detail.empty() ? "" : ", ", plan.detail)
+                        : fmt::format("{}: plan {} to {} ({}): {}: {}", v.id, plan.plan_id, plan.goal.id, name(plan.trigger), name(plan.outcome), plan.detail));
+  v.plan = std::move(plan);
+  return v.plan;
+}
+
+void FleetPlanner::put_off(Vehicle& v, Stamp now) {
+  v.wait_s = std::clamp(2.0 * v.wait_s, settings_.replan_s, std::max(settings_.replan_s, settings_.longest_wait_s));
+  v.next_attempt = now + from_seconds(v.wait_s);
+}
+
+Problem FleetPlanner::problem_of(const Vehicle& v, Point2 start_in_map, Point2 goal_in_map) const {
+  return {clearance_, start_in_map, goal_in_map, *v.radius_m + settings_.margin_m, *v.radius_m, settings_.tight_range_m};
+}
+
+Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around, const OutOfTime& out_of_time) {
+  ++searches_;
+  std::vector<Disc> discs;
+  for (const Obstacle& obstacle : around) discs.push_back(obstacle.disc);
+  const StampedDiscs stamped(grid_, clearance_, discs);
+  const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
+  Plan plan = planner_->plan(problem, out_of_time);
+  if (plan.outcome == Outcome::kFound) passes::collinear(Drivable(problem), plan.waypoints_in_map);
+  return plan;
+}
+
+bool FleetPlanner::is_rest_free(const Vehicle& v) const {
+  const std::vector<Point2> rest = v.progress.remaining();
+  if (rest.empty()) return false;
+  Problem problem = problem_of(v, v.plan->waypoints_in_map.front(), v.plan->waypoints_in_map.back());
+  problem.radius_m -= kChecked_m;
+  problem.least_radius_m -= kChecked_m;
+  if (!is_in_map(clearance_.geometry(), problem.start_in_map) || !is_in_map(clearance_.geometry(), problem.goal_in_map)) return false;
+  const Drivable drivable(problem);
+  for (std::size_t i = 1; i < rest.size(); ++i) {
+    if (!drivable.is_line_free(rest[i - 1], rest[i])) return false;
+  }
+  return drivable.is_free(rest.back());
+}
+
+std::string FleetPlanner::why(const Vehicle& v, Outcome outcome, const OutOfTime& out_of_time) const {
+  const Point2 start = v.pose.any()->position();
+  const Point2 goal = v.goal->pose_in_map.position();
+  const grid::Geometry& geometry = clearance_.geometry();
+  const auto nearest = [&] {
+    const std::optional<Point2> point = nearest_reachable(problem_of(v, start, goal), out_of_time);
+    return point ? fmt::format("; the nearest reachable point is ({:.2f}, {:.2f}), {:.2f} m from the goal", point->x, point->y,
+                               geometry::distance(*point, goal))
+                 : std::string{};
+  };
+  switch (outcome) {
+    case Outcome::kStartBlocked:
+      return fmt::format("the vehicle at ({:.2f}, {:.2f}) has {:.2f} m of clearance in the map, its radius is {:.2f} m", start.x, start.y,
+                         clearance_.clearance_m(start), *v.radius_m);
+    case Outcome::kGoalBlocked:
+      return fmt::format("the goal ({:.2f}, {:.2f}) has {:.2f} m of clearance, the vehicle's radius is {:.2f} m{}", goal.x, goal.y,
+                         clearance_.clearance_m(goal), *v.radius_m, nearest());
+    case Outcome::kOutOfMap:
+      return fmt::format("{} ({:.2f}, {:.2f}) is outside the map, x {:.2f} to {:.2f}, y {:.2f} to {:.2f}",
+                         is_in_map(geometry, goal) ? "the vehicle" : "the goal", is_in_map(geometry, goal) ? start.x : goal.x,
+                         is_in_map(geometry, goal) ? start.y : goal.y, geometry.origin_in_map.x,
+                         geometry.origin_in_map.x + geometry.width * geometry.resolution_m, geometry.origin_in_map.y,
+                         geometry.origin_in_map.y + geometry.height * geometry.resolution_m);
+    case Outcome::kOutOfTime:
+      return fmt::format("the search from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) took too long", start.x, start.y, goal.x, goal.y);
+    case Outcome::kNoPath:
+    case Outcome::kFound:
+      break;
+  }
+  return fmt::format("no way from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) that is {:.2f} m wide{}", start.x, start.y, goal.x, goal.y,
+                     2.0 * (*v.radius_m + settings_.margin_m), nearest());
+}
+
+std::vector<std::string> FleetPlanner::take_events() { return std::exchange(events_, {}); }
+
+std::string FleetPlanner::waits_for(Stamp now) const {
+  std::string text;
+  const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
+  if (map_revision_ == 0) add("map_info and map_tile");
+  for (const auto& [id, v] : vehicles_) {
+    if (!v.goal || v.goal->is_cancelled) continue;
+    if (!v.radius_m) add("vehicle_info of " + id);
+    if (v.pose.fresh(now, from_seconds(settings_.state_life_s)) == nullptr) add("vehicle_state of " + id);
+  }
+  return shortened(text);
+}
+
+const char* name(FleetOutcome outcome) {
+  switch (outcome) {
+    case FleetOutcome::kFound: return "found";
+    case FleetOutcome::kNoPath: return "no path";
+    case FleetOutcome::kStartBlocked: return "start blocked";
+    case FleetOutcome::kGoalBlocked: return "goal blocked";
+    case FleetOutcome::kOutOfMap: return "out of map";
+    case FleetOutcome::kOutOfTime: return "out of time";
+    case FleetOutcome::kCancelled: return "cancelled";
+  }
+  return "?";
+}
+
+const char* name(Trigger trigger) {
+  switch (trigger) {
+    case Trigger::kNewGoal: return "new goal";
+    case Trigger::kMapChanged: return "map changed";
+    case Trigger::kTrack: return "track";
+    case Trigger::kVehicleBlocked: return "vehicle blocked";
+    case Trigger::kTakeover: return "takeover";
+  }
+  return "?";
+}
+
+}  // namespace aisle::global_planner

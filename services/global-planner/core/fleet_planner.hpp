@@ -1,0 +1,117 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/grid/clearance.hpp"
+#include "common/time/stamp.hpp"
+#include "services/global-planner/core/fleet_types.hpp"
+#include "services/global-planner/core/path_progress.hpp"
+#include "services/global-planner/core/planner.hpp"
+#include "services/global-planner/core/stamped_discs.hpp"
+
+namespace aisle::global_planner {
+
+/// Decides when each vehicle of a fleet needs a plan, and makes it. No clock, no DDS: whoever calls says what time it is.
+///
+///   new goal ──────────────► plan ──► kept ◄──────────────────┐ not blocked: same plan, new revision
+///   map changed ─► is what remains of the plan blocked? ──────┤
+///   static track, parked vehicle, blocked report on the way ──┴ blocked ─► new plan around it; none: keep the old one, wait
+///   no path ─► tried again, ever less often, and when the map changes
+///
+/// Obstacles that the map does not show (static tracks, parked or silent vehicles, a vehicle's own reports) never make a goal
+/// unreachable: where there is no way around them, the plan leads through, and the local planner waits in front.
+class FleetPlanner {
+ public:
+  FleetPlanner(const FleetSettings& settings, std::unique_ptr<Planner> planner);
+
+  /// A new complete map. `low` to `high` (both included) hold all cells that differ from the map before.
+  void set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low, grid::Cell high);
+  void set_vehicle(const std::string& agv_id, double radius_m);
+  void set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, time::Stamp now);
+  void set_goal(const std::string& agv_id, const Goal& goal);
+  void set_navigation(const std::string& agv_id, const Navigation& navigation, time::Stamp now);
+  void forget_vehicle(const std::string& agv_id);
+  /// A static obstacle that the tracker sees; it stays until dropped.
+  void set_static_track(std::uint64_t track_id, const Disc& disc) { static_tracks_[track_id] = disc; }
+  void drop_track(std::uint64_t track_id) { static_tracks_.erase(track_id); }
+
+  /// Takes over a plan that another planner published: it is checked and published again as ours, waypoints unchanged.
+  void adopt(const FleetPlan& plan);
+
+  /// The next plan to publish, after working for at most one vehicle; call it again until there is none.
+  std::optional<FleetPlan> step(time::Stamp now, const OutOfTime& out_of_time);
+
+  /// What happened since the last call, one line each.
+  std::vector<std::string> take_events();
+  /// What keeps a vehicle with a goal from being planned for, e.g. "map_info, vehicle_info of agv-2"; empty: nothing.
+  std::string waits_for(time::Stamp now) const;
+  std::uint64_t map_revision() const { return map_revision_; }
+
+ private:
+  struct Report {
+    Disc disc;
+    time::Stamp newest;
+  };
+  struct Vehicle {
+    std::string id;
+    std::optional<double> radius_m;
+    time::Latest<geometry::Pose2> pose;
+    geometry::Point2 stands_at;             // anchor: left when it moves 5 cm away
+    time::Stamp stands_since{};
+    std::optional<Goal> goal;
+    std::optional<Navigation> navigation;
+    time::Stamp navigation_arrived{};
+    std::vector<Report> reports;
+    std::optional<FleetPlan> plan;
+    bool is_adopted{false};
+    PathProgress progress;
+    time::Stamp next_attempt{};
+    double wait_s{0.0};                     // doubles while attempts do not help
+  };
+  struct Obstacle {
+    Disc disc;
+    Trigger trigger;
+    std::string name;
+  };
+
+  std::optional<FleetPlan> attend(Vehicle& vehicle, time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<FleetPlan> cancel(Vehicle& vehicle);
+  std::optional<FleetPlan> check_map(Vehicle& vehicle, time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<FleetPlan> retry(Vehicle& vehicle, time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<FleetPlan> check_obstacles(Vehicle& vehicle, time::Stamp now, const OutOfTime& out_of_time);
+
+  FleetPlan plan_anew(const Vehicle& vehicle, Trigger trigger, time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<FleetPlan> publish(Vehicle& vehicle, FleetPlan plan, time::Stamp now);
+  void put_off(Vehicle& vehicle, time::Stamp now);
+  Plan search(const Vehicle& vehicle, const std::vector<Obstacle>& around, const OutOfTime& out_of_time);
+  Problem problem_of(const Vehicle& vehicle, geometry::Point2 start_in_map, geometry::Point2 goal_in_map) const;
+  bool is_rest_free(const Vehicle& vehicle) const;
+  std::string why(const Vehicle& vehicle, Outcome outcome, const OutOfTime& out_of_time) const;
+
+  std::vector<Obstacle> obstacles_for(const Vehicle& vehicle, time::Stamp now) const;
+  const Obstacle* first_on_the_way(const Vehicle& vehicle, const std::vector<Obstacle>& obstacles) const;
+  bool is_parked(const Vehicle& vehicle, time::Stamp now) const;
+  bool is_blocked_on_its_plan(const Vehicle& vehicle, time::Stamp now) const;
+  void rebuild_clearance();
+  Vehicle& vehicle(const std::string& agv_id);
+
+  FleetSettings settings_;
+  std::unique_ptr<Planner> planner_;
+  std::string map_id_;
+  std::uint64_t map_revision_{0};           // 0: no map yet
+  grid::OccupancyGrid grid_;
+  grid::ClearanceField clearance_;
+  double reach_m_{2.0};                     // the clearance field's cap; grows with the largest vehicle
+  std::map<std::string, Vehicle> vehicles_;
+  std::map<std::uint64_t, Disc> static_tracks_;
+  std::uint64_t next_plan_id_{1};
+  std::uint64_t searches_{0};
+  std::string last_attended_;               // vehicles take turns
+  std::vector<std::string> events_;
+};
+
+}  // namespace aisle::global_planner

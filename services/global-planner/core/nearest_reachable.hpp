@@ -1,0 +1,12 @@
+#pragma once
+#include <optional>
+
+#include "services/global-planner/core/planner.hpp"
+
+namespace aisle::global_planner {
+
+/// The centre of the cell nearest to the goal that the vehicle can reach from the start, cutting no corner: to say how far off an
+/// unreachable goal is. Looks at every reachable cell. Empty when the start itself is blocked or out of the map, or out of time.
+std::optional<geometry::Point2> nearest_reachable(const Problem& problem, const OutOfTime& out_of_time);
+
+}  // namespace aisle::global_planner

@@ -1,0 +1,110 @@
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace aisle::global_planner {
+
+/// Costs are integers, so that equal paths cost exactly the same: 3363/2378 is the square root of 2 to 6e-8.
+inline constexpr std::uint32_t kStraightCost = 2378;
+inline constexpr std::uint32_t kDiagonalCost = 3363;
+
+/// What a search knows of each cell, in 8 bytes. Kept between searches: a generation number tells old entries from new ones,
+/// so that beginning a search costs nothing, however large the map.
+class SearchNodes {
+ public:
+  void begin(std::size_t cells) {
+    if (nodes_.size() != cells || generation_ == kLastGeneration) {
+      nodes_.assign(cells, Node{});
+      generation_ = 0;
+    }
+    ++generation_;
+  }
+
+  bool is_known(std::size_t index) const { return nodes_[index].mark >> kShift == generation_; }
+  bool is_closed(std::size_t index) const { return (nodes_[index].mark & kClosed) != 0; }   // @pre is_known(index)
+  std::uint32_t cost(std::size_t index) const { return nodes_[index].cost; }                // @pre is_known(index)
+  int direction(std::size_t index) const { return static_cast<int>(nodes_[index].mark & kDirection); }
+
+  void reach(std::size_t index, std::uint32_t cost, int direction) {
+    nodes_[index] = {cost, (generation_ << kShift) | static_cast<std::uint32_t>(direction)};
+  }
+  void close(std::size_t index) { nodes_[index].mark |= kClosed; }
+
+ private:
+  static constexpr std::uint32_t kDirection = 7;   // the step that led here, see kSteps
+  static constexpr std::uint32_t kClosed = 8;
+  static constexpr int kShift = 4;
+  static constexpr std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max() >> kShift;
+
+  struct Node {
+    std::uint32_t cost{0};
+    std::uint32_t mark{0};
+  };
+  std::vector<Node> nodes_;
+  std::uint32_t generation_{0};
+};
+
+/// Open cells in buckets of equal rank, last in first out within a bucket: pushing and popping take constant time.
+/// Ranks may go below the current one (inconsistent heuristics).
+class BucketQueue {
+ public:
+  struct Entry {
+    std::uint32_t cell;
+    std::uint32_t cost;
+    std::uint32_t next;
+  };
+  static constexpr int kWidthShift = 7;   // 128 cost units a bucket: 0.054 of a straight step
+  static std::uint32_t rank_of(std::uint32_t evaluation) { return evaluation >> kWidthShift; }
+
+  void begin() {
+    if (low_ <= high_ && !heads_.empty()) std::fill(heads_.begin() + low_, heads_.begin() + high_ + 1, kNone);
+    pool_.clear();
+    free_ = kNone;
+    low_ = std::numeric_limits<std::uint32_t>::max();
+    high_ = 0;
+    current_ = 0;
+  }
+
+  void push(std::uint32_t evaluation, std::uint32_t cell, std::uint32_t cost) {
+    const std::uint32_t rank = rank_of(evaluation);
+    if (rank >= heads_.size()) heads_.resize(std::max<std::size_t>(rank + 1U, heads_.size() + heads_.size() / 2), kNone);
+    low_ = std::min(low_, rank);
+    high_ = std::max(high_, rank);
+    current_ = std::min(current_, rank);
+    std::uint32_t slot = free_;
+    if (slot == kNone) {
+      slot = static_cast<std::uint32_t>(pool_.size());
+      pool_.push_back({cell, cost, heads_[rank]});
+    } else {
+      free_ = pool_[slot].next;
+      pool_[slot] = {cell, cost, heads_[rank]};
+    }
+    heads_[rank] = slot;
+  }
+
+  /// False when nothing is left. `rank()` is that of the popped entry.
+  bool pop(Entry& entry) {
+    if (low_ > high_) return false;
+    while (current_ <= high_ && heads_[current_] == kNone) ++current_;
+    if (current_ > high_) return false;
+    const std::uint32_t slot = heads_[current_];
+    entry = pool_[slot];
+    heads_[current_] = entry.next;
+    pool_[slot].next = free_;
+    free_ = slot;
+    return true;
+  }
+
+  std::uint32_t rank() const { return current_; }
+
+ private:
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> heads_;
+  std::vector<Entry> pool_;
+  std::uint32_t free_{kNone};
+  std::uint32_t low_{kNone}, high_{0}, current_{0};
+};
+
+}  // namespace aisle::global_planner

@@ -1,0 +1,24 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "services/global-planner/core/planner.hpp"
+
+namespace aisle::global_planner {
+
+/// One file in core/variants/ a variant: `stem.cpp` defines `Variant stem()`, and the build writes the table from the files.
+struct Variant {
+  std::string name;       // as in configuration files and on the wire, at most 32 characters
+  std::string summary;    // one line
+  bool is_optimal{false}; // among 8-connected paths that cut no corner
+  std::unique_ptr<Planner> (*make)();
+};
+
+/// Every variant, by name.
+const std::vector<Variant>& all_variants();
+
+/// Null when there is none of this name.
+const Variant* find_variant(const std::string& name);
+
+}  // namespace aisle::global_planner

@@ -1,0 +1,31 @@
+// A* with the octile distance (Hart, Nilsson, Raphael 1968): optimal among 8-connected paths, and the baseline of the others.
+#include <cmath>
+#include <cstdlib>
+
+#include "services/global-planner/core/best_first.hpp"
+#include "services/global-planner/core/variant.hpp"
+
+namespace aisle::global_planner {
+namespace {
+
+class Octile {
+ public:
+  void begin(const Ends& ends) { goal_ = ends.goal; }
+  std::uint32_t operator()(std::uint32_t cost, grid::Cell cell) const {
+    const auto dx = static_cast<std::uint32_t>(std::abs(cell.x - goal_.x));
+    const auto dy = static_cast<std::uint32_t>(std::abs(cell.y - goal_.y));
+    return cost + kStraightCost * std::max(dx, dy) + (kDiagonalCost - kStraightCost) * std::min(dx, dy);
+  }
+
+ private:
+  grid::Cell goal_;
+};
+
+}  // namespace
+
+Variant astar() {
+  return {"astar", "G1: g + h, h octile; optimal on the grid, no passes", true,
+          [] { return best_first<Octile>(Closed::kReopen, kDrivableDiagonals, {}); }};
+}
+
+}  // namespace aisle::global_planner
