@@ -25,6 +25,9 @@ class ClearanceField {
   /// Exact at the cell's centre (capped): the radius of the largest disc that may stand there. 0 on obstacles and outside the grid.
   double clearance_m(Cell c) const { return geometry_.contains(c) ? clearance_m_[geometry_.index(c)] : 0.0; }
 
+  /// The same for every cell, row by row from the bottom: for loops that know that they are in the grid.
+  const std::vector<float>& cells_m() const { return clearance_m_; }
+
   /// A safe lower bound of the distance from any point to the nearest occupied square: interpolated between the four centres
   /// around it, less what bilinear interpolation can overestimate there (at most 0.115 of a cell; nothing at the centres), and
   /// never less than the smallest of the four. 0 on obstacles and outside the grid.
