@@ -1,0 +1,421 @@
+// The fleet's decisions, with invented times.
+#include "services/global-planner/core/fleet_planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/global-planner/core/path_checker.hpp"
+#include "services/global-planner/core/variant.hpp"
+
+namespace aisle::global_planner {
+namespace {
+
+using geometry::Point2;
+using geometry::Pose2;
+
+constexpr double kRadius_m = 0.3;
+const Pose2 kStart{1.0, 5.0, 0.0};
+const Pose2 kGoal{19.0, 5.0, 0.0};
+
+/// A hall of 20 x 10 m at 0.1 m a cell with two doors in a wall at x = 10: a straight one at y = 5, one around at y = 9.
+class Fleet : public testing::Test {
+ protected:
+  Fleet() : grid_(grid::Geometry{200, 100, 0.1, {}}), planner_(FleetSettings{}, find_variant("wang")->make()) {
+    block(10.0, 0.0, 10.2, 10.0);
+    block(10.0, 4.0, 10.2, 6.0, grid::Occupancy::kFree);
+    block(10.0, 8.0, 10.2, 9.8, grid::Occupancy::kFree);
+    publish_map();
+  }
+
+  void block(double x0, double y0, double x1, double y1, grid::Occupancy fill = grid::Occupancy::kOccupied) {
+    const grid::Cell low = grid_.geometry().cell_at({x0 + 1e-6, y0 + 1e-6});
+    const grid::Cell high = grid_.geometry().cell_at({x1 - 1e-6, y1 - 1e-6});
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) grid_.set({x, y}, fill);
+    }
+  }
+  void publish_map() { planner_.set_map("site", ++revision_, grid_, {0, 0}, {199, 99}); }
+
+  void arrive(const std::string& id, const Pose2& pose) {
+    planner_.set_vehicle(id, kRadius_m);
+    planner_.set_pose(id, pose, now_);
+    poses_[id] = pose;
+  }
+  /// Time goes on; every vehicle says again where it is.
+  void wait(double seconds) {
+    for (double left = seconds; left > 1e-9; left -= 0.1) {
+      now_ += time::from_seconds(0.1);
+      for (const auto& [id, pose] : poses_) planner_.set_pose(id, pose, now_);
+    }
+  }
+  void move(const std::string& id, const Pose2& pose) {
+    poses_[id] = pose;
+    wait(0.1);
+  }
+  std::optional<FleetPlan> step() { return planner_.step(now_, nullptr); }
+  /// Plans that come out while time goes on.
+  std::vector<FleetPlan> plans_within(double seconds) {
+    std::vector<FleetPlan> plans;
+    for (double left = seconds; left > 1e-9; left -= 0.1) {
+      wait(0.1);
+      while (auto plan = step()) plans.push_back(*plan);
+    }
+    return plans;
+  }
+  FleetPlan first_plan(const std::string& id = "agv-1", const Goal& goal = Goal{"goal-1", kGoal, 0.1, 0.0, false}) {
+    planner_.set_goal(id, goal);
+    const auto plan = step();
+    EXPECT_TRUE(plan.has_value());
+    return plan.value_or(FleetPlan{});
+  }
+  bool is_drivable_now(const FleetPlan& plan) const {
+    const grid::ClearanceField clearance(grid_, 2.0);
+    return is_drivable({clearance, plan.waypoints_in_map.front(), plan.waypoints_in_map.back(), kRadius_m, kRadius_m - 0.1}, plan.waypoints_in_map);
+  }
+  static double distance_to(const FleetPlan& plan, Point2 p) {
+    double least_m = 1e9;
+    for (std::size_t i = 1; i < plan.waypoints_in_map.size(); ++i) {
+      least_m = std::min(least_m, geometry::distance_to_segment(p, plan.waypoints_in_map[i - 1], plan.waypoints_in_map[i]));
+    }
+    return least_m;
+  }
+  void blocked(const FleetPlan& plan, Point2 at, Navigation::Cause cause = Navigation::Cause::kObstacle, double radius_m = 0.3) {
+    planner_.set_navigation(plan.agv_id, {plan.goal.id, plan.plan_id, Navigation::Activity::kBlocked, cause, at, radius_m}, now_);
+  }
+
+  grid::OccupancyGrid grid_;
+  FleetPlanner planner_;
+  std::uint64_t revision_{0};
+  time::Stamp now_{time::from_seconds(100.0)};
+  std::map<std::string, Pose2> poses_;
+};
+
+TEST_F(Fleet, PlansForANewGoalOnce) {
+  arrive("agv-1", kStart);
+  const FleetPlan plan = first_plan();
+  EXPECT_EQ(plan.outcome, FleetOutcome::kFound);
+  EXPECT_EQ(plan.trigger, Trigger::kNewGoal);
+  EXPECT_EQ(plan.agv_id, "agv-1");
+  EXPECT_EQ(plan.goal.id, "goal-1");
+  EXPECT_EQ(plan.map_id, "site");
+  EXPECT_EQ(plan.map_revision, 1U);
+  EXPECT_TRUE(is_drivable_now(plan));
+  EXPECT_EQ(plan.waypoints_in_map.front(), kStart.position());
+  EXPECT_EQ(plan.waypoints_in_map.back(), kGoal.position());
+  EXPECT_TRUE(plans_within(20.0).empty());
+}
+
+TEST_F(Fleet, WaitsForMapVehicleAndState) {
+  FleetPlanner fresh(FleetSettings{}, find_variant("wang")->make());
+  fresh.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
+  EXPECT_FALSE(fresh.step(now_, nullptr));
+  EXPECT_EQ(fresh.waits_for(now_), "map_info and map_tile, vehicle_info of agv-1, vehicle_state of agv-1");
+  fresh.set_map("site", 1, grid_, {0, 0}, {199, 99});
+  fresh.set_vehicle("agv-1", kRadius_m);
+  EXPECT_FALSE(fresh.step(now_, nullptr));
+  EXPECT_EQ(fresh.waits_for(now_), "vehicle_state of agv-1");
+  fresh.set_pose("agv-1", kStart, now_);
+  EXPECT_EQ(fresh.waits_for(now_), "");
+  EXPECT_TRUE(fresh.step(now_, nullptr));
+}
+
+TEST_F(Fleet, DoesNotPlanFromAPoseLongGone) {
+  arrive("agv-1", kStart);
+  now_ += time::from_seconds(5.0);
+  planner_.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
+  EXPECT_FALSE(step());
+}
+
+TEST_F(Fleet, KeepsAPlanThatAnEditDoesNotBlock) {
+  arrive("agv-1", kStart);
+  const FleetPlan before = first_plan();
+  block(2.0, 1.0, 3.0, 2.0);
+  publish_map();
+  const auto after = step();
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->plan_id, before.plan_id);
+  EXPECT_EQ(after->waypoints_in_map, before.waypoints_in_map);
+  EXPECT_EQ(after->map_revision, 2U);
+  EXPECT_FALSE(step());
+}
+
+TEST_F(Fleet, ReplacesAPlanThatAnEditBlocks) {
+  arrive("agv-1", kStart);
+  const FleetPlan before = first_plan();
+  block(10.0, 4.0, 10.2, 6.0);
+  publish_map();
+  const auto after = step();
+  ASSERT_TRUE(after);
+  EXPECT_NE(after->plan_id, before.plan_id);
+  EXPECT_EQ(after->trigger, Trigger::kMapChanged);
+  EXPECT_EQ(after->outcome, FleetOutcome::kFound);
+  EXPECT_EQ(after->map_revision, 2U);
+  EXPECT_TRUE(is_drivable_now(*after));
+  EXPECT_GT(after->length_m, before.length_m + 1.0);
+}
+
+TEST_F(Fleet, DoesNotMindAnEditBehindTheVehicle) {
+  arrive("agv-1", kStart);
+  const FleetPlan before = first_plan();
+  for (double x = 1.0; x <= 14.0; x += 0.5) {
+    move("agv-1", {x, 5.0, 0.0});
+    EXPECT_FALSE(step());
+  }
+  block(10.0, 4.0, 10.2, 6.0);
+  publish_map();
+  const auto after = step();
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->plan_id, before.plan_id);
+}
+
+TEST_F(Fleet, DoesNotGoBackWhenAShorterWayOpens) {
+  arrive("agv-1", kStart);
+  block(10.0, 4.0, 10.2, 6.0);
+  publish_map();
+  const FleetPlan before = first_plan();
+  block(10.0, 4.0, 10.2, 6.0, grid::Occupancy::kFree);
+  publish_map();
+  const auto after = step();
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->plan_id, before.plan_id);
+}
+
+TEST_F(Fleet, SaysThatThereIsNoPathAndFindsOneWhenTheMapOpens) {
+  arrive("agv-1", kStart);
+  first_plan();
+  block(10.0, 0.0, 10.2, 10.0);
+  publish_map();
+  const auto none = step();
+  ASSERT_TRUE(none);
+  EXPECT_EQ(none->outcome, FleetOutcome::kNoPath);
+  EXPECT_TRUE(none->waypoints_in_map.empty());
+  EXPECT_NE(none->detail.find("no way from (1.00, 5.00) to (19.00, 5.00)"), std::string::npos) << none->detail;
+  EXPECT_NE(none->detail.find("nearest reachable point is (9."), std::string::npos) << none->detail;
+  EXPECT_TRUE(plans_within(30.0).empty()) << "says the same again";
+  block(10.0, 4.0, 10.2, 6.0, grid::Occupancy::kFree);
+  publish_map();
+  const auto found = step();
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->outcome, FleetOutcome::kFound);
+}
+
+TEST_F(Fleet, NamesWhatIsWrongWithAGoal) {
+  arrive("agv-1", kStart);
+  const FleetPlan wall = first_plan("agv-1", {"a", {10.1, 2.0, 0.0}, 0.1, 0.0, false});
+  EXPECT_EQ(wall.outcome, FleetOutcome::kGoalBlocked);
+  EXPECT_NE(wall.detail.find("the goal (10.10, 2.00) has 0.00 m of clearance"), std::string::npos) << wall.detail;
+  EXPECT_NE(wall.detail.find("m from the goal"), std::string::npos) << wall.detail;
+  const FleetPlan outside = first_plan("agv-1", {"b", {30.0, 2.0, 0.0}, 0.1, 0.0, false});
+  EXPECT_EQ(outside.outcome, FleetOutcome::kOutOfMap);
+  EXPECT_NE(outside.detail.find("the goal (30.00, 2.00) is outside the map, x 0.00 to 20.00, y 0.00 to 10.00"), std::string::npos) << outside.detail;
+  planner_.set_goal("agv-1", {"c", kGoal, 0.1, 0.0, false});
+  const auto late = planner_.step(now_, [] { return true; });
+  ASSERT_TRUE(late);
+  EXPECT_EQ(late->outcome, FleetOutcome::kOutOfTime);
+  arrive("agv-2", {10.1, 2.0, 0.0});
+  const FleetPlan inside = first_plan("agv-2");
+  EXPECT_EQ(inside.outcome, FleetOutcome::kStartBlocked);
+  EXPECT_NE(inside.detail.find("the vehicle at (10.10, 2.00)"), std::string::npos) << inside.detail;
+}
+
+TEST_F(Fleet, TriesAgainWhenTimeRanOut) {
+  arrive("agv-1", kStart);
+  planner_.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
+  ASSERT_EQ(planner_.step(now_, [] { return true; })->outcome, FleetOutcome::kOutOfTime);
+  EXPECT_FALSE(step());
+  const std::vector<FleetPlan> plans = plans_within(5.0);
+  ASSERT_EQ(plans.size(), 1U);
+  EXPECT_EQ(plans[0].outcome, FleetOutcome::kFound);
+}
+
+TEST_F(Fleet, CancelsOnceAndPlansAgainForTheNextGoal) {
+  arrive("agv-1", kStart);
+  first_plan();
+  const FleetPlan cancelled = first_plan("agv-1", {"goal-1", kGoal, 0.1, 0.0, true});
+  EXPECT_EQ(cancelled.outcome, FleetOutcome::kCancelled);
+  EXPECT_EQ(cancelled.goal.id, "goal-1");
+  EXPECT_TRUE(cancelled.waypoints_in_map.empty());
+  EXPECT_TRUE(plans_within(10.0).empty());
+  EXPECT_EQ(first_plan("agv-1", {"goal-2", kGoal, 0.1, 0.0, false}).outcome, FleetOutcome::kFound);
+}
+
+TEST_F(Fleet, SkipsAGoalThatWasReachedBeforeItStarted) {
+  arrive("agv-1", kGoal);
+  planner_.set_navigation("agv-1", {"goal-1", 4, Navigation::Activity::kArrived, Navigation::Cause::kOther, {}, 0.0}, now_);
+  planner_.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
+  EXPECT_TRUE(plans_within(5.0).empty());
+  planner_.set_goal("agv-1", {"goal-2", kStart, 0.1, 0.0, false});
+  EXPECT_TRUE(step());
+}
+
+TEST_F(Fleet, GoesAroundAStaticTrackOnTheWayOnce) {
+  arrive("agv-1", kStart);
+  const FleetPlan before = first_plan();
+  planner_.set_static_track(7, {{6.0, 5.0}, 0.4});
+  const std::vector<FleetPlan> plans = plans_within(30.0);
+  ASSERT_EQ(plans.size(), 1U);
+  EXPECT_EQ(plans[0].trigger, Trigger::kTrack);
+  EXPECT_EQ(plans[0].detail, "around track 7");
+  EXPECT_GE(distance_to(plans[0], {6.0, 5.0}), 0.4 + kRadius_m);
+  EXPECT_TRUE(is_drivable_now(plans[0]));
+  planner_.drop_track(7);
+  EXPECT_TRUE(plans_within(30.0).empty()) << "went back";
+}
+
+TEST_F(Fleet, LeavesAPlanAloneThatAStaticTrackDoesNotTouch) {
+  arrive("agv-1", kStart);
+  first_plan();
+  planner_.set_static_track(7, {{6.0, 6.0}, 0.4});
+  EXPECT_TRUE(plans_within(10.0).empty());
+}
+
+TEST_F(Fleet, TakesTheOtherDoorWhenThisOneIsShutByAnObstacle) {
+  arrive("agv-1", kStart);
+  first_plan();
+  planner_.set_static_track(7, {{10.1, 5.0}, 0.9});
+  const std::vector<FleetPlan> plans = plans_within(10.0);
+  ASSERT_EQ(plans.size(), 1U);
+  EXPECT_GT(plans[0].length_m, 19.0);
+  EXPECT_TRUE(is_drivable_now(plans[0]));
+}
+
+TEST_F(Fleet, KeepsThePlanAndSaysSoWhenThereIsNoWayAround) {
+  arrive("agv-1", kStart);
+  block(10.0, 8.0, 10.2, 9.8);
+  publish_map();
+  first_plan();
+  planner_.take_events();
+  planner_.set_static_track(7, {{10.1, 5.0}, 0.9});
+  EXPECT_TRUE(plans_within(30.0).empty());
+  const std::vector<std::string> events = planner_.take_events();
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0], "agv-1: no way around track 7; plan 1 is kept");
+}
+
+TEST_F(Fleet, PlansThroughWhatItCannotGoAround) {
+  arrive("agv-1", kStart);
+  block(10.0, 8.0, 10.2, 9.8);
+  publish_map();
+  planner_.set_static_track(7, {{10.1, 5.0}, 0.9});
+  const FleetPlan plan = first_plan();
+  EXPECT_EQ(plan.outcome, FleetOutcome::kFound);
+  EXPECT_EQ(plan.detail, "no way around track 7");
+}
+
+TEST_F(Fleet, GoesAroundAReportedBlockAndForgetsIt) {
+  arrive("agv-1", kStart);
+  const FleetPlan before = first_plan();
+  wait(2.0);
+  blocked(before, {4.0, 5.0});
+  const auto around = step();
+  ASSERT_TRUE(around);
+  EXPECT_EQ(around->trigger, Trigger::kVehicleBlocked);
+  EXPECT_GE(distance_to(*around, {4.0, 5.0}), 0.3 + kRadius_m);
+  wait(11.0);
+  const FleetPlan later = first_plan("agv-1", {"goal-2", kGoal, 0.1, 0.0, false});
+  EXPECT_LT(distance_to(later, {4.0, 5.0}), 0.1);
+}
+
+TEST_F(Fleet, DoesNotFlapWhileAVehicleSaysBlockedAgainAndAgain) {
+  arrive("agv-1", kStart);
+  block(10.0, 8.0, 10.2, 9.8);
+  publish_map();
+  const FleetPlan plan = first_plan();
+  std::size_t replans = 0;
+  for (int i = 0; i < 300; ++i) {
+    blocked(plan, {10.1, 5.0}, Navigation::Cause::kObstacle, 0.9);
+    replans += plans_within(0.1).size();
+  }
+  EXPECT_EQ(replans, 0U);
+}
+
+TEST_F(Fleet, GoesAroundAVehicleThatBlocksForThisPlanOnly) {
+  arrive("agv-1", kStart);
+  arrive("agv-2", {5.0, 5.0, 0.0});
+  first_plan("agv-2", {"other", {1.0, 8.0, 0.0}, 0.1, 0.0, false});
+  const FleetPlan before = first_plan();
+  EXPECT_LT(distance_to(before, {5.0, 5.0}), 0.2) << "a vehicle on its way is no obstacle";
+  wait(1.5);
+  blocked(before, {4.7, 5.0}, Navigation::Cause::kVehicle);
+  const auto around = step();
+  ASSERT_TRUE(around);
+  EXPECT_EQ(around->trigger, Trigger::kVehicleBlocked);
+  EXPECT_EQ(around->detail, "around agv-2");
+  EXPECT_GE(distance_to(*around, {5.0, 5.0}), 2.0 * kRadius_m);
+  const FleetPlan later = first_plan("agv-1", {"goal-2", kGoal, 0.1, 0.0, false});
+  EXPECT_LT(distance_to(later, {5.0, 5.0}), 0.2);
+}
+
+TEST_F(Fleet, GoesAroundAParkedVehicle) {
+  arrive("agv-1", kStart);
+  arrive("agv-2", {5.0, 5.0, 0.0});
+  wait(3.0);
+  const FleetPlan plan = first_plan();
+  EXPECT_GE(distance_to(plan, {5.0, 5.0}), 2.0 * kRadius_m);
+}
+
+TEST_F(Fleet, GoesAroundAVehicleThatWentSilent) {
+  arrive("agv-1", kStart);
+  arrive("agv-2", {5.0, 5.0, 0.0});
+  first_plan("agv-2", {"other", kGoal, 0.1, 0.0, false});
+  poses_.erase("agv-2");
+  wait(3.0);
+  EXPECT_GE(distance_to(first_plan(), {5.0, 5.0}), 2.0 * kRadius_m);
+}
+
+TEST_F(Fleet, PlansToAGoalThatAParkedVehicleStandsOn) {
+  arrive("agv-1", kStart);
+  arrive("agv-2", {18.9, 5.1, 0.0});
+  wait(3.0);
+  EXPECT_EQ(first_plan().outcome, FleetOutcome::kFound);
+  EXPECT_TRUE(plans_within(10.0).empty());
+}
+
+TEST_F(Fleet, PlansFromWhereABlockedVehicleStrayedTo) {
+  arrive("agv-1", kStart);
+  const FleetPlan before = first_plan();
+  move("agv-1", {2.0, 6.5, 0.0});
+  wait(2.0);
+  blocked(before, {}, Navigation::Cause::kOffPath);
+  const auto after = step();
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->waypoints_in_map.front(), (Point2{2.0, 6.5}));
+}
+
+TEST_F(Fleet, AdoptsTheFormerPlannersPlans) {
+  arrive("agv-1", kStart);
+  const FleetPlan theirs = first_plan();
+  FleetPlanner standby(FleetSettings{}, find_variant("wang")->make());
+  standby.set_map("site", 5, grid_, {0, 0}, {199, 99});
+  standby.set_vehicle("agv-1", kRadius_m);
+  standby.set_pose("agv-1", kStart, now_);
+  standby.set_goal("agv-1", theirs.goal);
+  standby.adopt(theirs);
+  const auto ours = standby.step(now_, nullptr);
+  ASSERT_TRUE(ours);
+  EXPECT_EQ(ours->trigger, Trigger::kTakeover);
+  EXPECT_EQ(ours->waypoints_in_map, theirs.waypoints_in_map);
+  EXPECT_EQ(ours->map_revision, 5U);
+  EXPECT_FALSE(standby.step(now_, nullptr));
+}
+
+TEST_F(Fleet, ServesEveryVehicleInTurn) {
+  for (int i = 0; i < 5; ++i) {
+    const std::string id = "agv-" + std::to_string(i);
+    arrive(id, {1.0, 1.0 + 1.5 * i, 0.0});
+    planner_.set_goal(id, {"goal", {17.0, 1.0 + 1.5 * i, 0.0}, 0.1, 0.0, false});
+  }
+  std::map<std::string, int> served;
+  while (const auto plan = step()) ++served[plan->agv_id];
+  EXPECT_EQ(served.size(), 5U);
+  for (const auto& [id, count] : served) EXPECT_EQ(count, 1) << id;
+}
+
+}  // namespace
+}  // namespace aisle::global_planner
