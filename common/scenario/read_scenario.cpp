@@ -1,0 +1,219 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/config/yaml_reader.hpp"
+#include "common/scenario/data_path.hpp"
+#include "common/scenario/scenario.hpp"
+
+namespace aisle::scenario {
+namespace {
+
+using config::YamlReader;
+
+constexpr double kFarthestM = 1.0e5;
+constexpr double kLongestS = 86400.0;
+constexpr std::size_t kMostVehicles = 100;
+constexpr std::size_t kMostGoals = 1000;
+
+bool is_id(const std::string& id) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+  };
+  return !id.empty() && id.size() <= 60 && std::all_of(id.begin(), id.end(), fits);
+}
+
+void read_id(YamlReader& r, const char* key, std::string& id) {
+  r.field(key, id).require({key});
+  if (r.has(key) && !is_id(id)) r.reject(key, "'" + id + "' is not an id; use 1 to 60 letters, digits, '-', '_' and '.'");
+}
+
+geometry::Pose2 pose_of(YamlReader& r, const char* key, const std::vector<double>& numbers) {
+  if (numbers.size() < 2 || numbers.size() > 3) r.reject(key, "takes [x, y] or [x, y, yaw]: metres and radians, in map");
+  const double yaw = numbers.size() == 3 ? numbers[2] : 0.0;
+  if (std::abs(yaw) > 6.3) r.reject(key, "the yaw is in radians, at most a turn (6.28)");
+  return {numbers[0], numbers[1], geometry::wrap(yaw)};
+}
+
+/// Leaves `pose` as it is when the key is missing.
+void read_pose(YamlReader& r, const char* key, geometry::Pose2& pose) {
+  std::vector<double> numbers;
+  r.field(key, numbers, -kFarthestM, kFarthestM);
+  if (r.has(key)) pose = pose_of(r, key, numbers);
+}
+
+void read_point(YamlReader& r, const char* key, geometry::Point2& point) {
+  std::vector<double> numbers;
+  r.field(key, numbers, -kFarthestM, kFarthestM);
+  if (!r.has(key)) return;
+  if (numbers.size() != 2) r.reject(key, "takes [x, y]: metres in map");
+  point = {numbers[0], numbers[1]};
+}
+
+// What the file says of each thing; the names of the keys stand here and nowhere else.
+
+struct VehicleEntry {
+  Vehicle value;
+  void describe(YamlReader& r) {
+    read_id(r, "id", value.id);
+    r.field("model", value.model).field("radius_m", value.radius_m, 0.05, 5.0).field("max_speed_mps", value.max_speed_mps, 0.05, 10.0);
+    r.require({"start"});
+    read_pose(r, "start", value.start_in_map);
+    if (value.model != "differential") r.reject("model", "'" + value.model + "' is not simulated; use differential");
+  }
+};
+
+struct MissionEntry {
+  Mission value;
+  std::string where;
+  void describe(YamlReader& r) {
+    std::vector<std::vector<double>> rows;
+    r.field("vehicle", value.vehicle)
+        .field("goals", rows, -kFarthestM, kFarthestM)
+        .field("heading_matters", value.heading_matters)
+        .field("loops", value.loops, 1, 100000)
+        .require({"vehicle", "goals"});
+    if (r.has("goals") && (rows.empty() || rows.size() > kMostGoals)) r.reject("goals", "takes 1 to 1000 goals");
+    for (const std::vector<double>& row : rows) value.goals_in_map.push_back(pose_of(r, "goals", row));
+    where = r.where("vehicle");
+  }
+};
+
+struct MoverEntry {
+  Mover value;
+  void describe(YamlReader& r) {
+    std::vector<std::vector<double>> rows;
+    read_id(r, "id", value.id);
+    r.field("radius_m", value.radius_m, 0.05, 5.0)
+        .field("speed_mps", value.speed_mps, 0.01, 5.0)
+        .field("start_s", value.start_s, 0.0, kLongestS)
+        .field("loop", value.loop)
+        .field("courteous", value.courteous)
+        .field("waypoints", rows, -kFarthestM, kFarthestM)
+        .require({"waypoints"});
+    if (r.has("waypoints") && rows.size() < 2) r.reject("waypoints", "takes two or more points [x, y]");
+    for (const std::vector<double>& row : rows) {
+      if (row.size() != 2) r.reject("waypoints", "takes points [x, y]: metres in map");
+      value.waypoints_in_map.push_back({row[0], row[1]});
+    }
+  }
+};
+
+struct RecordingEntry {
+  Recording value;
+  std::string file;
+  void describe(YamlReader& r) {
+    r.field("file", file)
+        .field("radius_m", value.radius_m, 0.05, 5.0)
+        .field("begin_s", value.begin_s, 0.0, 1e9)
+        .field("end_s", value.end_s, 0.0, 1e9)
+        .require({"file"});
+    read_pose(r, "frame", value.frame_in_map);
+    if (value.end_s <= value.begin_s) r.reject("end_s", "must be later than begin_s");
+  }
+};
+
+struct BlockEntry {
+  Block value;
+  void describe(YamlReader& r) {
+    read_id(r, "id", value.id);
+    r.field("length_m", value.length_m, 0.05, 50.0)
+        .field("width_m", value.width_m, 0.05, 50.0)
+        .field("appear_s", value.appear_s, 0.0, kLongestS)
+        .require({"center"});
+    read_pose(r, "center", value.center_in_map);
+  }
+};
+
+struct MapEditEntry {
+  MapEdit value;
+  void describe(YamlReader& r) {
+    std::string action = "block";
+    r.field("at_s", value.at_s, 0.0, kLongestS).field("action", action).require({"at_s", "low", "high"});
+    read_point(r, "low", value.low_in_map);
+    read_point(r, "high", value.high_in_map);
+    if (action != "block" && action != "unblock") r.reject("action", "'" + action + "' is neither block nor unblock");
+    value.block = action == "block";
+    if (value.high_in_map.x <= value.low_in_map.x || value.high_in_map.y <= value.low_in_map.y) {
+      r.reject("high", "must lie above and to the right of low");
+    }
+  }
+};
+
+template <class Entry, class Value>
+std::vector<Entry> read_list(YamlReader& r, const char* key, std::vector<Value>& values) {
+  std::vector<Entry> entries;
+  r.list(key, entries);
+  for (Entry& entry : entries) values.push_back(entry.value);
+  return entries;
+}
+
+struct ScenarioFile {
+  Scenario value;
+  std::string map;
+  std::vector<MissionEntry> missions;
+  std::vector<RecordingEntry> recordings;
+
+  void describe(YamlReader& r) {
+    r.field("name", value.name)
+        .field("map", map)
+        .field("moving_ai_cell_m", value.map_options.moving_ai_cell_m, 0.01, 100.0)
+        .field("subdivide", value.map_options.subdivide, 1, 64)
+        .field("seed", value.seed, 0, ~std::uint64_t{0} >> 1)
+        .field("duration_s", value.duration_s, 1.0, kLongestS)
+        .field("start_jitter_m", value.start_jitter_m, 0.0, 1.0)
+        .require({"map", "vehicles"});
+    read_list<VehicleEntry>(r, "vehicles", value.vehicles);
+    missions = read_list<MissionEntry>(r, "missions", value.missions);
+    read_list<MoverEntry>(r, "movers", value.movers);
+    recordings = read_list<RecordingEntry>(r, "recordings", value.recordings);
+    read_list<BlockEntry>(r, "blocks", value.blocks);
+    read_list<MapEditEntry>(r, "map_edits", value.map_edits);
+    check(r);
+  }
+
+  void check(YamlReader& r) const {
+    if (r.has("vehicles") && value.vehicles.empty()) r.reject("vehicles", "names no vehicle");
+    if (value.vehicles.size() > kMostVehicles) r.reject("vehicles", "names more than 100 vehicles");
+    std::set<std::string> ids;
+    const auto take = [&](const char* key, const std::string& id) {
+      if (!ids.insert(id).second) r.reject(key, "'" + id + "' names two things; ids are unique in a scenario");
+    };
+    for (const Vehicle& vehicle : value.vehicles) take("vehicles", vehicle.id);
+    check_missions();
+    for (const Mover& mover : value.movers) take("movers", mover.id);
+    for (const Block& block : value.blocks) take("blocks", block.id);
+  }
+
+  void check_missions() const {
+    std::set<std::string> known;
+    for (const Vehicle& vehicle : value.vehicles) known.insert(vehicle.id);
+    std::set<std::string> with_mission;
+    for (const MissionEntry& mission : missions) {
+      const std::string& id = mission.value.vehicle;
+      if (known.count(id) == 0) throw config::BadInput(mission.where + ": no vehicle '" + id + "' in vehicles");
+      if (!with_mission.insert(id).second) throw config::BadInput(mission.where + ": '" + id + "' has a mission already; list its goals in one");
+    }
+  }
+};
+
+}  // namespace
+
+Scenario read_scenario(const std::filesystem::path& file) {
+  ScenarioFile read;
+  config::read_yaml_file(file, read);
+  Scenario scenario = std::move(read.value);
+  if (scenario.name.empty()) scenario.name = file.stem().string();
+  scenario.map_file = find_named_file(read.map, file);
+  for (std::size_t i = 0; i < scenario.recordings.size(); ++i) {
+    scenario.recordings[i].file = find_named_file(read.recordings[i].file, file);
+  }
+  return scenario;
+}
+
+}  // namespace aisle::scenario
