@@ -21,6 +21,8 @@ constexpr std::size_t kLongestDetail = 256;       // as in the IDL
 constexpr double kChecked_m = 1e-4;               // a plan is checked for this much less than it was made for, against rounding
 constexpr double kOffPath_m = 0.3;                // farther from its plan a blocked vehicle gets one from where it stands
 constexpr double kStandsWithin_m = 0.05;
+constexpr std::size_t kMost = 1024;               // vehicles, static tracks
+constexpr std::size_t kMostWaypoints = 4096;      // as in the IDL
 
 std::string shortened(std::string text) { return text.size() <= kLongestDetail ? text : text.substr(0, kLongestDetail); }
 
@@ -48,7 +50,9 @@ void FleetPlanner::set_map(const std::string& map_id, std::uint64_t revision, co
 void FleetPlanner::rebuild_clearance() { clearance_ = grid::ClearanceField(grid_, reach_m_); }
 
 void FleetPlanner::set_vehicle(const std::string& agv_id, double radius_m) {
-  vehicle(agv_id).radius_m = radius_m;
+  Vehicle* v = vehicle(agv_id);
+  if (v == nullptr) return;
+  v->radius_m = radius_m;
   const double needed_m = radius_m + settings_.margin_m + 0.5;
   if (needed_m <= reach_m_) return;
   reach_m_ = needed_m;
@@ -56,7 +60,9 @@ void FleetPlanner::set_vehicle(const std::string& agv_id, double radius_m) {
 }
 
 void FleetPlanner::set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, Stamp now) {
-  Vehicle& v = vehicle(agv_id);
+  Vehicle* const known = vehicle(agv_id);
+  if (known == nullptr) return;
+  Vehicle& v = *known;
   if (!v.pose.seen() || geometry::distance(v.stands_at, base_in_map.position()) > kStandsWithin_m) {
     v.stands_at = base_in_map.position();
     v.stands_since = now;
@@ -65,7 +71,9 @@ void FleetPlanner::set_pose(const std::string& agv_id, const geometry::Pose2& ba
 }
 
 void FleetPlanner::set_goal(const std::string& agv_id, const Goal& goal) {
-  Vehicle& v = vehicle(agv_id);
+  Vehicle* const known = vehicle(agv_id);
+  if (known == nullptr) return;
+  Vehicle& v = *known;
   if (v.goal && *v.goal == goal) return;
   v.goal = goal;
   v.next_attempt = Stamp{};
@@ -73,7 +81,9 @@ void FleetPlanner::set_goal(const std::string& agv_id, const Goal& goal) {
 }
 
 void FleetPlanner::set_navigation(const std::string& agv_id, const Navigation& navigation, Stamp now) {
-  Vehicle& v = vehicle(agv_id);
+  Vehicle* const known = vehicle(agv_id);
+  if (known == nullptr) return;
+  Vehicle& v = *known;
   v.navigation = navigation;
   v.navigation_arrived = now;
   if (navigation.activity != Navigation::Activity::kBlocked || navigation.cause != Navigation::Cause::kObstacle) return;
@@ -92,16 +102,29 @@ void FleetPlanner::set_navigation(const std::string& agv_id, const Navigation& n
 void FleetPlanner::forget_vehicle(const std::string& agv_id) { vehicles_.erase(agv_id); }
 
 void FleetPlanner::adopt(const FleetPlan& plan) {
-  Vehicle& v = vehicle(plan.agv_id);
+  Vehicle* const known = vehicle(plan.agv_id);
+  if (known == nullptr) return;
+  Vehicle& v = *known;
   v.plan = plan;
   v.is_adopted = true;
   v.progress = PathProgress(plan.waypoints_in_map);
 }
 
-FleetPlanner::Vehicle& FleetPlanner::vehicle(const std::string& agv_id) {
+void FleetPlanner::take_over() {
+  for (auto& [id, v] : vehicles_) v.is_adopted = v.plan.has_value();
+}
+
+void FleetPlanner::set_static_track(std::uint64_t track_id, const Disc& disc) {
+  if (static_tracks_.size() < kMost || static_tracks_.count(track_id) > 0) static_tracks_[track_id] = disc;
+}
+
+FleetPlanner::Vehicle* FleetPlanner::vehicle(const std::string& agv_id) {
+  const auto known = vehicles_.find(agv_id);
+  if (known != vehicles_.end()) return &known->second;
+  if (vehicles_.size() >= kMost) return nullptr;
   Vehicle& v = vehicles_[agv_id];
   v.id = agv_id;
-  return v;
+  return &v;
 }
 
 std::optional<FleetPlan> FleetPlanner::step(Stamp now, const OutOfTime& out_of_time) {
@@ -131,7 +154,7 @@ std::optional<FleetPlan> FleetPlanner::attend(Vehicle& v, Stamp now, const OutOf
 }
 
 std::optional<FleetPlan> FleetPlanner::cancel(Vehicle& v) {
-  if (v.plan && v.plan->goal == *v.goal) return {};
+  if (v.plan && v.plan->goal == *v.goal && !v.is_adopted) return {};
   FleetPlan plan;
   plan.outcome = FleetOutcome::kCancelled;
   plan.detail = fmt::format("goal {} was cancelled", v.goal->id);
@@ -232,7 +255,10 @@ Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around,
   const StampedDiscs stamped(grid_, clearance_, discs);
   const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
   Plan plan = planner_->plan(problem, out_of_time);
-  if (plan.outcome == Outcome::kFound) passes::collinear(Drivable(problem), plan.waypoints_in_map);
+  if (plan.outcome != Outcome::kFound) return plan;
+  passes::collinear(Drivable(problem), plan.waypoints_in_map);
+  if (plan.waypoints_in_map.size() > kMostWaypoints) passes::greedy_line_of_sight(Drivable(problem), plan.waypoints_in_map);
+  if (plan.waypoints_in_map.size() > kMostWaypoints) return {};
   return plan;
 }
 

@@ -22,6 +22,7 @@ namespace aisle::global_planner {
 ///   static track, parked vehicle, blocked report on the way ──┴ blocked ─► new plan around it; none: keep the old one, wait
 ///   no path ─► tried again, ever less often, and when the map changes
 ///
+/// At most 1024 vehicles and 1024 static tracks are kept; further ones are ignored.
 /// Obstacles that the map does not show (static tracks, parked or silent vehicles, a vehicle's own reports) never make a goal
 /// unreachable: where there is no way around them, the plan leads through, and the local planner waits in front.
 class FleetPlanner {
@@ -36,11 +37,13 @@ class FleetPlanner {
   void set_navigation(const std::string& agv_id, const Navigation& navigation, time::Stamp now);
   void forget_vehicle(const std::string& agv_id);
   /// A static obstacle that the tracker sees; it stays until dropped.
-  void set_static_track(std::uint64_t track_id, const Disc& disc) { static_tracks_[track_id] = disc; }
+  void set_static_track(std::uint64_t track_id, const Disc& disc);
   void drop_track(std::uint64_t track_id) { static_tracks_.erase(track_id); }
 
   /// Takes over a plan that another planner published: it is checked and published again as ours, waypoints unchanged.
   void adopt(const FleetPlan& plan);
+  /// All plans that stand, ours too, are checked and published again.
+  void take_over();
 
   /// The next plan to publish, after working for at most one vehicle; call it again until there is none.
   std::optional<FleetPlan> step(time::Stamp now, const OutOfTime& out_of_time);
@@ -97,7 +100,7 @@ class FleetPlanner {
   bool is_parked(const Vehicle& vehicle, time::Stamp now) const;
   bool is_blocked_on_its_plan(const Vehicle& vehicle, time::Stamp now) const;
   void rebuild_clearance();
-  Vehicle& vehicle(const std::string& agv_id);
+  Vehicle* vehicle(const std::string& agv_id);
 
   FleetSettings settings_;
   std::unique_ptr<Planner> planner_;

@@ -1,0 +1,48 @@
+#pragma once
+#include <cstdint>
+
+#include "common/time/stamp.hpp"
+
+namespace aisle::global_planner {
+
+/// Who plans, when several planners run: one leads, the others stand by and know its plans. Whoever takes over raises the epoch, so
+/// that receivers can refuse a planner that was thought dead and comes back; giving the lead back is a person's decision.
+///
+///   listening ──0.5 s without a plan of another──► leading ──hears a higher epoch──► standby
+///       └──── hears a plan, or was told to ────► standby ──leader lost, or nobody for 3 s──► leading, epoch + 1
+class Leadership {
+ public:
+  enum class Role { kListening, kStandby, kLeading };
+
+  /// `boot_id`: of this process; of two leaders with one epoch the one that started later gives way.
+  Leadership(bool starts_as_standby, std::uint64_t boot_id) : starts_as_standby_(starts_as_standby), boot_id_(boot_id) {}
+
+  /// A plan of another planner came.
+  void hear(std::uint32_t epoch, std::uint64_t boot_id);
+  /// A plan of another planner has no live writer any more.
+  void lose_leader() { is_leader_lost_ = true; }
+
+  /// Looks at the time; `others` is the number of other planners' writers. True when the role changed.
+  bool step(time::Stamp now, int others);
+
+  Role role() const { return role_; }
+  /// In force while leading; at least 1.
+  std::uint32_t epoch() const { return epoch_; }
+
+ private:
+  void lead();
+
+  bool starts_as_standby_;
+  std::uint64_t boot_id_;
+  Role role_{Role::kListening};
+  std::uint32_t epoch_{0};
+  std::uint32_t highest_heard_{0};
+  bool has_heard_{false};         // of another planner, since the role changed
+  bool must_yield_{false};
+  bool is_leader_lost_{false};
+  bool is_started_{false};
+  time::Stamp started_{};
+  time::Stamp alone_since_{};
+};
+
+}  // namespace aisle::global_planner

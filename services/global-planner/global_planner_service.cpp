@@ -1,0 +1,173 @@
+#include "services/global-planner/global_planner_service.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/config/reader.hpp"
+#include "common/process/clock.hpp"
+#include "services/global-planner/codec.hpp"
+#include "services/global-planner/core/variant.hpp"
+
+namespace aisle::global_planner {
+namespace {
+
+using bus::SampleInfo;
+using bus::SampleKind;
+using process::monotonic_now;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kTurn{20};
+constexpr milliseconds kAssert{50};          // of a lease of 200 ms
+constexpr std::uint32_t kMostEpochs = 2'000'000;
+
+std::unique_ptr<Planner> make_planner(const std::string& name) {
+  if (const Variant* variant = find_variant(name)) return variant->make();
+  std::string names;
+  for (const Variant& variant : all_variants()) names += (names.empty() ? "" : ", ") + variant.name;
+  throw config::BadInput("planner: '" + name + "' is unknown; there are " + names);
+}
+
+/// A later epoch is heard, whatever its strength: ownership on the wire follows authority.
+int ownership_strength(std::uint32_t epoch, int strength) { return static_cast<int>(std::min(epoch, kMostEpochs)) * 1000 + strength; }
+
+}  // namespace
+
+GlobalPlannerService::GlobalPlannerService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
+                                           const ServiceConfig& config)
+    : bus_(bus),
+      config_(config),
+      boot_id_(boot_id),
+      health_(health),
+      stamper_(instance_id, boot_id),
+      map_(bus, instance_id, {{}, false, 0.0, milliseconds(300)}),
+      fleet_(config.fleet, make_planner(config.planner)),
+      leadership_(config.standby, boot_id),
+      warnings_(std::chrono::seconds(10)) {
+  listen();
+  bus_.every(kTurn, [this] { work_soon(); });
+  bus_.every(kAssert, [this] { keep_lead(); });
+  bus_.every(milliseconds(250), [this] { report(); });
+}
+
+template <class T>
+std::optional<T> GlobalPlannerService::accepted(const char* topic, wire::Decoded<T> decoded) {
+  if (decoded) return *std::move(decoded);
+  health_.count(std::string("dropped_") + topic);
+  warnings_.warn(topic, std::string(topic) + ": a sample was dropped: " + decoded.reason());
+  return std::nullopt;
+}
+
+void GlobalPlannerService::listen() {
+  map_.on_map([this](const grid::OccupancyGrid& grid, const grid::ClearanceField&, grid::Cell low, grid::Cell high) {
+    fleet_.set_map(map_.map_id(), map_.revision(), grid, low, high);
+    work_soon();
+  });
+  bus_.on<topics::VehicleInfo>([this](const aisle::VehicleInfo& sample, const SampleInfo& info) {
+    if (info.kind != SampleKind::kData) return;   // a vehicle that is gone still stands where it was
+    if (const auto radius_m = accepted("vehicle_info", decode(sample))) fleet_.set_vehicle(sample.agv_id().to_string(), *radius_m);
+  });
+  bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
+    if (info.kind != SampleKind::kData) return;
+    if (const auto pose = accepted("vehicle_state", decode(sample))) fleet_.set_pose(sample.agv_id().to_string(), *pose, monotonic_now());
+  });
+  bus_.on<topics::Goal>([this](const aisle::Goal& sample, const SampleInfo& info) {
+    if (info.kind != SampleKind::kData) return;   // goals outlive whoever gave them
+    if (const auto goal = accepted("goal", decode(sample))) fleet_.set_goal(sample.agv_id().to_string(), *goal);
+    work_soon();
+  });
+  bus_.on<topics::NavigationStatus>([this](const aisle::NavigationStatus& sample, const SampleInfo& info) {
+    if (info.kind != SampleKind::kData) return;
+    if (const auto navigation = accepted("navigation_status", decode(sample))) {
+      fleet_.set_navigation(sample.agv_id().to_string(), *navigation, monotonic_now());
+    }
+  });
+  bus_.on<topics::Track>([this](const aisle::Track& sample, const SampleInfo& info) {
+    if (info.kind != SampleKind::kData) return fleet_.drop_track(sample.track_id());
+    const auto disc = accepted("track", decode(sample));
+    if (!disc) return;
+    if (*disc) {
+      fleet_.set_static_track(sample.track_id(), **disc);
+    } else {
+      fleet_.drop_track(sample.track_id());
+    }
+  });
+  bus_.on<topics::Plan>([this](const aisle::Plan& sample, const SampleInfo& info) { hear(sample, info); });
+}
+
+void GlobalPlannerService::hear(const aisle::Plan& sample, const SampleInfo& info) {
+  if (info.kind != SampleKind::kData) {
+    if (leadership_.role() != Leadership::Role::kLeading) leadership_.lose_leader();
+    return keep_lead();
+  }
+  if (sample.by().boot_id() == boot_id_) return;   // our own
+  const auto plan = accepted("plan", decode(sample));
+  if (!plan) return;
+  health_.count("heard_plans");
+  leadership_.hear(sample.by().epoch(), sample.by().boot_id());
+  keep_lead();
+  if (leadership_.role() != Leadership::Role::kLeading) fleet_.adopt(*plan);
+}
+
+void GlobalPlannerService::keep_lead() {
+  const time::Stamp now = monotonic_now();
+  const bool was_leading = leadership_.role() == Leadership::Role::kLeading;
+  const bool changed = leadership_.step(now, bus_.matched_writers(topics::Plan::kName) - (was_leading ? 1 : 0));
+  if (leadership_.role() == Leadership::Role::kLeading) {
+    if (changed) {
+      stamper_.set_epoch(leadership_.epoch());
+      plans_ = bus_.writer<topics::Plan>(ownership_strength(leadership_.epoch(), config_.strength));
+      fleet_.take_over();
+      spdlog::info("leads, epoch {}", leadership_.epoch());
+      work_soon();
+    }
+    plans_.assert_liveliness();
+    asserted_ = now;
+  } else if (changed) {
+    plans_ = {};
+    spdlog::info("stands by{}", was_leading ? ": another planner leads with a higher epoch" : "");
+  }
+}
+
+void GlobalPlannerService::work_soon() {
+  if (std::exchange(is_work_posted_, true)) return;
+  bus_.post([this] { work(); });
+}
+
+void GlobalPlannerService::work() {
+  is_work_posted_ = false;
+  if (leadership_.role() != Leadership::Role::kLeading) return;
+  const time::Stamp begun = monotonic_now();
+  const std::optional<FleetPlan> plan = fleet_.step(begun, [&] { return is_too_late(begun); });
+  for (const std::string& event : fleet_.take_events()) spdlog::info("{}", event);
+  if (!plan) return;
+  aisle::Plan sample = encode(*plan, config_.planner, 1e3 * time::seconds(monotonic_now() - begun));
+  sample.by(stamper_.next());
+  if (!plans_.write(sample)) health_.count("plans_not_written");
+  asserted_ = monotonic_now();
+  health_.count(plan->outcome == FleetOutcome::kFound ? "plans_published" : "plans_without_path");
+  if (plan->trigger != Trigger::kNewGoal) health_.count("plans_replaced_or_checked");
+  work_soon();
+}
+
+bool GlobalPlannerService::is_too_late(time::Stamp begun) {
+  const time::Stamp now = monotonic_now();
+  if (now - asserted_ >= kAssert) {   // a long search is no silence
+    plans_.assert_liveliness();
+    asserted_ = now;
+  }
+  return now - begun > time::from_seconds(config_.longest_search_s);
+}
+
+void GlobalPlannerService::report() {
+  health_.map_id = map_.map_id();
+  health_.map_revision = map_.revision();
+  health_.map_hash = map_.hash();
+  health_.counters["leads"] = leadership_.role() == Leadership::Role::kLeading ? 1 : 0;
+  health_.counters["epoch"] = leadership_.epoch();
+  health_.waits_for = fleet_.waits_for(monotonic_now());
+  health_.state = health_.waits_for.empty() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
+}
+
+}  // namespace aisle::global_planner
