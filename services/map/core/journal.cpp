@@ -1,0 +1,213 @@
+#include "services/map/core/journal.hpp"
+
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "common/config/reader.hpp"
+
+namespace aisle::map {
+namespace {
+
+using grid::MapEdit;
+constexpr int kSchema = 1;
+constexpr int kBusyMs = 1000;
+
+class SqlError : public std::runtime_error {
+ public:
+  explicit SqlError(sqlite3* database)
+      : std::runtime_error(sqlite3_errmsg(database)), code(sqlite3_errcode(database)) {}
+  int code;
+};
+
+/// One prepared statement; values are bound in order, from 1, and read by column, from 0.
+class Statement {
+ public:
+  Statement(sqlite3* database, const char* sql) : database_(database) {
+    if (sqlite3_prepare_v2(database, sql, -1, &statement_, nullptr) != SQLITE_OK) throw SqlError(database);
+  }
+  ~Statement() { sqlite3_finalize(statement_); }
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  Statement& bind(std::int64_t value) { return check(sqlite3_bind_int64(statement_, ++bound_, value)); }
+  Statement& bind(double value) { return check(sqlite3_bind_double(statement_, ++bound_, value)); }
+  Statement& bind(const std::string& value) {
+    return check(sqlite3_bind_text(statement_, ++bound_, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
+  }
+  Statement& bind(const std::vector<double>& values) {
+    return check(sqlite3_bind_blob(statement_, ++bound_, values.data(), static_cast<int>(values.size() * sizeof(double)), SQLITE_TRANSIENT));
+  }
+  /// False when there is no further row.
+  bool step() {
+    const int code = sqlite3_step(statement_);
+    if (code != SQLITE_ROW && code != SQLITE_DONE) throw SqlError(database_);
+    return code == SQLITE_ROW;
+  }
+  std::int64_t integer(int column) const { return sqlite3_column_int64(statement_, column); }
+  double real(int column) const { return sqlite3_column_double(statement_, column); }
+  std::string text(int column) const {
+    const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
+    return bytes == nullptr ? std::string() : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)));
+  }
+  std::vector<double> reals(int column) const {
+    const std::string bytes = text(column);
+    std::vector<double> values(bytes.size() / sizeof(double));
+    if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
+    return values;
+  }
+
+ private:
+  Statement& check(int code) {
+    if (code != SQLITE_OK) throw SqlError(database_);
+    return *this;
+  }
+  sqlite3* database_;
+  sqlite3_stmt* statement_{nullptr};
+  int bound_{0};
+};
+
+void execute(sqlite3* database, const std::string& sql) {
+  Statement statement(database, sql.c_str());
+  while (statement.step()) {
+  }
+}
+
+std::string hexadecimal(std::uint64_t value) {
+  char text[20];
+  std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(value));
+  return text;
+}
+
+std::string stored(sqlite3* database, const std::string& name) {
+  Statement statement(database, "SELECT value FROM about WHERE name = ?");
+  statement.bind(name);
+  return statement.step() ? statement.text(0) : std::string();
+}
+
+void store(sqlite3* database, const std::string& name, const std::string& value) {
+  Statement(database, "INSERT INTO about(name, value) VALUES(?, ?)").bind(name).bind(value).step();
+}
+
+}  // namespace
+
+void Journal::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
+
+Journal::Journal(const std::filesystem::path& file, const std::string& map_id, std::uint64_t base_hash, const Options& options) : file_(file) {
+  try {
+    open(options);
+    bind_to_map(map_id, base_hash);
+  } catch (const SqlError& error) {
+    const std::string name = "journal " + file_.string();
+    if (error.code == SQLITE_NOTADB || error.code == SQLITE_CORRUPT) {
+      throw config::BadInput(name + ": is not a journal of aisle-map (" + error.what() + "): name another file, or move this one away");
+    }
+    if (error.code == SQLITE_BUSY) throw config::BadEnvironment(name + ": another process has it open: stop that, or name another file");
+    throw config::BadEnvironment(name + ": cannot be used: " + error.what() + ": check folder, permissions and space");
+  }
+}
+
+Journal::~Journal() = default;
+
+void Journal::open(const Options& options) {
+  sqlite3* handle = nullptr;
+  const int code = sqlite3_open_v2(file_.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
+  database_.reset(handle);
+  if (code != SQLITE_OK) throw SqlError(handle);
+  sqlite3_busy_timeout(handle, kBusyMs);
+  execute(handle, "PRAGMA locking_mode = EXCLUSIVE");
+  execute(handle, "PRAGMA journal_mode = WAL");
+  execute(handle, "PRAGMA synchronous = FULL");
+  Statement page_size(handle, "PRAGMA page_size");
+  page_size.step();
+  execute(handle, "PRAGMA max_page_count = " + std::to_string(std::max<std::int64_t>(16, options.max_bytes / page_size.integer(0))));
+}
+
+void Journal::bind_to_map(const std::string& map_id, std::uint64_t base_hash) {
+  sqlite3* database = database_.get();
+  execute(database, "BEGIN IMMEDIATE");
+  execute(database, "CREATE TABLE IF NOT EXISTS about(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID");
+  execute(database,
+          "CREATE TABLE IF NOT EXISTS edits(revision INTEGER PRIMARY KEY, edit_id TEXT NOT NULL UNIQUE, action INTEGER NOT NULL, "
+          "shape INTEGER NOT NULL, points BLOB NOT NULL, radius_m REAL NOT NULL, changed_cells INTEGER NOT NULL, "
+          "source_id TEXT NOT NULL, stamp_ns INTEGER NOT NULL)");
+  const std::string schema = stored(database, "schema");
+  if (schema.empty()) {
+    store(database, "schema", std::to_string(kSchema));
+    store(database, "map_id", map_id);
+    store(database, "base_hash", hexadecimal(base_hash));
+  }
+  const std::string remedy = ": name another journal, or move this one away to drop its edits";
+  const std::string name = "journal " + file_.string();
+  if (!schema.empty() && schema != std::to_string(kSchema)) {
+    throw config::BadInput(name + ": schema " + schema + " is not " + std::to_string(kSchema) + remedy);
+  }
+  if (stored(database, "map_id") != map_id) {
+    throw config::BadInput(name + ": belongs to map '" + stored(database, "map_id") + "', not to '" + map_id + "'" + remedy);
+  }
+  if (stored(database, "base_hash") != hexadecimal(base_hash)) {
+    throw config::BadInput(name + ": was written over another content of the map file (hash " + stored(database, "base_hash") + ", now " +
+                           hexadecimal(base_hash) + ")" + remedy);
+  }
+  execute(database, "COMMIT");
+}
+
+std::vector<JournalEntry> Journal::entries() const {
+  const auto broken = [&](std::uint64_t revision, const std::string& why) {
+    return config::BadInput("journal " + file_.string() + ": entry of revision " + std::to_string(revision) + " " + why +
+                            ": restore the file from a copy, or move it away to drop its edits");
+  };
+  std::vector<JournalEntry> entries;
+  const std::string map_id = stored(database_.get(), "map_id");
+  Statement statement(database_.get(),
+                      "SELECT revision, edit_id, action, shape, points, radius_m, changed_cells, source_id, stamp_ns FROM edits ORDER BY revision");
+  while (statement.step()) {
+    JournalEntry entry;
+    entry.revision = static_cast<std::uint64_t>(statement.integer(0));
+    entry.edit.edit_id = statement.text(1);
+    entry.edit.map_id = map_id;
+    const std::int64_t action = statement.integer(2);
+    const std::int64_t shape = statement.integer(3);
+    if (action < 0 || action > 1 || shape < 0 || shape > 2) throw broken(entry.revision, "has an unknown action or shape");
+    if (!entries.empty() && entry.revision != entries.back().revision + 1) throw broken(entry.revision, "does not follow on the one before");
+    entry.edit.action = static_cast<MapEdit::Action>(action);
+    entry.edit.shape = static_cast<MapEdit::Shape>(shape);
+    const std::vector<double> points = statement.reals(4);
+    for (std::size_t i = 0; i + 1 < points.size(); i += 2) entry.edit.points_in_map.push_back({points[i], points[i + 1]});
+    entry.edit.radius_m = statement.real(5);
+    entry.changed_cells = static_cast<std::uint32_t>(statement.integer(6));
+    entry.source_id = statement.text(7);
+    entry.stamp_ns = statement.integer(8);
+    entries.push_back(std::move(entry));
+  }
+  return entries;
+}
+
+void Journal::append(const JournalEntry& entry) {
+  std::vector<double> points;
+  for (const geometry::Point2 point : entry.edit.points_in_map) {
+    points.push_back(point.x);
+    points.push_back(point.y);
+  }
+  try {
+    Statement(database_.get(), "INSERT INTO edits VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)")
+        .bind(static_cast<std::int64_t>(entry.revision))
+        .bind(entry.edit.edit_id)
+        .bind(static_cast<std::int64_t>(entry.edit.action))
+        .bind(static_cast<std::int64_t>(entry.edit.shape))
+        .bind(points)
+        .bind(entry.edit.radius_m)
+        .bind(static_cast<std::int64_t>(entry.changed_cells))
+        .bind(entry.source_id)
+        .bind(entry.stamp_ns)
+        .step();
+  } catch (const SqlError& error) {
+    throw JournalError("journal " + file_.string() + " cannot keep it: " + error.what());
+  }
+}
+
+}  // namespace aisle::map

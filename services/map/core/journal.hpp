@@ -1,0 +1,65 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/grid/map_edit.hpp"
+
+struct sqlite3;
+
+namespace aisle::map {
+
+/// The journal could not take an edit (disk full, read-only, broken); nothing of it was kept.
+class JournalError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// One accepted edit and the revision that it made.
+struct JournalEntry {
+  std::uint64_t revision{0};
+  grid::MapEdit edit;
+  std::uint32_t changed_cells{0};
+  std::string source_id;         // who asked for it
+  std::int64_t stamp_ns{0};      // when it was accepted; for people
+};
+
+/// The accepted edits of one map, in SQLite: an entry is on the disk when append() returns, or not at all (write-ahead log,
+/// synchronous=FULL). Belongs to one map id and to one content of the map file, and to one process at a time.
+class Journal {
+ public:
+  struct Options {
+    std::int64_t max_bytes{256LL << 20};
+  };
+
+  /// Opens the journal or makes it. `base_hash`: of the map file's cells, see grid::map_hash.
+  /// @throws config::BadInput when the file is no journal, or one of another map or of another content of the map file;
+  /// config::BadEnvironment when it cannot be opened or written, or another process has it open
+  Journal(const std::filesystem::path& file, const std::string& map_id, std::uint64_t base_hash, const Options& options);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  /// In order of revision. @throws config::BadInput when an entry does not make sense
+  std::vector<JournalEntry> entries() const;
+
+  /// @throws JournalError
+  void append(const JournalEntry& entry);
+
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  struct Close {
+    void operator()(sqlite3* handle) const;
+  };
+  void open(const Options& options);
+  void bind_to_map(const std::string& map_id, std::uint64_t base_hash);
+
+  std::filesystem::path file_;
+  std::unique_ptr<sqlite3, Close> database_;
+};
+
+}  // namespace aisle::map

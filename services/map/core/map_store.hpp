@@ -1,0 +1,52 @@
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "services/map/core/journal.hpp"
+#include "services/map/core/site_map.hpp"
+
+namespace aisle::map {
+
+/// The site's map with its edits: each is applied once, is in the journal before it is applied, and raises the revision by one.
+/// Without a journal edits last until the process ends.
+class MapStore {
+ public:
+  struct Limits {
+    EditLimits edit;
+    int max_edits{200000};   // of this map, ever; beyond, save the map and start a new journal
+  };
+  struct Answer {
+    grid::MapEditResult result;
+    std::vector<int> changed_tiles;
+  };
+
+  /// Applies what the journal holds to `base`, the map as its file has it at revision 1.
+  /// @param journal may be null @throws config::BadInput when the journal's edits do not fit the map
+  MapStore(SiteMap base, std::unique_ptr<Journal> journal, const Limits& limits);
+
+  /// Applied; or known by its id and left alone; or refused with a reason, and nothing changed.
+  /// `source_id`: who asks; `stamp_ns`: now, for people.
+  Answer take(const grid::MapEdit& edit, const std::string& source_id, std::int64_t stamp_ns);
+
+  const SiteMap& map() const { return map_; }
+  /// Edits that were applied, those of the journal included.
+  std::size_t edits() const { return applied_.size(); }
+
+ private:
+  struct Applied {
+    std::uint64_t revision;
+    std::uint32_t changed_cells;
+    std::uint64_t content_hash;
+  };
+  static std::uint64_t content_hash(const grid::MapEdit& edit);
+
+  SiteMap map_;
+  std::unique_ptr<Journal> journal_;
+  Limits limits_;
+  std::unordered_map<std::string, Applied> applied_;
+};
+
+}  // namespace aisle::map

@@ -1,0 +1,21 @@
+#pragma once
+#include <vector>
+
+#include "common/grid/map_edit.hpp"
+#include "common/grid/occupancy_grid.hpp"
+
+namespace aisle::map {
+
+/// Cells x_begin .. x_end-1 of row y.
+struct CellRun {
+  int y;
+  int x_begin;
+  int x_end;
+};
+
+/// The cells whose squares the shape overlaps (more than touches), clipped to the grid; each cell once. A block therefore covers
+/// at least its shape, and an unblock of the same shape frees the same cells. Polygons may be concave; where they cross
+/// themselves the even-odd rule holds. @pre finite numbers; as many points as the shape needs
+std::vector<CellRun> rasterise(const grid::MapEdit& edit, const grid::Geometry& geometry);
+
+}  // namespace aisle::map
