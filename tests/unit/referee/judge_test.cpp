@@ -42,7 +42,7 @@ void drive(Judge& judge) {
 }
 
 TEST(Judge, CountsDistanceAndStopsOnTheWay) {
-  Judge judge(nullptr, {1});
+  Judge judge(nullptr, {{{"agv-1", 1}}});
   drive(judge);
   const RunReport report = judge.finish(6.0);
   EXPECT_NEAR(report.distance_m(), 4.0, 0.05);
@@ -52,15 +52,27 @@ TEST(Judge, CountsDistanceAndStopsOnTheWay) {
 }
 
 TEST(Judge, IsOverWhenAllGoalsAreDecidedAndAllStand) {
-  Judge judge(nullptr, {1});
+  Judge judge(nullptr, {{{"agv-1", 1}}});
   EXPECT_FALSE(judge.is_over(0.0));
   drive(judge);
   EXPECT_FALSE(judge.is_over(5.5));  // stands since 5.02
   EXPECT_TRUE(judge.is_over(6.1));
 }
 
+TEST(Judge, IsOverWhenAVehicleHasReportedFailureForLong) {
+  Judge judge(nullptr, {{{"agv-1", 2}}});
+  judge.goal_arrived(goal_at(4.0), false);
+  judge.body_seen(vehicle(0.0, 0.0, 0.0));
+  judge.body_seen(vehicle(3.0, 0.0, 0.0));
+  judge.navigation_arrived({"agv-1", "g1", GoalNews::Phase::kFailed, "failed: no path", 3.0}, false);
+  EXPECT_FALSE(judge.is_over(17.9));
+  EXPECT_TRUE(judge.is_over(18.1));
+  judge.navigation_arrived({"agv-1", "g1", GoalNews::Phase::kOther, "driving", 18.1}, false);
+  EXPECT_FALSE(judge.is_over(19.0));
+}
+
 TEST(Judge, CountsAGoalThatWasNeverGivenAsMissed) {
-  Judge judge(nullptr, {2});
+  Judge judge(nullptr, {{{"agv-1", 2}}});
   drive(judge);
   EXPECT_FALSE(judge.is_over(10.0));
   const RunReport report = judge.finish(6.0);
@@ -69,7 +81,7 @@ TEST(Judge, CountsAGoalThatWasNeverGivenAsMissed) {
 }
 
 TEST(Judge, TimesTheFirstPlanThatKnowsAnEdit) {
-  Judge judge(nullptr, {1});
+  Judge judge(nullptr, {{{"agv-1", 1}}});
   judge.goal_arrived(goal_at(4.0), false);
   judge.plan_arrived(plan(1.0, 7, 3));
   EditRow edit;
@@ -87,7 +99,7 @@ TEST(Judge, TimesTheFirstPlanThatKnowsAnEdit) {
 }
 
 TEST(Judge, MeasuresGapsOfCommandsAndHowOldTheirScansAre) {
-  Judge judge(nullptr, {0});
+  Judge judge(nullptr, {});
   judge.command_arrived({"agv-1", 1'030'000'000, 1'000'000'000, 3.0, 1.03});
   judge.command_arrived({"agv-1", 1'050'000'000, 1'000'000'000, 3.0, 1.05});  // the same scan: no new figure
   judge.command_arrived({"agv-1", 1'120'000'000, 1'100'000'000, 5.0, 1.12});
@@ -99,7 +111,7 @@ TEST(Judge, MeasuresGapsOfCommandsAndHowOldTheirScansAre) {
 }
 
 TEST(Judge, CountsRestartsAndMeansOfServices) {
-  Judge judge(nullptr, {0});
+  Judge judge(nullptr, {});
   judge.health_arrived({"map-1", "map", 1, 99.0, 10.0});  // includes the time before there was a sample
   judge.health_arrived({"map-1", "map", 1, 4.0, 12.0});
   judge.health_arrived({"map-1", "map", 2, 99.0, 11.0});
@@ -111,7 +123,7 @@ TEST(Judge, CountsRestartsAndMeansOfServices) {
 }
 
 TEST(Judge, HoldsATouchAgainstTheFleetUnlessARecordedPersonWalkedIntoAStandingVehicle) {
-  Judge judge(nullptr, {0});
+  Judge judge(nullptr, {});
   for (int i = 0; i <= 100; ++i) {
     const double t_s = 0.02 * i;
     judge.body_seen(vehicle(t_s, 0.0, 0.0));

@@ -41,7 +41,7 @@ grid::OccupancyGrid rack_hall() {
 
 /// Five vehicles on smooth loops, a person, a block, an edit, and one contact: invented figures for the writers.
 RunReport invented_run(const Walls& walls) {
-  Judge judge(&walls, {10});
+  Judge judge(&walls, {{{"agv-1", 2}, {"agv-2", 2}, {"agv-3", 2}, {"agv-4", 2}, {"agv-5", 2}}});
   const auto drives = [](int i, double t_s) {
     const double phase = 0.25 * t_s * (i % 2 == 0 ? 1.0 : -1.0) + i;
     return Pose2{20.0 + (8.0 + i) * std::cos(phase), 12.5 + (3.0 + 1.6 * i) * std::sin(phase),

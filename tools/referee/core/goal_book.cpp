@@ -61,6 +61,8 @@ void GoalBook::heard(const GoalNews& news, const geometry::Pose2& true_base_in_m
   if (news.phase != GoalNews::Phase::kArrived) {
     // A planner that comes back may still drive it: a failure is final only when the goal is replaced or the run ends.
     goal->reason = news.reason;
+    const bool fails = news.phase == GoalNews::Phase::kFailed;
+    if (!fails || goal->failing_since_s < 0.0) goal->failing_since_s = fails ? news.t_s : -1.0;
     return;
   }
   const double off_m = geometry::distance(true_base_in_map.position(), goal->pose_in_map.position());
@@ -80,6 +82,10 @@ void GoalBook::close(double t_s) {
     goal.decided_s = t_s;
     goal.reason = goal.reason.empty() ? "not reached before the end of the run" : goal.reason + " until the end of the run";
   }
+}
+
+int GoalBook::assigned_count(const std::string& agv_id) const {
+  return static_cast<int>(std::count_if(goals_.begin(), goals_.end(), [&](const GoalRecord& g) { return g.agv_id == agv_id; }));
 }
 
 int GoalBook::count(GoalOutcome outcome) const {

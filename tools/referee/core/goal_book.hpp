@@ -16,6 +16,7 @@ struct GoalRecord {
   double position_tolerance_m{0.0};
   double assigned_s{0.0};
   double decided_s{-1.0};
+  double failing_since_s{-1.0};  // its vehicle has reported failure since then; less than 0: it does not
   GoalOutcome outcome{GoalOutcome::kOpen};
   std::string reason;  // why it is not reached, as far as anyone said
 };
@@ -43,6 +44,7 @@ class GoalBook {
   const GoalRecord* open_goal(const std::string& agv_id) const;
   std::vector<GoalRecord> all() const { return goals_; }
   int count(GoalOutcome outcome) const;
+  int assigned_count(const std::string& agv_id) const;
   int assigned_count() const { return static_cast<int>(goals_.size()); }
 
   static constexpr double kSlack_m = 0.15;

@@ -9,6 +9,12 @@ constexpr double kBodyTrace_s = 0.2;
 constexpr double kMilli = 1e3;
 }  // namespace
 
+int Expectation::goals() const {
+  int sum = 0;
+  for (const auto& [agv_id, goals] : goals_of) sum += goals;
+  return sum;
+}
+
 Judge::Judge(const Walls* walls, const Expectation& expectation) : contacts_(walls), expectation_(expectation) {}
 
 Judge::VehicleBook& Judge::vehicle(const std::string& agv_id) {
@@ -135,8 +141,13 @@ void Judge::health_arrived(const HealthNews& health) {
 void Judge::advance(double until_s) { contacts_.advance(until_s); }
 
 bool Judge::is_over(double now_s) const {
-  if (expectation_.goals == 0 || goals_.assigned_count() < expectation_.goals) return false;
-  if (goals_.count(GoalOutcome::kOpen) > 0) return false;
+  if (expectation_.goals_of.empty()) return false;
+  for (const auto& [agv_id, expected] : expectation_.goals_of) {
+    const GoalRecord* open = goals_.open_goal(agv_id);
+    const bool given_up = open != nullptr && open->failing_since_s >= 0.0 && now_s - open->failing_since_s >= kGiveUp_s;
+    const bool done = open == nullptr && goals_.assigned_count(agv_id) >= expected;
+    if (!given_up && !done) return false;
+  }
   return std::all_of(vehicles_.begin(), vehicles_.end(), [&](const auto& entry) {
     const DriveBook& drive = entry.second.row.drive;
     return !drive.seen() || (drive.stands() && now_s - drive.stands_since_s() >= kSettle_s);
@@ -148,7 +159,7 @@ RunReport Judge::finish(double t_s) {
   goals_.close(t_s);
   RunReport report;
   report.duration_s = t_s;
-  report.goals_expected = std::max(expectation_.goals, goals_.assigned_count());
+  report.goals_expected = std::max(expectation_.goals(), goals_.assigned_count());
   report.goals = goals_.all();
   report.contacts = contacts_.contacts();
   report.clearances = contacts_.clearances();

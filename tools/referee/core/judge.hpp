@@ -37,9 +37,10 @@ struct HealthNews {
   double resident_mb{0.0};
 };
 
-/// What a run should do: for the end of it.
+/// What a run should do: for the end of it. Empty: nobody knows, and the run goes on until somebody stops it.
 struct Expectation {
-  int goals{0};  // 0: nobody knows
+  std::map<std::string, int> goals_of;  // by vehicle
+  int goals() const;
 };
 
 /// Judges one simulated run from what is on the wire. Knows nothing of how planners work, and shares no code with them.
@@ -62,7 +63,8 @@ class Judge {
   /// Judges contacts up to `until_s`: some tenths of a second behind the newest sample, so that none comes too late.
   void advance(double until_s);
 
-  /// Every expected goal is decided and every vehicle has stood for kSettle_s at `now_s`.
+  /// Each vehicle was given all its goals and they are decided, or has reported its goal as failed for kGiveUp_s; and all have
+  /// stood for kSettle_s at `now_s`.
   bool is_over(double now_s) const;
   const ContactWatch& contacts() const { return contacts_; }
   const GoalBook& goals() const { return goals_; }
@@ -72,6 +74,7 @@ class Judge {
   RunReport finish(double t_s);
 
   static constexpr double kSettle_s = 1.0;
+  static constexpr double kGiveUp_s = 15.0;
 
  private:
   struct VehicleBook {
