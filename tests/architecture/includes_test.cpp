@@ -1,0 +1,143 @@
+// Who may include whom. The DDS headers lie in the system's path, so a slip compiles silently: this says no.
+//   geometry grid kinematics time config <- core <- service <- main;  Fast DDS only in common/bus
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Strings = std::vector<std::string>;
+
+struct Source {
+  std::string file;      // from the top, e.g. "common/grid/clearance.cpp"
+  Strings includes;      // as written between quotes or angle brackets
+  Strings code;          // lines without // comments
+};
+
+Source read_source(const fs::path& path) {
+  static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  Source source{fs::relative(path, AISLE_SOURCE_DIR).generic_string(), {}, {}};
+  std::ifstream in(path);
+  for (std::string line; std::getline(in, line);) {
+    std::smatch match;
+    if (std::regex_search(line, match, include)) source.includes.push_back(match[1]);
+    source.code.push_back(line.substr(0, line.find("//")));
+  }
+  return source;
+}
+
+const std::vector<Source>& all_sources() {
+  static const std::vector<Source> sources = [] {
+    std::vector<Source> found;
+    for (const char* room : {"common", "services", "tools"}) {
+      for (const auto& entry : fs::recursive_directory_iterator(fs::path(AISLE_SOURCE_DIR) / room)) {
+        const std::string ending = entry.path().extension().string();
+        if (entry.is_regular_file() && (ending == ".hpp" || ending == ".cpp")) found.push_back(read_source(entry.path()));
+      }
+    }
+    return found;
+  }();
+  return sources;
+}
+
+bool begins_with(const std::string& text, const std::string& head) { return text.rfind(head, 0) == 0; }
+bool begins_with_any(const std::string& text, const Strings& heads) {
+  return std::any_of(heads.begin(), heads.end(), [&](const std::string& head) { return begins_with(text, head); });
+}
+
+/// "services/map/core/" for a file of that core, "tools/referee/core/" likewise; empty outside a core.
+std::string core_of(const std::string& file) {
+  static const std::regex core(R"(^((services|tools)/[^/]+/core/))");
+  std::smatch match;
+  return std::regex_search(file, match, core) ? match[1].str() : std::string{};
+}
+
+/// Values in, values out: no DDS, no clock, no thread, no log. (tools/lockstep is no core: it measures computing times.)
+bool is_pure(const std::string& file) {
+  return !core_of(file).empty() || begins_with_any(file, {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/"});
+}
+
+TEST(Architecture, FindsTheSources) { EXPECT_GT(all_sources().size(), 50U); }
+
+TEST(Architecture, OnlyTheBusIncludesFastDds) {
+  for (const Source& source : all_sources()) {
+    for (const std::string& include : source.includes) {
+      if (!begins_with_any(include, {"fastdds", "fastrtps", "fastcdr"})) continue;
+      EXPECT_TRUE(begins_with(source.file, "common/bus/")) << source.file << " includes " << include;
+    }
+  }
+}
+
+TEST(Architecture, MessageTypesStayAtTheEdge) {
+  const Strings edge{"common/bus/", "common/wire/", "common/service/", "services/", "tools/aisle/", "tools/referee/"};
+  for (const Source& source : all_sources()) {
+    for (const std::string& include : source.includes) {
+      if (!begins_with(include, "idl/")) continue;
+      EXPECT_TRUE(begins_with_any(source.file, edge) && core_of(source.file).empty()) << source.file << " includes " << include;
+    }
+  }
+}
+
+TEST(Architecture, CoresKnowNoDdsClockThreadOrLog) {
+  const Strings refused{"idl/", "common/bus/", "common/wire/", "common/service/", "common/process/", "spdlog", "thread", "mutex", "shared_mutex",
+                        "condition_variable", "future"};
+  const std::regex clock_or_chance(R"(::now\s*\(|\brandom_device\b|\bstd::this_thread\b|\btime\s*\(\s*(nullptr|NULL|0)\s*\)|\bgettimeofday\b|\bclock_gettime\b|\bstd::c(out|err)\b)");
+  for (const Source& source : all_sources()) {
+    if (!is_pure(source.file)) continue;
+    for (const std::string& include : source.includes) {
+      const bool is_refused = std::any_of(refused.begin(), refused.end(), [&](const std::string& what) {
+        return what.back() == '/' || what == "spdlog" ? begins_with(include, what) : include == what;
+      });
+      EXPECT_FALSE(is_refused) << source.file << " includes " << include;
+    }
+    for (const std::string& line : source.code) EXPECT_FALSE(std::regex_search(line, clock_or_chance)) << source.file << ": " << line;
+  }
+}
+
+/// What a file may include of ours, beside its own folder.
+Strings allowed_rooms(const std::string& file) {
+  if (begins_with(file, "common/geometry/") || begins_with(file, "common/time/")) return {};
+  if (begins_with(file, "common/kinematics/")) return {"common/geometry/", "common/time/"};
+  if (begins_with(file, "common/grid/")) return {"common/geometry/", "common/time/", "common/config/"};
+  if (begins_with(file, "common/config/")) return {};
+  if (begins_with(file, "common/process/")) return {"common/time/", "common/config/"};
+  if (begins_with(file, "common/scenario/")) return {"common/geometry/", "common/grid/", "common/time/", "common/config/"};
+  if (begins_with(file, "common/bus/")) return {"common/config/", "common/time/"};
+  if (begins_with(file, "common/wire/")) return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/"};
+  if (begins_with(file, "common/")) return {"common/"};
+  const Strings for_cores{"common/geometry/", "common/grid/", "common/kinematics/", "common/time/", "common/config/", "common/scenario/"};
+  if (begins_with(file, "tools/referee/")) return begins_with(file, "tools/referee/core/") ? for_cores : Strings{"common/"};
+  const std::string core = core_of(file);
+  if (!core.empty()) {
+    Strings rooms = for_cores;
+    if (core != "services/obstacle-tracker/core/") rooms.push_back("services/obstacle-tracker/core/track.hpp");
+    return rooms;
+  }
+  if (begins_with(file, "tools/")) return {"common/", "services/"};
+  return {"common/", "services/obstacle-tracker/core/track.hpp"};   // a service; its own folder comes with it
+}
+
+TEST(Architecture, IncludesPointOneWay) {
+  for (const Source& source : all_sources()) {
+    Strings allowed = allowed_rooms(source.file);
+    const std::size_t second = source.file.find('/', source.file.find('/') + 1);
+    const std::string core = core_of(source.file);
+    allowed.push_back(core.empty() ? source.file.substr(0, second + 1) : core);
+    for (const std::string& include : source.includes) {
+      if (!begins_with_any(include, {"common/", "services/", "tools/", "tests/"})) continue;
+      EXPECT_TRUE(begins_with_any(include, allowed)) << source.file << " includes " << include;
+      const bool is_program = begins_with(source.file, "tools/") && core.empty();
+      if (is_program && begins_with(include, "services/")) {
+        EXPECT_FALSE(core_of(include).empty()) << source.file << " includes " << include;
+      }
+    }
+  }
+}
+
+}  // namespace
