@@ -1,0 +1,19 @@
+#pragma once
+#include <vector>
+
+#include "common/geometry/body.hpp"
+#include "common/grid/occupancy_grid.hpp"
+
+namespace aisle::fake_vehicle {
+
+/// The true world around a vehicle: walls, and all that moves or stands on the floor but the vehicle itself.
+struct Surroundings {
+  const grid::OccupancyGrid& walls;
+  const std::vector<geometry::Body>& bodies;
+};
+
+/// Free distance around a disc: to the nearest wall (a cell that is not free, or the map's border) or body, less its radius.
+/// Negative: it overlaps by so much. Looks no farther than `look_m` beyond the disc, and then returns `look_m`.
+double gap_m(const Surroundings& around, geometry::Point2 center_in_map, double radius_m, double look_m);
+
+}  // namespace aisle::fake_vehicle
