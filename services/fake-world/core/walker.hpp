@@ -1,0 +1,47 @@
+#pragma once
+#include <vector>
+
+#include "common/geometry/body.hpp"
+#include "common/scenario/scenario.hpp"
+#include "services/fake-world/core/recording.hpp"
+
+namespace aisle::fake_world {
+
+/// A scripted person: walks along its waypoints at its speed, to and fro when it loops, else to the end and stays there.
+/// Courteous ones stop short of a vehicle in their way, as people do, and turn back when they have waited too long.
+class Walker {
+ public:
+  /// Metres walked from the first waypoint, and where to; what a restart needs to go on from here.
+  struct Progress {
+    double along_m{0.0};
+    bool back{false};
+    double waited_s{0.0};
+  };
+
+  /// `mover.speed_mps` is taken as it is: whoever makes the walker varies it. @pre two or more waypoints
+  Walker(const scenario::Mover& mover, const Progress& progress);
+
+  void step(double dt_s, const std::vector<geometry::Body>& vehicles);
+
+  Motion motion() const;
+  const scenario::Mover& mover() const { return mover_; }
+  const Progress& progress() const { return progress_; }
+  double length_m() const { return lengths_m_.back(); }
+
+  static constexpr double kCourtesyM = 0.6;    // free space that they leave to a vehicle
+  static constexpr double kPatienceS = 6.0;
+
+ private:
+  geometry::Point2 direction_in_map() const;
+  geometry::Point2 position_in_map() const;
+  std::size_t segment() const;
+  bool must_wait(const std::vector<geometry::Body>& vehicles) const;
+  void walk(double distance_m);
+
+  scenario::Mover mover_;
+  std::vector<double> lengths_m_;              // along the way, at each waypoint
+  Progress progress_;
+  bool walks_{false};
+};
+
+}  // namespace aisle::fake_world
