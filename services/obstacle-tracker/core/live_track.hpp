@@ -1,0 +1,105 @@
+#pragma once
+#include <cstdint>
+
+#include "common/time/stamp.hpp"
+#include "services/obstacle-tracker/core/detections.hpp"
+#include "services/obstacle-tracker/core/filters/constant_velocity.hpp"
+#include "services/obstacle-tracker/core/track.hpp"
+
+namespace aisle::obstacle_tracker {
+
+/// When a track is born, believed, kept and given up.
+struct Lifecycle {
+  double gate{13.8};           // squared Mahalanobis distance within which a detection may be a track's (99.9 %)
+  double gate_speed_mps{5.0};  // a thing may turn round at once: whatever the gate says, it reaches this far
+  double turn_gate{9.2};       // beyond it (99 %) the thing turned or started, and the velocity is set anew
+  double turn_speed_sigma_mps{1.5};
+  int confirming_scans{2};  // scans that must show it before it is published
+  int confirming_rays{3};   // and rays in all, at most two a scan counted
+  double unconfirmed_timeout_s{0.5};
+  double unseen_timeout_s{2.0};   // at most, of a thing that moved when last seen; and not longer than it had been seen
+  double static_timeout_s{30.0};  // of one that stood: it is remembered while nobody looks
+  int free_scans{2};              // in a row that must look through its place
+  double static_after_s{3.0};
+  double static_reach_m{0.25};  // it stands while it stays this near to where it was
+  double merge_m{0.28};         // two tracks nearer than this are one
+  double max_radius_m{1.5};
+
+  template <class Reader>
+  void describe(Reader& r) {
+    r.field("gate", gate, 1.0, 100.0)
+        .field("gate_speed_mps", gate_speed_mps, 0.0, 20.0)
+        .field("turn_gate", turn_gate, 1.0, 100.0)
+        .field("turn_speed_sigma_mps", turn_speed_sigma_mps, 0.0, 10.0)
+        .field("confirming_scans", confirming_scans, 1, 20)
+        .field("confirming_rays", confirming_rays, 1, 40)
+        .field("unconfirmed_timeout_s", unconfirmed_timeout_s, 0.05, 10.0)
+        .field("unseen_timeout_s", unseen_timeout_s, 0.1, 60.0)
+        .field("static_timeout_s", static_timeout_s, 0.1, 3600.0)
+        .field("free_scans", free_scans, 1, 100)
+        .field("static_after_s", static_after_s, 0.1, 60.0)
+        .field("static_reach_m", static_reach_m, 0.01, 2.0)
+        .field("merge_m", merge_m, 0.0, 2.0)
+        .field("max_radius_m", max_radius_m, 0.1, 10.0);
+  }
+};
+
+/// A track from birth to death, published or not. Moments are on the tracker's clock.
+class LiveTrack {
+ public:
+  LiveTrack(std::uint64_t id, const Detection& detection, const ConstantVelocity::Params& motion, time::Stamp moment);
+
+  std::uint64_t id() const { return id_; }
+  const ConstantVelocity& filter() const { return filter_; }
+  double radius_m() const { return radius_m_; }
+  bool is_static() const { return is_static_; }
+  /// Slow enough now that what is seen at its edge is a part of it.
+  bool is_standing() const;
+  bool is_confirmed(const Lifecycle& lifecycle) const {
+    return seen_scans_ >= lifecycle.confirming_scans && rays_ >= lifecycle.confirming_rays;
+  }
+  time::Stamp last_seen() const { return last_seen_; }
+  geometry::Point2 position_in_map() const { return {filter_.state().x(), filter_.state().y()}; }
+  /// Where it was `lag_s` before the filter's moment.
+  geometry::Point2 position_before(double lag_s) const;
+  double position_sigma_m() const;
+
+  /// Carries the state on; a static one stays where it is while nobody sees it.
+  void move_on(time::Stamp from, time::Stamp to);
+  /// Takes in a detection measured at `measured`; the filter's moment is `moment`, not before it.
+  void take(const Detection& detection, time::Stamp measured, time::Stamp moment, const Lifecycle& lifecycle);
+  /// Something of it was seen, but not enough to measure it.
+  void glimpse(time::Stamp measured);
+  /// The radius that the disc must have to cover what the detection shows of the surface.
+  double reach_to_cover(const Detection& detection) const;
+  /// Grows, within a few scans, so that the disc reaches this far.
+  void cover(double reach_m);
+  /// Its place was looked through.
+  void miss() { ++free_scans_; }
+  /// Another track is the same thing: this one goes.
+  void replace() { is_replaced_ = true; }
+  bool is_replaced() const { return is_replaced_; }
+  bool is_looked_through(const Lifecycle& lifecycle) const;
+  bool is_overdue(time::Stamp now, const Lifecycle& lifecycle) const;
+
+  Track published(time::Stamp now) const;
+
+ private:
+  void adapt_radius(const Detection& detection, const Lifecycle& lifecycle);
+  void settle(time::Stamp measured, const Lifecycle& lifecycle);
+
+  std::uint64_t id_;
+  ConstantVelocity filter_;
+  double radius_m_;
+  time::Stamp born_;
+  time::Stamp last_seen_;
+  int seen_scans_{1};
+  int rays_;  // that touched it, at most two a scan counted
+  int free_scans_{0};
+  geometry::Point2 anchor_in_map_;  // it has stayed near here
+  time::Stamp anchored_{};          // since then
+  bool is_static_{false};
+  bool is_replaced_{false};
+};
+
+}  // namespace aisle::obstacle_tracker

@@ -1,0 +1,39 @@
+#pragma once
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "common/time/stamp.hpp"
+#include "services/obstacle-tracker/core/track.hpp"
+
+namespace aisle::obstacle_tracker {
+
+/// Decides which tracks are worth a sample: a moving one whenever a scan measured it and at least every `moving_every`;
+/// one that stands every `static_every`, and at once when it came to a stand, left it, or changed its place or size.
+class Outbox {
+ public:
+  struct Params {
+    std::chrono::milliseconds moving_every{100};
+    std::chrono::milliseconds static_every{500};
+    double changed_m{0.05};  // of a static track's place or radius
+  };
+  Outbox() = default;
+  explicit Outbox(const Params& params) : params_(params) {}
+
+  /// The tracks to send now; they count as sent. `seen`: ids that the newest scan measured.
+  std::vector<Track> due(const std::vector<Track>& tracks, const std::vector<std::uint64_t>& seen, time::Stamp now);
+  void forget(std::uint64_t id) { sent_.erase(id); }
+
+ private:
+  struct Sent {
+    Track track;
+    time::Stamp at{};
+  };
+  bool is_due(const Track& track, bool is_seen, time::Stamp now) const;
+
+  Params params_;
+  std::map<std::uint64_t, Sent> sent_;
+};
+
+}  // namespace aisle::obstacle_tracker

@@ -1,0 +1,60 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/geometry/pose.hpp"
+#include "common/time/stamp.hpp"
+
+namespace aisle::obstacle_tracker {
+
+/// One turn of a vehicle's lidar, which sits in the origin of the vehicle's frame.
+struct Scan {
+  std::string agv_id;
+  time::Stamp stamp{};          // of the first ray, on the tracker's clock (see ScanClock)
+  geometry::Pose2 base_in_map;  // where the vehicle believed to be at `stamp`
+  geometry::Twist2 twist;       // constant during the sweep
+  double first_angle_rad{0.0};  // in the vehicle's frame; counter-clockwise from there
+  double angle_step_rad{0.0};
+  double sweep_s{0.0};       // from the first ray to the last; 0: all at once
+  double range_min_m{0.0};   // nearer is the vehicle itself: not used
+  double range_max_m{10.0};  // this and more (infinity too): nothing was seen
+  std::vector<float> ranges_m;
+};
+
+/// A vehicle of the fleet: what the scans show there is no obstacle.
+struct KnownVehicle {
+  std::string agv_id;
+  bool is_rectangle{false};
+  double radius_m{0.5};  // of the disc, or of the circle around the rectangle
+  double length_m{0.0};
+  double width_m{0.0};
+  geometry::Pose2 base_in_map;
+  geometry::Twist2 twist;
+  time::Stamp stamp{};  // of pose and twist, on the tracker's clock
+};
+
+/// Why a scan was not used. Names for counters: name_of().
+enum class DropReason {
+  kUnknownVehicle,  // nobody has said what it is (vehicle_info)
+  kNoMap,
+  kNotFinite,  // pose, twist, angles or a range is not a number
+  kNegativeRange,
+  kWrongCount,   // no rays, more than fit a full turn, or not as many as this vehicle's scans have
+  kBadGeometry,  // angle step, sweep or range limits make no sense
+  kNotNewer,     // not newer than the newest of this vehicle
+  kFuture,       // stamped later than it can be
+  kTooOld,       // measured more than a second ago
+};
+inline constexpr int kDropReasons = 9;
+const char* name_of(DropReason reason);
+
+/// Checks what one scan says by itself; std::nullopt: usable.
+std::optional<DropReason> find_fault(const Scan& scan);
+
+/// True when the rays go all around, so that the last ray neighbours the first.
+bool is_full_turn(const Scan& scan);
+
+}  // namespace aisle::obstacle_tracker

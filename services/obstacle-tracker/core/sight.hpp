@@ -1,0 +1,17 @@
+#pragma once
+#include "services/obstacle-tracker/core/hits.hpp"
+
+namespace aisle::obstacle_tracker {
+
+/// What a scan says of a place where a thing was expected and not found.
+enum class Sight {
+  kOutOfView,  // behind something, beyond the range, or outside the angles: nothing is known
+  kTouched,    // rays end there: something is there, if not apart from a wall or another thing
+  kFree,       // rays go through: nothing is there
+};
+
+/// Looks at the disc of `radius_m` around `place_in_map`, made wider by `doubt_m`: kFree only if nearly every ray towards it
+/// comes out behind it.
+Sight look_for(const Scan& scan, const SortedScan& sorted, geometry::Point2 place_in_map, double radius_m, double doubt_m);
+
+}  // namespace aisle::obstacle_tracker

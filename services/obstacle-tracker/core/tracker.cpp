@@ -1,0 +1,267 @@
+#include "services/obstacle-tracker/core/tracker.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "services/obstacle-tracker/core/association.hpp"
+#include "services/obstacle-tracker/core/sight.hpp"
+
+namespace aisle::obstacle_tracker {
+namespace {
+
+using namespace std::chrono_literals;
+using geometry::Point2;
+
+constexpr time::Stamp kMaxAge = 1s;
+constexpr time::Stamp kMaxFuture = 50ms;
+Eigen::Vector2d vector_of(Point2 p) { return {p.x, p.y}; }
+
+time::Stamp moment_of(const Detection& detection, const Scan& scan) { return scan.stamp + time::from_seconds(detection.offset_s); }
+
+/// Where nothing can stand that nobody sees: inside a wall, or inside a vehicle.
+bool is_taken(Point2 in_map, const Scan& scan, const grid::ClearanceField& clearance, const std::vector<KnownVehicle>& vehicles,
+              const Explained& explained) {
+  if (clearance.clearance_m(in_map) <= 0.0) return true;
+  return std::any_of(vehicles.begin(), vehicles.end(), [&](const KnownVehicle& vehicle) {
+    const bool is_fresh = std::abs(time::seconds(scan.stamp - vehicle.stamp)) <= explained.vehicle_max_age_s;
+    return is_fresh && distance_to_body_m(vehicle, vehicle.base_in_map, in_map) <= 0.0;
+  });
+}
+
+}  // namespace
+
+Tracker::Tracker(const TrackerParams& params, std::uint64_t first_id) : params_(params), next_id_(first_id) {}
+
+TakeResult Tracker::take(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const grid::ClearanceField* clearance,
+                         time::Stamp now) {
+  TakeResult result;
+  result.dropped = why_drop(scan, vehicles, clearance, now);
+  if (result.dropped) {
+    count_dropped(*result.dropped);
+    return result;
+  }
+  ++scans_used_;
+  move_on(scan.stamp + time::from_seconds(scan.sweep_s));
+  const SortedScan sorted = sort_rays(scan, *clearance, vehicles, params_.noise, params_.explained);
+  const std::vector<Cluster> clusters = find_clusters(scan, sorted, params_.clustering);
+  const std::vector<Detection> detections = find_detections(scan, sorted, clusters, expected_at(scan.stamp), params_.noise, params_.shape);
+  Matching matching = match(detections, scan);
+  take_in(detections, scan, matching, result);
+  look_for_unmatched(scan, sorted, matching);
+  merge_doubles();
+
+  constexpr double kLookedAway_s = 0.3;
+  bury(
+      [&](const LiveTrack& track) {
+        if (track.is_replaced() || track.is_looked_through(params_.lifecycle) || track.is_overdue(moment_, params_.lifecycle)) return true;
+        const bool is_unseen = time::seconds(moment_ - track.last_seen()) > kLookedAway_s;
+        return is_unseen && is_taken(track.position_in_map(), scan, *clearance, vehicles, params_.explained);
+      },
+      result.lost);
+  return result;
+}
+
+std::optional<DropReason> Tracker::why_drop(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
+                                            const grid::ClearanceField* clearance, time::Stamp now) {
+  const bool is_known =
+      std::any_of(vehicles.begin(), vehicles.end(), [&](const KnownVehicle& vehicle) { return vehicle.agv_id == scan.agv_id; });
+  if (!is_known) return DropReason::kUnknownVehicle;
+  if (clearance == nullptr) return DropReason::kNoMap;
+  if (const auto fault = find_fault(scan)) return fault;
+  if (scan.stamp > now + kMaxFuture) return DropReason::kFuture;
+  if (now - scan.stamp > kMaxAge) return DropReason::kTooOld;
+  const auto [entry, is_first] = sensors_.try_emplace(scan.agv_id);
+  Sensor& sensor = entry->second;
+  if (!is_first && scan.stamp <= sensor.newest) return DropReason::kNotNewer;
+  if (!has_usual_count(sensor, scan.ranges_m.size())) return DropReason::kWrongCount;
+  sensor.newest = scan.stamp;
+  return std::nullopt;
+}
+
+/// The first scan says what is usual; another count becomes usual when it comes three times in a row.
+bool Tracker::has_usual_count(Sensor& sensor, std::size_t rays) const {
+  constexpr int kTimesToBecomeUsual = 3;
+  if (sensor.rays == 0) sensor.rays = rays;
+  if (rays == sensor.rays) {
+    sensor.other_times = 0;
+    return true;
+  }
+  sensor.other_times = rays == sensor.other_rays ? sensor.other_times + 1 : 1;
+  sensor.other_rays = rays;
+  if (sensor.other_times < kTimesToBecomeUsual) return false;
+  sensor.rays = rays;
+  sensor.other_times = 0;
+  return true;
+}
+
+void Tracker::move_on(time::Stamp to) {
+  if (to <= moment_) return;
+  for (LiveTrack& track : live_) track.move_on(moment_, to);
+  moment_ = to;
+}
+
+std::vector<Expected> Tracker::expected_at(time::Stamp moment) const {
+  const double lag_s = time::seconds(moment_ - moment);
+  std::vector<Expected> expected;
+  expected.reserve(live_.size());
+  for (const LiveTrack& track : live_) {
+    if (track.is_confirmed(params_.lifecycle)) expected.push_back({track.position_before(lag_s), track.radius_m()});
+  }
+  return expected;
+}
+
+/// A few hits on the disc of a large standing thing, of which the scan shows more elsewhere, are one of its sides, seen at a slant.
+void Tracker::absorb_pieces(std::vector<Detection>& detections, const Scan& scan) {
+  constexpr std::size_t kFewHits = 5;
+  constexpr double kOverhang_m = 0.1;
+  const auto is_piece = [&](const Detection& detection) {
+    if (detection.surface_in_map.size() > kFewHits) return false;
+    for (LiveTrack& track : live_) {
+      const bool is_large = track.radius_m() > params_.shape.large * params_.shape.usual_radius_m;
+      if (!is_large || !track.is_standing() || !track.is_confirmed(params_.lifecycle)) continue;
+      const double reach_m = track.reach_to_cover(detection);
+      if (reach_m > track.radius_m() + kOverhang_m) continue;
+      const bool shows_more = std::any_of(detections.begin(), detections.end(), [&](const Detection& other) {
+        return other.surface_in_map.size() > detection.surface_in_map.size() &&
+               geometry::distance(other.position_in_map, track.position_in_map()) < track.radius_m();
+      });
+      if (!shows_more) continue;
+      track.cover(reach_m);
+      track.glimpse(moment_of(detection, scan));
+      return true;
+    }
+    return false;
+  };
+  std::vector<Detection> rest;
+  for (const Detection& detection : detections) {
+    if (!is_piece(detection)) rest.push_back(detection);
+  }
+  detections = std::move(rest);
+}
+
+Tracker::Matching Tracker::match(const std::vector<Detection>& detections, const Scan& scan) const {
+  constexpr double kFarthest_m = 3.0;
+  constexpr double kLongestWait_s = 0.3;
+  constexpr double kUnconfirmedHandicap = 14.0;
+  const Lifecycle& lifecycle = params_.lifecycle;
+  const double alone = lifecycle.gate + kUnconfirmedHandicap + 2.0;  // more than any pair: nobody is left alone without need
+  std::vector<Candidate> candidates;
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    const Detection& detection = detections[d];
+    const double lag_s = time::seconds(moment_ - moment_of(detection, scan));
+    for (std::size_t t = 0; t < live_.size(); ++t) {
+      const double away_m = geometry::distance(live_[t].position_before(lag_s), detection.position_in_map);
+      if (away_m > kFarthest_m) continue;
+      const auto innovation = live_[t].filter().innovation(vector_of(detection.position_in_map), detection.covariance, lag_s);
+      const double waited_s = std::clamp(time::seconds(moment_ - live_[t].last_seen()), 0.0, kLongestWait_s);
+      if (innovation.distance2 > lifecycle.gate && away_m > lifecycle.gate_speed_mps * waited_s) continue;
+      const double likelihood =
+          std::min(innovation.distance2, lifecycle.gate) + std::min(1.9, std::log(innovation.covariance.determinant()));
+      const double handicap = live_[t].is_confirmed(lifecycle) ? 0.0 : kUnconfirmedHandicap;
+      candidates.push_back({static_cast<int>(d), static_cast<int>(t), likelihood + handicap});
+    }
+  }
+  Matching matching{assign(static_cast<int>(detections.size()), static_cast<int>(live_.size()), candidates, alone),
+                    std::vector<char>(live_.size(), 0)};
+  for (const int track : matching.track_of) {
+    if (track >= 0) matching.is_matched[static_cast<std::size_t>(track)] = 1;
+  }
+  return matching;
+}
+
+void Tracker::take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching, TakeResult& result) {
+  std::vector<LiveTrack> born;
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    const Detection& detection = detections[d];
+    const time::Stamp measured = moment_of(detection, scan);
+    if (matching.track_of[d] >= 0) {
+      LiveTrack& track = live_[static_cast<std::size_t>(matching.track_of[d])];
+      track.take(detection, measured, moment_, params_.lifecycle);
+      if (track.is_confirmed(params_.lifecycle)) result.seen.push_back(track.id());
+    } else if (!is_part_of_known(detection, measured, matching)) {
+      born.emplace_back(next_id_++, detection, params_.motion, measured);
+      born.back().move_on(measured, moment_);
+    }
+  }
+  live_.insert(live_.end(), born.begin(), born.end());
+}
+
+/// A second piece of a thing that is already tracked as one disc is not another thing; the disc grows to cover it.
+bool Tracker::is_part_of_known(const Detection& detection, time::Stamp measured, Matching& matching) {
+  constexpr double kOverhang_m = 0.1;
+  const double lag_s = time::seconds(moment_ - measured);
+  const double largest_m = params_.shape.keep_whole * params_.shape.max_disc_radius_m;
+  for (std::size_t t = 0; t < live_.size(); ++t) {
+    const double away_m = geometry::distance(live_[t].position_before(lag_s), detection.position_in_map);
+    const double reach_m = live_[t].reach_to_cover(detection);
+    const bool is_inside = away_m + 0.5 * detection.radius_m <= live_[t].radius_m() + kOverhang_m ||
+                           (live_[t].is_standing() && reach_m <= live_[t].radius_m() + kOverhang_m);
+    if (!is_inside || (live_[t].is_standing() && reach_m > std::max(largest_m, live_[t].radius_m()))) continue;
+    live_[t].glimpse(measured);
+    if (live_[t].is_standing()) live_[t].cover(reach_m);
+    matching.is_matched[t] = 1;
+    return true;
+  }
+  return false;
+}
+
+void Tracker::look_for_unmatched(const Scan& scan, const SortedScan& sorted, const Matching& matching) {
+  constexpr double kMostDoubt_m = 1.0;
+  const double lag_s = time::seconds(moment_ - scan.stamp);
+  for (std::size_t t = 0; t < matching.is_matched.size(); ++t) {
+    if (matching.is_matched[t]) continue;
+    LiveTrack& track = live_[t];
+    const double doubt_m = std::min(kMostDoubt_m, track.position_sigma_m());
+    if (look_for(scan, sorted, track.position_before(lag_s), track.radius_m(), doubt_m) == Sight::kFree) track.miss();
+  }
+}
+
+void Tracker::merge_doubles() {
+  const Lifecycle& lifecycle = params_.lifecycle;
+  std::vector<char> is_double(live_.size(), 0);
+  for (std::size_t i = 0; i < live_.size(); ++i) {
+    for (std::size_t j = i + 1; j < live_.size() && !is_double[i]; ++j) {
+      if (is_double[j]) continue;
+      const double away_m = geometry::distance(live_[i].position_in_map(), live_[j].position_in_map());
+      const bool both_seen = live_[i].last_seen() == live_[j].last_seen();  // as two, by one scan
+      const double smaller_m = std::min(live_[i].radius_m(), live_[j].radius_m());
+      const double larger_m = std::max(live_[i].radius_m(), live_[j].radius_m());
+      const bool is_inside = larger_m > 1.5 * smaller_m && away_m + 0.8 * smaller_m < larger_m;
+      if (away_m > (both_seen ? 0.5 : 1.0) * lifecycle.merge_m && !is_inside) continue;
+      const bool keep_older = live_[i].is_confirmed(lifecycle) || !live_[j].is_confirmed(lifecycle);
+      is_double[keep_older ? j : i] = 1;
+    }
+  }
+  for (std::size_t t = 0; t < live_.size(); ++t) {
+    if (is_double[t]) live_[t].replace();
+  }
+}
+
+template <class IsGone>
+void Tracker::bury(IsGone is_gone, std::vector<std::uint64_t>& lost) {
+  const auto gone = std::stable_partition(live_.begin(), live_.end(), [&](const LiveTrack& track) { return !is_gone(track); });
+  for (auto track = gone; track != live_.end(); ++track) {
+    if (track->is_confirmed(params_.lifecycle)) lost.push_back(track->id());
+  }
+  live_.erase(gone, live_.end());
+}
+
+std::vector<std::uint64_t> Tracker::give_up_overdue(time::Stamp now) {
+  std::vector<std::uint64_t> lost;
+  bury([&](const LiveTrack& track) { return track.is_overdue(now, params_.lifecycle); }, lost);
+  return lost;
+}
+
+std::vector<Track> Tracker::tracks(time::Stamp now) const {
+  std::vector<Track> published;
+  for (const LiveTrack& track : live_) {
+    if (track.is_confirmed(params_.lifecycle)) published.push_back(track.published(now));
+  }
+  return published;
+}
+
+std::uint64_t Tracker::scans_dropped() const { return std::accumulate(dropped_.begin(), dropped_.end(), std::uint64_t{0}); }
+
+}  // namespace aisle::obstacle_tracker

@@ -1,0 +1,106 @@
+#pragma once
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/grid/clearance.hpp"
+#include "services/obstacle-tracker/core/live_track.hpp"
+#include "services/obstacle-tracker/core/scan.hpp"
+#include "services/obstacle-tracker/core/track.hpp"
+
+namespace aisle::obstacle_tracker {
+
+struct TrackerParams {
+  SensorNoise noise;
+  Explained explained;
+  Clustering clustering;
+  Shape shape;
+  ConstantVelocity::Params motion;
+  Lifecycle lifecycle;
+
+  template <class Reader>
+  void describe(Reader& r) {
+    r.section("noise", noise).section("explained", explained).section("clustering", clustering).section("shape", shape);
+    r.section("motion", motion).section("lifecycle", lifecycle);
+  }
+};
+
+/// What one scan did to the published tracks.
+struct TakeResult {
+  std::optional<DropReason> dropped;  // then nothing changed
+  std::vector<std::uint64_t> seen;    // published, and measured by this scan
+  std::vector<std::uint64_t> lost;    // published before, gone now
+};
+
+/// Turns the scans of all vehicles into one set of tracks: one a real obstacle, whoever sees it.
+///
+/// A scan is taken whole, at once: its rays less what map and fleet explain, clustered, made into discs, assigned to tracks.
+/// Scans of several vehicles may come a little out of order: a late one is compared with where the tracks were at its moment.
+///
+///   born ──2 scans──► published ──3 s in one place──► static
+///     │                  │  ▲ seen again                 │
+///     └─ not seen        └──┴─ unseen: carried on ───────┴──► lost: looked through, merged, overdue, or inside a wall
+///
+/// No clock, no threads: moments come with the scans and with `now`, all on one clock. Time only moves forward.
+class Tracker {
+ public:
+  /// Ids count from `first_id`: a restarted tracker takes others, so that nobody confuses them with those of its former life.
+  explicit Tracker(const TrackerParams& params = {}, std::uint64_t first_id = 1);
+
+  /// `vehicles`: those that vehicle_info made known, with their newest state; the scanning one must be among them.
+  /// `clearance`: of the newest complete map; nullptr: there is none yet, the scan is dropped.
+  [[nodiscard]] TakeResult take(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const grid::ClearanceField* clearance,
+                                time::Stamp now);
+
+  /// Gives up what is overdue when no scans come. Returns the ids that were published and are gone.
+  [[nodiscard]] std::vector<std::uint64_t> give_up_overdue(time::Stamp now);
+
+  /// The published tracks, as of the newest scan, by id. `age_s` and `unseen_s` are as of `now`.
+  std::vector<Track> tracks(time::Stamp now) const;
+
+  std::uint64_t scans_used() const { return scans_used_; }
+  std::uint64_t scans_dropped() const;
+  std::uint64_t scans_dropped(DropReason reason) const { return dropped_[static_cast<std::size_t>(reason)]; }
+  /// Counts a scan that was refused before it came here (by ScanClock).
+  void count_dropped(DropReason reason) { ++dropped_[static_cast<std::size_t>(reason)]; }
+
+ private:
+  /// What a vehicle's scans look like, to notice one that was cut short.
+  struct Sensor {
+    time::Stamp newest{};
+    std::size_t rays{0};
+    std::size_t other_rays{0};
+    int other_times{0};
+  };
+  struct Matching {
+    std::vector<int> track_of;     // for each detection the index in live_, or -1
+    std::vector<char> is_matched;  // one a track
+  };
+
+  std::optional<DropReason> why_drop(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const grid::ClearanceField* clearance,
+                                     time::Stamp now);
+  bool has_usual_count(Sensor& sensor, std::size_t rays) const;
+  void move_on(time::Stamp to);
+  std::vector<Expected> expected_at(time::Stamp moment) const;
+  void absorb_pieces(std::vector<Detection>& detections, const Scan& scan);
+  Matching match(const std::vector<Detection>& detections, const Scan& scan) const;
+  void take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching, TakeResult& result);
+  bool is_part_of_known(const Detection& detection, time::Stamp measured, Matching& matching);
+  void look_for_unmatched(const Scan& scan, const SortedScan& sorted, const Matching& matching);
+  void merge_doubles();
+  template <class IsGone>
+  void bury(IsGone is_gone, std::vector<std::uint64_t>& lost);
+
+  TrackerParams params_;
+  std::uint64_t next_id_;
+  time::Stamp moment_{};         // of every track's state: the newest scan's last ray
+  std::vector<LiveTrack> live_;  // oldest first
+  std::map<std::string, Sensor> sensors_;
+  std::uint64_t scans_used_{0};
+  std::array<std::uint64_t, kDropReasons> dropped_{};
+};
+
+}  // namespace aisle::obstacle_tracker
