@@ -18,7 +18,7 @@ using time::from_seconds;
 using time::Stamp;
 
 constexpr std::size_t kLongestDetail = 256;       // as in the IDL
-constexpr double kChecked_m = 1e-4;               // a plan is checked for this much less than it was made for, against rounding
+constexpr double kChecked_cells = 0.12;           // a plan is checked for this much less: what ClearanceField may understate between cells
 constexpr double kOffPath_m = 0.3;                // farther from its plan a blocked vehicle gets one from where it stands
 constexpr double kStandsWithin_m = 0.05;
 constexpr std::size_t kMost = 1024;               // vehicles, static tracks
@@ -266,8 +266,8 @@ bool FleetPlanner::is_rest_free(const Vehicle& v) const {
   const std::vector<Point2> rest = v.progress.remaining();
   if (rest.empty()) return false;
   Problem problem = problem_of(v, v.plan->waypoints_in_map.front(), v.plan->waypoints_in_map.back());
-  problem.radius_m -= kChecked_m;
-  problem.least_radius_m -= kChecked_m;
+  problem.radius_m -= kChecked_cells * clearance_.geometry().resolution_m;
+  problem.least_radius_m -= kChecked_cells * clearance_.geometry().resolution_m;
   if (!is_in_map(clearance_.geometry(), problem.start_in_map) || !is_in_map(clearance_.geometry(), problem.goal_in_map)) return false;
   const Drivable drivable(problem);
   for (std::size_t i = 1; i < rest.size(); ++i) {

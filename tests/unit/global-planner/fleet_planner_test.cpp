@@ -174,6 +174,27 @@ TEST_F(Fleet, DoesNotMindAnEditBehindTheVehicle) {
   EXPECT_EQ(after->plan_id, before.plan_id);
 }
 
+TEST_F(Fleet, KeepsAPlanThroughManyEditsElsewhereWhileItIsDriven) {
+  for (int i = 0; i < 12; ++i) block(2.0 + 0.6 * i, 0.5 + (i * 7) % 8, 2.3 + 0.6 * i, 1.6 + (i * 7) % 8);
+  publish_map();
+  arrive("agv-1", {0.6, 0.6, 0.0});
+  const FleetPlan plan = first_plan("agv-1", {"goal-1", {19.3, 9.3, 0.0}, 0.1, 0.0, false});
+  ASSERT_GT(plan.waypoints_in_map.size(), 3U);
+  for (std::size_t i = 1; i < plan.waypoints_in_map.size(); ++i) {
+    const Point2 from = plan.waypoints_in_map[i - 1];
+    const Point2 to = plan.waypoints_in_map[i];
+    const int pieces = 1 + static_cast<int>(geometry::distance(from, to) / 0.07);
+    for (int k = 0; k < pieces; ++k) {
+      const Point2 p = from + (static_cast<double>(k) / pieces) * (to - from);
+      move("agv-1", {p.x, p.y + 0.03, 0.0});
+      publish_map();
+      const auto checked = step();
+      ASSERT_TRUE(checked);
+      ASSERT_EQ(checked->plan_id, plan.plan_id) << "at " << p.x << ", " << p.y;
+    }
+  }
+}
+
 TEST_F(Fleet, DoesNotGoBackWhenAShorterWayOpens) {
   arrive("agv-1", kStart);
   block(10.0, 4.0, 10.2, 6.0);
