@@ -178,6 +178,15 @@ inline void delete_sample(const dds::TypeSupport& support, void* sample) {
 #endif
 }
 
+/// Size of the payload; 0 when it cannot be told.
+inline std::size_t serialized_bytes(const dds::TypeSupport& support, const void* sample) {
+#if AISLE_FASTDDS_MAJOR >= 3
+  return support->calculate_serialized_size(sample, dds::DEFAULT_DATA_REPRESENTATION);
+#else
+  return support->getSerializedSizeProvider(const_cast<void*>(sample))();
+#endif
+}
+
 // Discovery: the same facts under other names.
 #if AISLE_FASTDDS_MAJOR >= 3
 inline const auto& guid_of(WriterInfo info) { return info.guid; }

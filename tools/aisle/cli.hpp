@@ -1,0 +1,64 @@
+#pragma once
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/bus/bus.hpp"
+#include "common/bus/settings.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace aisle::cli {
+
+/// What all verbs share: the site, the form of the output, and what the chosen verb does.
+struct Cli {
+  bus::Settings settings;
+  bool json{false};
+  std::function<int()> action;
+};
+
+using Seconds = std::chrono::duration<double>;
+
+/// A verb with --help and --json below `parent`.
+CLI::App* add_verb(CLI::App& parent, Cli& cli, const std::string& name, const std::string& purpose);
+
+/// Joins the site under `name`, as a super client behind a discovery server. Incompatible QoS and foreign types on topics that the
+/// verb uses become warnings on stderr. @throws config::BadEnvironment
+std::unique_ptr<bus::Bus> join(const Cli& cli, const std::string& name);
+
+/// Runs the loop until `done` (asked after each event), for at most `limit` or until a signal. True when done.
+bool run_until(bus::Bus& bus, Seconds limit, const std::function<bool()>& done);
+
+/// SIGINT or SIGTERM came.
+bool is_interrupted();
+
+/// "domain 3, partition 'hall-2', interface 127.0.0.1", for messages about what was not found there.
+std::string place_of(const bus::Settings& settings);
+
+/// The id under which a verb writes, different in each run: "aisle-1762154102113042".
+std::string unique_id(const std::string& prefix);
+
+/// "-4,5" would be taken for a flag; with a blank in front it is a value again.
+std::vector<std::string> protect_negative_numbers(int argc, const char* const* argv);
+
+// The verbs, each in its own file. They add themselves below `parent`.
+void add_topic_list(CLI::App& parent, Cli& cli);
+void add_topic_info(CLI::App& parent, Cli& cli);
+void add_topic_echo(CLI::App& parent, Cli& cli);
+void add_topic_hz(CLI::App& parent, Cli& cli);
+void add_topic_bw(CLI::App& parent, Cli& cli);
+void add_fleet(CLI::App& parent, Cli& cli);
+void add_goal_send(CLI::App& parent, Cli& cli);
+void add_goal_cancel(CLI::App& parent, Cli& cli);
+void add_map_info(CLI::App& parent, Cli& cli);
+void add_map_block(CLI::App& parent, Cli& cli);
+void add_map_unblock(CLI::App& parent, Cli& cli);
+void add_map_save(CLI::App& parent, Cli& cli);
+void add_doctor(CLI::App& parent, Cli& cli);
+void add_health(CLI::App& parent, Cli& cli);
+
+}  // namespace aisle::cli

@@ -1,0 +1,81 @@
+// aisle topic echo: prints what is said on a topic.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "common/process/exit_code.hpp"
+#include "tools/aisle/cli.hpp"
+#include "tools/aisle/text.hpp"
+#include "tools/aisle/topic_table.hpp"
+
+namespace aisle::cli {
+namespace {
+
+struct EchoOptions {
+  std::string topic;
+  std::string key;
+  int count{0};        // 0: without end
+  bool once{false};
+  bool full{false};
+  double timeout_s{0.0};
+};
+
+constexpr Seconds kUntilHint{2.0};
+constexpr Seconds kForever{1e9};
+
+void print(const Cli& cli, const EchoOptions& options, const Received& received) {
+  const bool is_data = received.info.kind == bus::SampleKind::kData;
+  const char* gone = received.info.kind == bus::SampleKind::kDisposed ? "disposed" : "no_writers";
+  if (cli.json) {
+    Json json = received.to_json();
+    if (!is_data) json["gone"] = gone;
+    std::printf("%s\n", write_json(json).c_str());
+  } else if (is_data) {
+    std::printf("%s---\n", text_of_sample(received.to_json(), options.full ? Length::kFull : Length::kShort).c_str());
+  } else {
+    std::printf("%s: %s\n---\n", gone, printable(received.key).c_str());
+  }
+  std::fflush(stdout);
+}
+
+int echo(const Cli& cli, const EchoOptions& options) {
+  const TopicRow& topic = find_topic(options.topic);
+  const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-topic-echo");
+  const int wanted = options.once ? 1 : options.count;
+  int printed = 0;
+  topic.subscribe(*bus, [&](const Received& received) {
+    if (wanted > 0 && printed >= wanted) return;
+    if (!options.key.empty() && received.key != options.key) return;
+    // Who asks for one sample wants to see one, not that its writer left.
+    if (wanted > 0 && received.info.kind != bus::SampleKind::kData) return;
+    print(cli, options, received);
+    ++printed;
+  });
+  const auto done = [&] { return wanted > 0 && printed >= wanted; };
+  const Seconds limit = options.timeout_s > 0.0 ? Seconds(options.timeout_s) : kForever;
+  run_until(*bus, std::min(limit, kUntilHint), [&] { return done() || printed > 0; });
+  if (printed == 0 && !is_interrupted()) {
+    std::fprintf(stderr, "no sample on '%s'%s yet; %d writers seen in %s\n", topic.name.c_str(),
+                 options.key.empty() ? "" : (" with key '" + printable(options.key) + "'").c_str(), bus->matched_writers(topic.name),
+                 place_of(cli.settings).c_str());
+  }
+  run_until(*bus, limit > kUntilHint && printed == 0 ? limit - kUntilHint : limit, done);
+  return done() || (wanted == 0 && printed > 0) ? process::kDone : process::kNegative;
+}
+
+}  // namespace
+
+void add_topic_echo(CLI::App& parent, Cli& cli) {
+  auto options = std::make_shared<EchoOptions>();
+  CLI::App* verb = add_verb(parent, cli, "echo", "print the samples of a topic; exit code 1 when none came");
+  verb->add_option("topic", options->topic, "name, e.g. plan")->required();
+  verb->add_flag("--once", options->once, "stop after the first");
+  verb->add_option("--count", options->count, "stop after so many")->check(CLI::Range(1, 1'000'000'000));
+  verb->add_option("--key", options->key, "only this instance, e.g. agv-1; several key fields with '/': hall/3/4");
+  verb->add_flag("--full", options->full, "do not shorten long lists");
+  verb->add_option("--timeout", options->timeout_s, "give up after so many seconds")->check(CLI::Range(0.0, 1e6));
+  verb->callback([&cli, options] { cli.action = [&cli, options] { return echo(cli, *options); }; });
+}
+
+}  // namespace aisle::cli
