@@ -1,0 +1,27 @@
+#pragma once
+#include <string>
+#include <utility>
+
+namespace aisle::demo {
+
+/// Keeps a DDS domain of this host for one run: a locked file in the temporary folder, which the kernel frees with the process.
+class DomainLock {
+ public:
+  /// `wanted` in 0..230: that one. @throws config::BadEnvironment when another run has it
+  static DomainLock take(int wanted);
+  /// A free one within 100..200, first the one that follows from `process_id`. @throws config::BadEnvironment when all are taken
+  static DomainLock take_any(int process_id);
+
+  DomainLock(DomainLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)), domain_(other.domain_) {}
+  DomainLock& operator=(DomainLock&&) = delete;
+  ~DomainLock();
+  int domain() const { return domain_; }
+
+ private:
+  DomainLock(int descriptor, int domain) : descriptor_(descriptor), domain_(domain) {}
+  static int try_lock(int domain);
+  int descriptor_;
+  int domain_;
+};
+
+}  // namespace aisle::demo

@@ -1,0 +1,67 @@
+#pragma once
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/demo/child.hpp"
+#include "tools/demo/orders.hpp"
+#include "tools/demo/progress.hpp"
+
+namespace aisle::demo {
+
+/// What became of a run, beside what the referee says.
+struct RunOutcome {
+  int referee_code{1};
+  int processes{0};
+  int kills{0};
+  int unexpected_deaths{0};
+  int stopped_cleanly{0};   // within kStop_s after SIGTERM, exit code 0
+  int stopped_uncleanly{0};
+  double slowest_stop_s{0.0};
+};
+
+/// Runs the processes of one fleet: starts them in order, kills and restarts as ordered, restarts once what dies by itself,
+/// and stops all when the referee has ended.
+class Supervisor {
+ public:
+  Supervisor(std::vector<Process> processes, std::vector<KillOrder> kills, std::filesystem::path program_folder, std::filesystem::path log_folder,
+             Progress& progress);
+
+  /// Until the referee ends, `stop` becomes true (then the referee is asked to end), or `limit_s` have passed.
+  RunOutcome run(const std::atomic<bool>& stop, double limit_s);
+
+  static constexpr double kStop_s = 2.0;
+
+ private:
+  struct Slot {
+    Process process;
+    std::unique_ptr<Child> child;   // null: not running
+    double start_at_s{0.0};         // while not running: when it starts; less than 0: never
+    int own_deaths{0};
+    bool killed_by_us{false};
+  };
+  double now_s() const;
+  std::filesystem::path log_of(const Process& process) const;
+  void start_due();
+  void kill_due();
+  void reap();
+  void died(Slot& slot, const Ending& ending);
+  bool referee_ended() const;
+  void wait_for_output();
+  void drain();
+  void stop_all();
+
+  std::vector<Slot> slots_;
+  std::vector<KillOrder> kills_;    // those still to come
+  std::filesystem::path program_folder_;
+  std::filesystem::path log_folder_;
+  Progress& progress_;
+  std::chrono::steady_clock::time_point started_;
+  std::string partial_line_;
+  RunOutcome outcome_;
+};
+
+}  // namespace aisle::demo
