@@ -1,0 +1,57 @@
+#pragma once
+#include <cmath>
+#include <optional>
+#include <queue>
+#include <vector>
+
+#include "common/grid/occupancy_grid.hpp"
+
+namespace aisle::bench {
+
+/// A* as a textbook prints it, to measure ours against in the same run: std::priority_queue, doubles, fresh arrays for each query,
+/// octile heuristic, no corner cut. Length in cells; nothing when there is no path.
+inline std::optional<double> textbook_astar(const grid::OccupancyGrid& grid, grid::Cell start, grid::Cell goal) {
+  struct Open {
+    double f;
+    std::size_t index;
+    bool operator<(const Open& other) const { return f > other.f; }
+  };
+  const grid::Geometry& geometry = grid.geometry();
+  const double diagonal = std::sqrt(2.0);
+  const auto h = [&](grid::Cell c) {
+    const double dx = std::abs(c.x - goal.x);
+    const double dy = std::abs(c.y - goal.y);
+    return std::max(dx, dy) + (diagonal - 1.0) * std::min(dx, dy);
+  };
+  std::vector<double> g(geometry.cells(), INFINITY);
+  std::vector<bool> closed(geometry.cells(), false);
+  std::vector<std::size_t> parent(geometry.cells());
+  std::priority_queue<Open> open;
+  g[geometry.index(start)] = 0.0;
+  open.push({h(start), geometry.index(start)});
+  while (!open.empty()) {
+    const std::size_t index = open.top().index;
+    open.pop();
+    if (closed[index]) continue;
+    closed[index] = true;
+    const grid::Cell at{static_cast<int>(index % static_cast<std::size_t>(geometry.width)),
+                        static_cast<int>(index / static_cast<std::size_t>(geometry.width))};
+    if (at == goal) return g[index];
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const grid::Cell to{at.x + dx, at.y + dy};
+        if ((dx == 0 && dy == 0) || !grid.is_free(to)) continue;
+        if (dx != 0 && dy != 0 && (!grid.is_free({at.x + dx, at.y}) || !grid.is_free({at.x, at.y + dy}))) continue;
+        const double through = g[index] + (dx != 0 && dy != 0 ? diagonal : 1.0);
+        const std::size_t next = geometry.index(to);
+        if (through >= g[next]) continue;
+        g[next] = through;
+        parent[next] = index;
+        open.push({through + h(to), next});
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace aisle::bench
