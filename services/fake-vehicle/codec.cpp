@@ -1,0 +1,83 @@
+#include "services/fake-vehicle/codec.hpp"
+
+#include "common/wire/geometry.hpp"
+
+namespace aisle::fake_vehicle {
+namespace {
+
+HoldReason reason_of(Hold hold) {
+  switch (hold) {
+    case Hold::kNone: return HoldReason::HOLD_NONE;
+    case Hold::kNoCommand: return HoldReason::HOLD_NO_COMMAND;
+    case Hold::kLateCommand: return HoldReason::HOLD_LATE_COMMAND;
+    case Hold::kContact: return HoldReason::HOLD_CONTACT;
+  }
+  return HoldReason::HOLD_NONE;
+}
+
+}  // namespace
+
+aisle::VehicleInfo encode(const std::string& agv_id, const Parameters& parameters) {
+  aisle::VehicleInfo sample;
+  sample.agv_id(agv_id);
+  sample.model(KinematicModel::MODEL_DIFFERENTIAL);
+  sample.footprint(FootprintKind::FOOTPRINT_DISC);
+  sample.radius_m(parameters.radius_m);
+  sample.length_m(2.0 * parameters.radius_m);
+  sample.width_m(2.0 * parameters.radius_m);
+  sample.max_speed_mps(parameters.limits.max_speed_mps);
+  sample.max_reverse_mps(parameters.limits.max_reverse_mps);
+  sample.max_turn_radps(parameters.limits.max_turn_radps);
+  sample.max_acceleration_mps2(parameters.limits.max_acceleration_mps2);
+  sample.max_deceleration_mps2(parameters.limits.max_deceleration_mps2);
+  sample.max_turn_acceleration_radps2(parameters.limits.max_turn_acceleration_radps2);
+  sample.sensor_range_m(parameters.lidar.range_max_m);
+  sample.command_timeout_s(parameters.command_timeout_s);
+  return sample;
+}
+
+aisle::VehicleState encode(const Report& report) {
+  aisle::VehicleState sample;
+  sample.agv_id(report.agv_id);
+  sample.base_in_map(wire::encode(report.base_in_map));
+  sample.twist(wire::encode(report.twist));
+  sample.hold(reason_of(report.hold));
+  if (report.command) {
+    const Command& command = *report.command;
+    sample.command_agv_id(command.agv_id);
+    sample.command_by(wire::encode(wire::SampleOrigin{command.source_id, command.boot_id, command.epoch, command.sequence_number, command.stamp_ns}));
+    sample.command_plan_id(command.plan_id);
+  }
+  sample.accepted_epoch(report.accepted_epoch);
+  sample.refused_commands(report.refused_commands);
+  return sample;
+}
+
+aisle::Scan encode_scan(const Report& report, const LidarParameters& lidar, const std::vector<float>& ranges_m) {
+  aisle::Scan sample;
+  sample.agv_id(report.agv_id);
+  sample.base_in_map(wire::encode(report.base_in_map));
+  sample.twist(wire::encode(report.twist));
+  sample.first_angle_rad(0.0);
+  sample.angle_step_rad(2.0 * geometry::kPi / static_cast<double>(ranges_m.size()));
+  sample.sweep_s(0.0);
+  sample.range_min_m(lidar.range_min_m);
+  sample.range_max_m(lidar.range_max_m);
+  sample.ranges_m(ranges_m);
+  return sample;
+}
+
+Command decode(const aisle::VelocityCommand& sample) {
+  Command command;
+  command.agv_id = sample.agv_id().to_string();
+  command.source_id = sample.by().source_id().to_string();
+  command.boot_id = sample.by().boot_id();
+  command.epoch = sample.by().epoch();
+  command.sequence_number = sample.by().sequence_number();
+  command.stamp_ns = sample.by().stamp_ns();
+  command.plan_id = sample.plan_id();
+  command.twist = {sample.twist().linear_mps(), sample.twist().angular_radps(), 0.0};
+  return command;
+}
+
+}  // namespace aisle::fake_vehicle

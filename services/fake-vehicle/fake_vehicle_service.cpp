@@ -1,0 +1,188 @@
+#include "services/fake-vehicle/fake_vehicle_service.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/process/clock.hpp"
+#include "common/scenario/variation.hpp"
+#include "common/wire/geometry.hpp"
+#include "common/wire/world_obstacle.hpp"
+#include "services/fake-vehicle/core/lidar.hpp"
+#include "services/fake-vehicle/vehicle_memory.hpp"
+
+namespace aisle::fake_vehicle {
+namespace {
+
+using bus::SampleInfo;
+using bus::SampleKind;
+using process::monotonic_now;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kTick{20};
+constexpr milliseconds kKeepPeriod{100};
+constexpr milliseconds kHealthPeriod{250};
+
+VehicleMemory memory_of(const ServiceConfig& config) {
+  if (!config.state_file.empty()) {
+    if (const auto memory = recall(config.state_file, config.run)) {
+      spdlog::info("goes on at x={:.2f} y={:.2f}, where it was before", memory->base_in_map.x, memory->base_in_map.y);
+      return *memory;
+    }
+  }
+  return {config.run, config.start_in_map, 0};
+}
+
+}  // namespace
+
+FakeVehicleService::FakeVehicleService(bus::Bus& bus, const std::string& agv_id, const std::string& instance_id, std::uint64_t boot_id,
+                                       service::Health& health, const ServiceConfig& config)
+    : bus_(bus),
+      agv_id_(agv_id),
+      health_(health),
+      config_(config),
+      map_(bus, instance_id, {{}, false, 0.0, milliseconds(300)}),
+      authority_(agv_id, memory_of(config).accepted_epoch),
+      vehicle_(config.vehicle, memory_of(config).base_in_map),
+      bodies_(agv_id),
+      duplicates_(boot_id),
+      random_(scenario::random_for(config.seed, agv_id + "/noise")),
+      info_stamper_(instance_id, boot_id),
+      state_stamper_(instance_id, boot_id),
+      scan_stamper_(instance_id, boot_id),
+      truth_stamper_(instance_id, boot_id),
+      infos_(bus.writer<topics::VehicleInfo>()),
+      states_(bus.writer<topics::VehicleState>()),
+      scans_(bus.writer<topics::Scan>()),
+      truths_(bus.writer<topics::WorldObstacle>()),
+      warnings_(std::chrono::seconds(10)),
+      started_(monotonic_now()) {
+  listen();
+  bus_.every(kTick, [this] { tick(); });
+  bus_.every(kHealthPeriod, [this] { tell_health(monotonic_now()); });
+  if (!config_.state_file.empty()) bus_.every(kKeepPeriod, [this] { keep_memory(); });
+}
+
+void FakeVehicleService::listen() {
+  bus_.on<topics::VelocityCommand>([this](const aisle::VelocityCommand& sample, const SampleInfo& info) { take(sample, info); });
+  bus_.on<topics::WorldObstacle>([this](const aisle::WorldObstacle& sample, const SampleInfo& info) { take(sample, info); });
+  bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
+    if (info.kind == SampleKind::kData && sample.agv_id().to_string() == agv_id_) duplicates_.heard(sample.by().boot_id(), monotonic_now());
+  });
+}
+
+void FakeVehicleService::take(const aisle::VelocityCommand& sample, const SampleInfo& info) {
+  if (info.kind != SampleKind::kData || sample.agv_id().to_string() != agv_id_ || yields_) return;
+  const Command command = decode(sample);
+  const Verdict verdict = authority_.judge(command);
+  if (verdict != Verdict::kAccepted) {
+    health_.count(std::string("refused_") + name(verdict));
+    warnings_.warn(name(verdict), fmt::format("velocity_command refused: {} (source {}, epoch {}, accepted epoch {})", name(verdict),
+                                              command.source_id, command.epoch, authority_.accepted_epoch()));
+    return;
+  }
+  if (!map_.has_map()) return;   // cannot tell where its walls are
+  command_ = command;
+  vehicle_.command(command.twist, info.arrived.time_since_epoch());
+}
+
+void FakeVehicleService::take(const aisle::WorldObstacle& sample, const SampleInfo& info) {
+  if (info.kind == SampleKind::kDisposed) bodies_.gone(sample.obstacle_id().to_string());
+  if (info.kind != SampleKind::kData) return;
+  const auto obstacle = wire::decode(sample);
+  if (!obstacle) {
+    health_.count("dropped_world_obstacle");
+    warnings_.warn("world_obstacle", "world_obstacle: a sample was dropped: " + obstacle.reason());
+    return;
+  }
+  bodies_.seen(obstacle->id, obstacle->body, obstacle->kind == wire::WorldObstacle::Kind::kVehicle, obstacle->boot_id, monotonic_now());
+}
+
+bool FakeVehicleService::may_act(time::Stamp now) {
+  const bool yields = duplicates_.must_yield(now);
+  if (yields != yields_) {
+    if (yields) {
+      spdlog::error("hold=duplicate_id: another process (boot {}) is {} already; this one stands and stays silent until it is gone",
+                    duplicates_.other_boot_id(), agv_id_);
+    } else {
+      spdlog::info("{} is free again", agv_id_);
+    }
+  }
+  yields_ = yields;
+  return !yields_ && now - started_ >= kListen;
+}
+
+void FakeVehicleService::tick() {
+  const time::Stamp now = monotonic_now();
+  if (!may_act(now)) return;
+  if (!introduced_) {
+    aisle::VehicleInfo info = encode(agv_id_, config_.vehicle);
+    info.by(info_stamper_.next());
+    introduced_ = infos_.write(info);
+  }
+  bodies_.forget_old_world(now);
+  if (map_.has_map()) vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});
+  publish();
+  if (now < next_scan_ || !map_.has_map()) return;
+  const time::Stamp period = time::from_seconds(config_.vehicle.lidar.period_s);
+  next_scan_ = now - next_scan_ > period ? now + period - kTick / 2 : next_scan_ + period;
+  publish_scan();
+}
+
+Report FakeVehicleService::report() {
+  return {agv_id_,  with_noise(vehicle_.base_in_map(), config_.vehicle, random_), vehicle_.twist(), vehicle_.hold(),
+          command_, authority_.accepted_epoch(),                                   authority_.refused()};
+}
+
+void FakeVehicleService::publish() {
+  aisle::VehicleState state = encode(report());
+  state.by(state_stamper_.next());
+  states_.write(state);
+
+  const geometry::Pose2& base = vehicle_.base_in_map();
+  const double speed = vehicle_.twist().linear_mps;
+  wire::WorldObstacle truth;
+  truth.id = agv_id_;
+  truth.kind = wire::WorldObstacle::Kind::kVehicle;
+  truth.body.base_in_map = base;
+  truth.body.radius_m = config_.vehicle.radius_m;
+  truth.velocity_in_map = {speed * std::cos(base.yaw), speed * std::sin(base.yaw)};
+  aisle::WorldObstacle sample = wire::encode(truth);
+  sample.by(truth_stamper_.next());
+  truths_.write(sample);
+}
+
+void FakeVehicleService::publish_scan() {
+  const std::vector<float> ranges_m = scan({map_.grid(), bodies_.bodies()}, vehicle_.base_in_map(), config_.vehicle.lidar, random_);
+  aisle::Scan sample = encode_scan(report(), config_.vehicle.lidar, ranges_m);
+  sample.by(scan_stamper_.next());
+  scans_.write(sample);
+}
+
+void FakeVehicleService::keep_memory() {
+  if (yields_ || !introduced_) return;
+  if (!keep(config_.state_file, {config_.run, vehicle_.base_in_map(), authority_.accepted_epoch()})) {
+    health_.last_error = "cannot write " + config_.state_file.string() + "; a restart will begin at the start";
+    warnings_.warn("state_file", health_.last_error);
+  }
+}
+
+void FakeVehicleService::tell_health(time::Stamp now) {
+  health_.map_id = map_.map_id();
+  health_.map_revision = map_.revision();
+  health_.map_hash = map_.hash();
+  health_.counters["contacts"] = vehicle_.contacts();
+  if (duplicates_.is_duplicate(now)) {
+    health_.state = ServiceState::SERVICE_DEGRADED;
+    health_.last_error = fmt::format("two processes are {}: boot {} and this one, which {}", agv_id_, duplicates_.other_boot_id(),
+                                     yields_ ? "came later, stands and stays silent (hold: duplicate id)" : "was first and goes on");
+    health_.waits_for = yields_ ? "the other " + agv_id_ + " to be gone" : "";
+    return;
+  }
+  health_.waits_for = map_.has_map() ? "" : "map_info";
+  health_.state = map_.has_map() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
+}
+
+}  // namespace aisle::fake_vehicle
