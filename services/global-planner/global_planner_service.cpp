@@ -107,7 +107,10 @@ void GlobalPlannerService::hear(const aisle::Plan& sample, const SampleInfo& inf
   health_.count("heard_plans");
   leadership_.hear(sample.by().epoch(), sample.by().boot_id());
   keep_lead();
-  if (leadership_.role() != Leadership::Role::kLeading) fleet_.adopt(*plan);
+  if (leadership_.role() == Leadership::Role::kLeading) return;
+  fleet_.adopt(*plan);
+  const std::string leader = sample.by().source_id().to_string() + ", epoch " + std::to_string(sample.by().epoch());
+  if (leader != std::exchange(followed_, leader)) spdlog::info("follows {}", leader);
 }
 
 void GlobalPlannerService::keep_lead() {

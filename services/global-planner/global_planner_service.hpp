@@ -61,6 +61,7 @@ class GlobalPlannerService {
   FleetPlanner fleet_;
   Leadership leadership_;
   bus::Writer<topics::Plan> plans_;
+  std::string followed_;             // the leader whose plans were heard last
   time::Stamp asserted_{};
   bool is_work_posted_{false};
   process::LimitedWarnings warnings_;

@@ -1,38 +1,16 @@
-// The service on a bus of its own domain; the test plays the map, the vehicles and the dispatcher.
+// The service on a bus of its own domain.
 #include "services/global-planner/global_planner_service.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <limits>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "common/grid/clearance.hpp"
-#include "common/wire/geometry.hpp"
-#include "common/wire/map.hpp"
-#include "services/global-planner/codec.hpp"
-#include "services/global-planner/core/path_checker.hpp"
-#include "tests/integration/bus/two_buses.hpp"
+#include "tests/integration/global-planner/site.hpp"
 
 namespace aisle::global_planner {
 namespace {
-
-using namespace std::chrono_literals;
-using bus::Bus;
-using bus::SampleInfo;
-using bus::SampleKind;
-
-constexpr double kRadius_m = 0.3;
-
-bus::Settings site(int domain, const std::string& name) {
-  bus::Settings settings = bus_test::loopback(domain, name);
-  settings.partition = "planner-test-" + std::to_string(getpid());   // beside the same test in another process
-  return settings;
-}
 
 /// One planner process.
 struct PlannerProcess {
@@ -46,108 +24,6 @@ struct PlannerProcess {
   Bus bus;
   service::Health health;
   GlobalPlannerService service;
-};
-
-/// Everything else of a site: a hall of 20 x 10 m with two doors, and vehicles that say every 50 ms where they stand.
-class Site {
- public:
-  explicit Site(int domain)
-      : bus(site(domain, "site")),
-        grid(grid::Geometry{200, 100, 0.1, {}}),
-        infos_(bus.writer<topics::MapInfo>()),
-        tiles_(bus.writer<topics::MapTile>()),
-        vehicles_(bus.writer<topics::VehicleInfo>()),
-        states_(bus.writer<topics::VehicleState>()),
-        goals_(bus.writer<topics::Goal>()) {
-    block(100, 0, 101, 99);
-    block(100, 40, 101, 60, grid::Occupancy::kFree);
-    block(100, 80, 101, 97, grid::Occupancy::kFree);
-    bus.on<topics::Plan>([this](const aisle::Plan& sample, const SampleInfo& info) {
-      if (info.kind != SampleKind::kData) return;
-      plans.push_back(sample);
-    });
-    bus.every(50ms, [this] { publish_states(); });
-  }
-
-  void block(int x0, int y0, int x1, int y1, grid::Occupancy fill = grid::Occupancy::kOccupied) {
-    for (int y = y0; y <= y1; ++y) {
-      for (int x = x0; x <= x1; ++x) grid.set({x, y}, fill);
-    }
-  }
-
-  void publish_map() {
-    grid::MapSummary summary;
-    summary.map_id = "hall";
-    summary.revision = ++revision;
-    summary.tiling = {64, grid.geometry()};
-    for (int i = 0; i < summary.tiling.count(); ++i) {
-      grid::Tile tile;
-      tile.map_id = "hall";
-      tile.tile_x = i % summary.tiling.tiles_x();
-      tile.tile_y = i / summary.tiling.tiles_x();
-      tile.revision = revision;
-      tile.cells = grid::tile_cells(grid, summary.tiling, i);
-      tile.hash = grid::tile_hash(tile.cells);
-      summary.tile_hashes.push_back(tile.hash);
-      tiles_.write(wire::encode(tile));
-    }
-    summary.hash = grid::map_hash(summary.tile_hashes);
-    aisle::MapInfo sample = wire::encode(summary);
-    stamp(sample.by());
-    infos_.write(sample);
-  }
-
-  void add_vehicle(const std::string& id, const geometry::Pose2& pose) {
-    aisle::VehicleInfo info;
-    info.agv_id(id);
-    stamp(info.by());
-    info.radius_m(kRadius_m);
-    vehicles_.write(info);
-    poses_[id] = pose;
-    publish_states();
-  }
-
-  void send_goal(const std::string& agv, const std::string& id, double x, double y) {
-    aisle::Goal goal;
-    goal.agv_id(agv);
-    goal.goal_id(id);
-    stamp(goal.by());
-    goal.pose_in_map(wire::encode(geometry::Pose2{x, y, 0.0}));
-    goal.position_tolerance_m(0.1);
-    goals_.write(goal);
-  }
-
-  bool is_drivable_now(const aisle::Plan& sample) const {
-    const auto plan = decode(sample);
-    if (!plan || plan->waypoints_in_map.empty()) return false;
-    const grid::ClearanceField clearance(grid, 2.0);
-    return is_drivable({clearance, plan->waypoints_in_map.front(), plan->waypoints_in_map.back(), kRadius_m}, plan->waypoints_in_map);
-  }
-
-  Bus bus;
-  grid::OccupancyGrid grid;
-  std::uint64_t revision{0};
-  std::vector<aisle::Plan> plans;
-
- private:
-  void stamp(aisle::Origin& by) { by = origin_.next(); }
-  void publish_states() {
-    for (const auto& [id, pose] : poses_) {
-      aisle::VehicleState state;
-      state.agv_id(id);
-      stamp(state.by());
-      state.base_in_map(wire::encode(pose));
-      states_.write(state);
-    }
-  }
-
-  service::OriginStamper origin_{"site", 1};
-  bus::Writer<topics::MapInfo> infos_;
-  bus::Writer<topics::MapTile> tiles_;
-  bus::Writer<topics::VehicleInfo> vehicles_;
-  bus::Writer<topics::VehicleState> states_;
-  bus::Writer<topics::Goal> goals_;
-  std::map<std::string, geometry::Pose2> poses_;
 };
 
 TEST(GlobalPlannerService, PlansKeepsAndReplaces) {
