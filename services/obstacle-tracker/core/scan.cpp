@@ -40,6 +40,30 @@ const char* name_of(DropReason reason) {
   return "unknown";
 }
 
+const char* explain(DropReason reason) {
+  switch (reason) {
+    case DropReason::kUnknownVehicle:
+      return "no vehicle_info of it has come yet";
+    case DropReason::kNoMap:
+      return "no whole map has come yet";
+    case DropReason::kNotFinite:
+      return "a pose, twist, angle or range is not a number";
+    case DropReason::kNegativeRange:
+      return "a range is negative";
+    case DropReason::kWrongCount:
+      return "no rays, more than a full turn, or not as many as its scans have";
+    case DropReason::kBadGeometry:
+      return "angle step, sweep, range limits or pose make no sense";
+    case DropReason::kNotNewer:
+      return "its stamp is not newer than that of the scan before";
+    case DropReason::kFuture:
+      return "its stamp is ahead of that vehicle's clock so far";
+    case DropReason::kTooOld:
+      return "it was measured more than a second ago";
+  }
+  return "unknown reason";
+}
+
 std::optional<DropReason> find_fault(const Scan& scan) {
   if (!geometry::is_finite(scan.base_in_map) || !is_finite(scan.twist) || !std::isfinite(scan.first_angle_rad) ||
       !std::isfinite(scan.angle_step_rad) || !std::isfinite(scan.sweep_s) || !std::isfinite(scan.range_min_m) ||

@@ -50,6 +50,8 @@ enum class DropReason {
 };
 inline constexpr int kDropReasons = 9;
 const char* name_of(DropReason reason);
+/// In words, for the log: "a pose, angle or range is not a number".
+const char* explain(DropReason reason);
 
 /// Checks what one scan says by itself; std::nullopt: usable.
 std::optional<DropReason> find_fault(const Scan& scan);

@@ -16,6 +16,7 @@ using geometry::Point2;
 
 constexpr time::Stamp kMaxAge = 1s;
 constexpr time::Stamp kMaxFuture = 50ms;
+
 Eigen::Vector2d vector_of(Point2 p) { return {p.x, p.y}; }
 
 time::Stamp moment_of(const Detection& detection, const Scan& scan) { return scan.stamp + time::from_seconds(detection.offset_s); }

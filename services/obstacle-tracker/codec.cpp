@@ -1,0 +1,77 @@
+#include "services/obstacle-tracker/codec.hpp"
+
+#include <utility>
+
+#include "common/wire/geometry.hpp"
+
+namespace aisle::obstacle_tracker {
+namespace {
+
+using wire::Checks;
+using wire::Decoded;
+
+constexpr double kLargestVehicle_m = 10.0;
+
+template <class T>
+Decoded<T> checked(const Checks& checks, T value) {
+  return checks.ok() ? Decoded<T>(std::move(value)) : Decoded<T>::refused(checks.reason());
+}
+
+}  // namespace
+
+Decoded<KnownVehicle> decode(const aisle::VehicleInfo& sample) {
+  Checks checks;
+  KnownVehicle vehicle;
+  vehicle.agv_id = sample.agv_id().to_string();
+  vehicle.is_rectangle = sample.footprint() == FootprintKind::FOOTPRINT_RECTANGLE;
+  vehicle.radius_m = sample.radius_m();
+  vehicle.length_m = sample.length_m();
+  vehicle.width_m = sample.width_m();
+  checks.id("agv_id", vehicle.agv_id)
+      .known("footprint", sample.footprint(), FootprintKind::FOOTPRINT_RECTANGLE)
+      .within("radius_m", vehicle.radius_m, 0.0, kLargestVehicle_m)
+      .within("length_m", vehicle.length_m, 0.0, 2.0 * kLargestVehicle_m)
+      .within("width_m", vehicle.width_m, 0.0, 2.0 * kLargestVehicle_m);
+  return checked(checks, std::move(vehicle));
+}
+
+Decoded<Motion> decode(const aisle::VehicleState& sample) {
+  Checks checks;
+  checks.id("agv_id", sample.agv_id().to_string());
+  Motion motion;
+  motion.base_in_map = wire::decode(sample.base_in_map(), checks, "base_in_map");
+  motion.twist = wire::decode(sample.twist(), checks, "twist");
+  return checked(checks, motion);
+}
+
+Decoded<Scan> decode(const aisle::Scan& sample) {
+  Checks checks;
+  Scan scan;
+  scan.agv_id = sample.agv_id().to_string();
+  scan.base_in_map = {sample.base_in_map().x_m(), sample.base_in_map().y_m(), sample.base_in_map().yaw_rad()};
+  scan.twist = {sample.twist().linear_mps(), sample.twist().angular_radps(), 0.0};
+  scan.first_angle_rad = sample.first_angle_rad();
+  scan.angle_step_rad = sample.angle_step_rad();
+  scan.sweep_s = sample.sweep_s();
+  scan.range_min_m = sample.range_min_m();
+  scan.range_max_m = sample.range_max_m();
+  scan.ranges_m.assign(sample.ranges_m().begin(), sample.ranges_m().end());
+  checks.id("agv_id", scan.agv_id);
+  return checked(checks, std::move(scan));
+}
+
+aisle::Track encode(const Track& track) {
+  aisle::Track sample;
+  sample.track_id(track.id);
+  sample.position_in_map(wire::encode(track.position_in_map));
+  sample.velocity_x_mps(track.velocity_in_map.x);
+  sample.velocity_y_mps(track.velocity_in_map.y);
+  sample.covariance(track.covariance);
+  sample.radius_m(track.radius_m);
+  sample.age_s(track.age_s);
+  sample.unseen_s(track.unseen_s);
+  sample.is_static(track.is_static);
+  return sample;
+}
+
+}  // namespace aisle::obstacle_tracker

@@ -1,0 +1,206 @@
+#include "services/obstacle-tracker/obstacle_tracker_service.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "common/process/clock.hpp"
+#include "services/obstacle-tracker/codec.hpp"
+
+namespace aisle::obstacle_tracker {
+namespace {
+
+using bus::SampleInfo;
+using bus::SampleKind;
+using process::monotonic_now;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kTend{100};
+constexpr milliseconds kReport{250};
+constexpr std::size_t kMostVehicles = 256;  // as many as tracking_status can tell of
+constexpr std::size_t kMostTracks = 1024;
+constexpr double kWallsReach_m = 2.0;  // farther from a wall than this nothing depends on how far
+constexpr double kScansMissing_s = 1.0;
+
+/// Ids of a boot begin where those of an earlier one cannot be, and stay exact in JSON (below 2^53).
+std::uint64_t first_id(std::uint64_t boot_id_us) { return boot_id_us / 1000 % 10'000'000'000ULL * 100'000 + 1; }
+
+}  // namespace
+
+ObstacleTrackerService::ObstacleTrackerService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id,
+                                               service::Health& health, const TrackerParams& params)
+    : bus_(bus),
+      health_(health),
+      track_stamper_(instance_id, boot_id),
+      status_stamper_(instance_id, boot_id),
+      instance_id_(instance_id),
+      map_(bus, instance_id, {{}, true, kWallsReach_m, milliseconds(300)}),
+      tracker_(params, first_id(boot_id)),
+      tracks_(bus.writer<topics::Track>()),
+      statuses_(bus.writer<topics::TrackingStatus>()),
+      warnings_(std::chrono::seconds(10)) {
+  listen();
+  bus_.every(kTend, [this] { tend(); });
+  bus_.every(kReport, [this] { report(); });
+}
+
+template <class T>
+std::optional<T> ObstacleTrackerService::accepted(const char* topic, wire::Decoded<T> decoded) {
+  if (decoded) return *std::move(decoded);
+  health_.count(std::string("dropped_") + topic);
+  warnings_.warn(topic, std::string(topic) + ": a sample was dropped: " + decoded.reason());
+  return std::nullopt;
+}
+
+void ObstacleTrackerService::listen() {
+  // A vehicle that is gone from the bus may still stand where it was: only data changes what is known of it.
+  bus_.on<topics::VehicleInfo>([this](const aisle::VehicleInfo& sample, const SampleInfo& info) {
+    if (info.kind == SampleKind::kData) hear(sample);
+  });
+  bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
+    if (info.kind == SampleKind::kData) hear(sample, info.arrived.time_since_epoch());
+  });
+  bus_.on<topics::Scan>([this](const aisle::Scan& sample, const SampleInfo& info) {
+    if (info.kind == SampleKind::kData) hear(sample, info.arrived.time_since_epoch());
+  });
+}
+
+void ObstacleTrackerService::hear(const aisle::VehicleInfo& sample) {
+  const auto body = accepted("vehicle_info", decode(sample));
+  if (!body) return;
+  if (vehicles_.count(body->agv_id) == 0 && vehicles_.size() >= kMostVehicles) {
+    warnings_.warn("vehicles",
+                   "vehicle_info of " + body->agv_id + " is not used: there are " + std::to_string(kMostVehicles) + " vehicles already");
+    return;
+  }
+  KnownVehicle& known = vehicles_[body->agv_id].known;
+  KnownVehicle updated = *body;
+  updated.base_in_map = known.base_in_map;
+  updated.twist = known.twist;
+  updated.stamp = known.stamp;
+  known = updated;
+}
+
+void ObstacleTrackerService::hear(const aisle::VehicleState& sample, time::Stamp arrived) {
+  const auto motion = accepted("vehicle_state", decode(sample));
+  if (!motion) return;
+  const auto found = vehicles_.find(sample.agv_id().to_string());
+  if (found == vehicles_.end()) return;
+  found->second.known.base_in_map = motion->base_in_map;
+  found->second.known.twist = motion->twist;
+  found->second.known.stamp = arrived;
+  found->second.has_state = true;
+}
+
+void ObstacleTrackerService::hear(const aisle::Scan& sample, time::Stamp arrived) {
+  const time::Stamp begun = monotonic_now();
+  auto scan = accepted("scan", decode(sample));
+  if (!scan) return;
+  const auto found = vehicles_.find(scan->agv_id);
+  if (found == vehicles_.end()) return refuse(DropReason::kUnknownVehicle, scan->agv_id);
+  Vehicle& vehicle = found->second;
+  const auto placed = vehicle.scan_clock.place(sample.by().stamp_ns(), arrived);
+  if (const auto* reason = std::get_if<DropReason>(&placed)) return refuse(*reason, scan->agv_id);
+  scan->stamp = std::get<time::Stamp>(placed);
+  const TakeResult result = tracker_.take(*scan, known_vehicles(), map_.has_map() ? &map_.clearance() : nullptr, begun);
+  if (result.dropped) return tell_dropped(*result.dropped, scan->agv_id);
+
+  vehicle.scan_sequence = sample.by().sequence_number();
+  vehicle.scan_stamp_ns = sample.by().stamp_ns();
+  newest_scan_stamp_ns_ = sample.by().stamp_ns();
+  newest_scan_used_ = begun;
+  dispose(result.lost);
+  write_tracks(result.seen, begun);
+  write_status(begun, monotonic_now() - begun);
+}
+
+void ObstacleTrackerService::refuse(DropReason reason, const std::string& agv_id) {
+  tracker_.count_dropped(reason);
+  tell_dropped(reason, agv_id);
+}
+
+void ObstacleTrackerService::tell_dropped(DropReason reason, const std::string& agv_id) {
+  health_.count(std::string("scans_") + name_of(reason));
+  if (reason == DropReason::kNoMap) return;  // service_health says what is waited for
+  warnings_.warn(name_of(reason), "a scan of " + agv_id + " was dropped: " + explain(reason));
+}
+
+std::vector<KnownVehicle> ObstacleTrackerService::known_vehicles() const {
+  std::vector<KnownVehicle> known;
+  known.reserve(vehicles_.size());
+  for (const auto& [id, vehicle] : vehicles_) {
+    known.push_back(vehicle.known);
+    if (!vehicle.has_state) known.back().stamp = time::Stamp::min() / 2;  // nobody knows where it is: it explains nothing
+  }
+  return known;
+}
+
+void ObstacleTrackerService::write_tracks(const std::vector<std::uint64_t>& seen, time::Stamp now) {
+  for (const Track& track : outbox_.due(tracker_.tracks(now), seen, now)) {
+    aisle::Track sample = encode(track);
+    sample.by(track_stamper_.next());
+    sample.scan_stamp_ns(newest_scan_stamp_ns_);
+    if (!tracks_.write(sample)) health_.count("tracks_not_written");
+  }
+}
+
+void ObstacleTrackerService::dispose(const std::vector<std::uint64_t>& lost) {
+  for (const std::uint64_t id : lost) {
+    aisle::Track sample;
+    sample.track_id(id);
+    tracks_.dispose(sample);
+    outbox_.forget(id);
+  }
+}
+
+void ObstacleTrackerService::write_status(time::Stamp now, time::Stamp took) {
+  aisle::TrackingStatus sample;
+  sample.source_id(instance_id_);
+  sample.by(status_stamper_.next());
+  for (const auto& [id, vehicle] : vehicles_) {
+    if (vehicle.scan_sequence == 0) continue;
+    aisle::ScanUse use;
+    use.agv_id(id);
+    use.scan_sequence(vehicle.scan_sequence);
+    use.scan_stamp_ns(vehicle.scan_stamp_ns);
+    sample.newest_scans().push_back(use);
+  }
+  for (const Track& track : tracker_.tracks(now)) {
+    if (sample.live_track_ids().size() < kMostTracks) sample.live_track_ids().push_back(track.id);
+  }
+  sample.scans_used(tracker_.scans_used());
+  sample.scans_dropped(tracker_.scans_dropped());
+  sample.processing_ms(1e3 * time::seconds(took));
+  statuses_.write(sample);
+  status_written_ = now;
+}
+
+/// When no scans come: what is overdue goes, and the tracker is still heard.
+void ObstacleTrackerService::tend() {
+  const time::Stamp now = monotonic_now();
+  if (now - newest_scan_used_ < kTend) return;
+  dispose(tracker_.give_up_overdue(now));
+  write_tracks({}, now);
+  write_status(now, monotonic_now() - now);
+}
+
+void ObstacleTrackerService::report() {
+  const time::Stamp now = monotonic_now();
+  health_.map_id = map_.map_id();
+  health_.map_revision = map_.revision();
+  health_.map_hash = map_.hash();
+  health_.counters["scans_used"] = tracker_.scans_used();
+  health_.counters["scans_dropped"] = tracker_.scans_dropped();
+  health_.counters["tracks"] = tracker_.tracks(now).size();
+  std::string waits_for;
+  if (!map_.has_map()) waits_for = "map_info, map_tile";
+  if (vehicles_.empty()) waits_for += std::string(waits_for.empty() ? "" : ", ") + "vehicle_info";
+  if (newest_scan_used_ == time::Stamp{} || time::seconds(now - newest_scan_used_) > kScansMissing_s) {
+    waits_for += std::string(waits_for.empty() ? "" : ", ") + "scan";
+  }
+  health_.waits_for = waits_for;
+  health_.state = waits_for.empty() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
+}
+
+}  // namespace aisle::obstacle_tracker
