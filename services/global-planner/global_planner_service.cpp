@@ -169,6 +169,7 @@ void GlobalPlannerService::report() {
   health_.map_hash = map_.hash();
   health_.counters["leads"] = leadership_.role() == Leadership::Role::kLeading ? 1 : 0;
   health_.counters["epoch"] = leadership_.epoch();
+  health_.counters["searches"] = fleet_.searches();
   health_.waits_for = fleet_.waits_for(monotonic_now());
   health_.state = health_.waits_for.empty() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
 }

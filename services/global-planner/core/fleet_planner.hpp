@@ -53,6 +53,8 @@ class FleetPlanner {
   /// What keeps a vehicle with a goal from being planned for, e.g. "map_info, vehicle_info of agv-2"; empty: nothing.
   std::string waits_for(time::Stamp now) const;
   std::uint64_t map_revision() const { return map_revision_; }
+  /// Searches made so far.
+  std::uint64_t searches() const { return searches_; }
 
  private:
   struct Report {
