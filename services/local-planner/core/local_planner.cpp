@@ -1,0 +1,397 @@
+#include "services/local-planner/core/local_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace aisle::local_planner {
+namespace {
+
+using geometry::Point2;
+using geometry::Pose2;
+using geometry::Twist2;
+using time::seconds;
+using time::Stamp;
+
+constexpr double kStandingMps = 0.05;
+constexpr double kSearchPeriodS = 0.2;
+constexpr double kLookForObstaclesM = 4.0;
+constexpr double kTurnBeginRad = 0.9;
+constexpr double kTurnEndRad = 0.2;
+constexpr double kIntentM = 24.0;
+constexpr std::size_t kIntentPoints = 60;
+
+double bounded_by_braking(double distance_m, double braking_mps2) { return std::sqrt(2.0 * braking_mps2 * std::max(0.0, distance_m)); }
+
+}  // namespace
+
+/// Moments: `base_now` at now; the scene is dead_time later, when the next command acts.
+struct LocalPlanner::Cycle {
+  const Inputs& inputs;
+  const Vehicle& vehicle;
+  Stamp now;
+  Output out;
+  Pose2 base_now;
+  Pose2 base_then;
+  double measured_mps{0.0};
+  Surroundings around;
+  std::vector<Disc> standing;
+  Advice advice;
+  double stop_at_m{1e18};
+  Point2 target;
+  bool cautious{false};
+
+  Point2 here() const { return base_now.position(); }
+  Room room(double wall_margin_m, double disc_margin_m) const {
+    return {*inputs.clearance, standing, vehicle.radius_m, wall_margin_m, disc_margin_m};
+  }
+  bool stands() const { return std::abs(measured_mps) < kStandingMps; }
+};
+
+LocalPlanner::LocalPlanner(const Settings& settings, Variant variant)
+    : settings_(settings), variant_(std::move(variant)), observer_(settings.surroundings) {}
+
+Output LocalPlanner::step(const Inputs& inputs, Stamp now) {
+  static const Vehicle kUnknown;
+  const VehicleState* state = inputs.state.any();
+  Cycle cycle{inputs, inputs.vehicle ? *inputs.vehicle : kUnknown, now, {}, {}, {}, 0.0, {}, {}, {}, 1e18, {}, false};
+  if (inputs.map_revision != seen_revision_) seen_revision_ = inputs.map_revision, revision_changed_ = now;
+  if (state != nullptr) {
+    const double age = std::clamp(seconds(now - inputs.state.arrived()), 0.0, settings_.stale_state_s);
+    cycle.base_now = kinematics::advance(state->base_in_map, state->twist, age);
+    cycle.base_then = kinematics::advance(cycle.base_now, last_command_, settings_.surroundings.dead_time_s);
+    cycle.measured_mps = state->twist.linear_mps;
+    // The command before is where the wheels are going, unless the vehicle does something else.
+    const double slack = 0.1 + 0.35 * cycle.vehicle.limits.max_acceleration_mps2;
+    last_command_.linear_mps = std::clamp(last_command_.linear_mps, cycle.measured_mps - slack - 0.1, cycle.measured_mps + slack);
+  }
+  if (const auto held = guard(inputs, now)) {
+    hold(cycle, held->first, held->second);
+  } else {
+    cycle.cautious = inputs.plan->map_revision != inputs.map_revision;
+    adopt_plan(inputs, cycle);
+    if (!finish(cycle)) {
+      cycle.around = observer_.observe(inputs, cycle.vehicle.id, settings_.dwa.step_s,
+                                       static_cast<int>(std::lround(settings_.dwa.horizon_s / settings_.dwa.step_s)), now);
+      for (const Standing& standing : cycle.around.standing) cycle.standing.push_back(standing.disc);
+      way_.progress(cycle.here());
+      find_detour(cycle);
+      advise_traffic(cycle);
+      step_aside(cycle);
+      recover(cycle);
+      drive(cycle);
+    }
+  }
+  describe(cycle);
+  last_step_ = now;
+  return cycle.out;
+}
+
+std::optional<std::pair<Phase, Reason>> LocalPlanner::guard(const Inputs& inputs, Stamp now) {
+  using Held = std::pair<Phase, Reason>;
+  if (!inputs.vehicle || !inputs.state.seen()) return Held{Phase::kWaiting, Reason::kNoState};
+  if (inputs.authority_lost) return Held{Phase::kHeld, Reason::kAuthority};
+  if (!inputs.state.fresh(now, time::from_seconds(settings_.stale_state_s))) return Held{Phase::kHeld, Reason::kStaleState};
+  if (inputs.clearance == nullptr) return Held{Phase::kWaiting, Reason::kNoMap};
+  if (!inputs.plan) return Held{Phase::kWaiting, Reason::kNoGoal};
+  if (inputs.plan->outcome == Plan::Outcome::kCancelled) return Held{Phase::kHeld, Reason::kCancelled};
+  if (inputs.tracker_alive == Stamp{}) return Held{Phase::kWaiting, Reason::kNoTracker};
+  if (seconds(now - inputs.tracker_alive) > settings_.stale_tracker_s) return Held{Phase::kHeld, Reason::kStaleTracker};
+  return guard_plan(inputs, now);
+}
+
+std::optional<std::pair<Phase, Reason>> LocalPlanner::guard_plan(const Inputs& inputs, Stamp now) {
+  using Held = std::pair<Phase, Reason>;
+  const Plan& plan = *inputs.plan;
+  if (plan.outcome == Plan::Outcome::kNotFound || plan.waypoints_in_map.empty()) return Held{Phase::kFailed, Reason::kUnreachable};
+  if (plan.map_revision < inputs.map_revision && seconds(now - revision_changed_) > settings_.plan_update_s && !arrived_)
+    return Held{Phase::kHeld, Reason::kPlanOutdated};
+  return std::nullopt;
+}
+
+void LocalPlanner::hold(Cycle& cycle, Phase phase, Reason reason) {
+  cycle.out.phase = phase;
+  cycle.out.reason = reason;
+  if (reason == Reason::kUnreachable) cycle.out.detail = cycle.inputs.plan->detail;
+  moved_ = cycle.now;
+  progressed_ = cycle.now;
+  turning_ = false;
+  command(cycle, {});
+}
+
+void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
+  const Plan& plan = *inputs.plan;
+  const bool other_goal = plan.goal_id != goal_id_ || geometry::distance(plan.goal_in_map.position(), goal_in_map_.position()) > 1e-6 ||
+                          plan.goal_in_map.yaw != goal_in_map_.yaw;
+  if (other_goal) {
+    arrived_ = false;
+    way_.drop_aside();
+    recoveries_ = 0;
+  }
+  if (!other_goal && plan.id == plan_id_ && lane_revision_ == inputs.map_revision && !way_.empty()) return;
+  goal_id_ = plan.goal_id;
+  goal_in_map_ = plan.goal_in_map;
+  plan_id_ = plan.id;
+  lane_revision_ = inputs.map_revision;
+  way_.adopt(make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.radius_m, settings_.lane), cycle.here());
+  blocked_.reset();
+  searched_ = {};
+  moved_ = cycle.now;
+  progressed_ = cycle.now;
+  least_left_m_ = 1e18;
+}
+
+/// At the goal: turns to the goal's heading if that matters, and stays. Returns true when nothing is left to drive.
+bool LocalPlanner::finish(Cycle& cycle) {
+  const Plan& plan = *cycle.inputs.plan;
+  const double distance = geometry::distance(cycle.here(), plan.goal_in_map.position());
+  if (arrived_ && distance > 2.0 * plan.position_tolerance_m) arrived_ = false;      // pushed away
+  if (!arrived_) {
+    const bool near = distance <= plan.position_tolerance_m;
+    const double ahead = geometry::from_map(cycle.base_now, plan.goal_in_map.position()).x;
+    const bool no_nearer = std::abs(ahead) < 0.02 || distance < 0.3 * plan.position_tolerance_m || ahead < 0.0;
+    if (!near || !no_nearer) return false;
+  }
+  way_.drop_aside();
+  const double error = geometry::wrap(plan.goal_in_map.yaw - cycle.base_then.yaw);
+  cycle.out.distance_left_m = 0.0;
+  if (!arrived_ && plan.yaw_tolerance_rad > 0.0 && std::abs(error) > 0.5 * plan.yaw_tolerance_rad) {
+    cycle.out.phase = Phase::kTurning;
+    if (cycle.stands()) turn(cycle, error);
+    else command(cycle, {});
+    return true;
+  }
+  if (cycle.stands() && std::abs(last_command_.linear_mps) < 1e-3) arrived_ = true;
+  cycle.out.phase = arrived_ ? Phase::kArrived : Phase::kDriving;
+  moved_ = progressed_ = cycle.now;
+  command(cycle, {});
+  return true;
+}
+
+/// Splices a way around what stands on the lane, or back to the lane when the vehicle is off it.
+void LocalPlanner::find_detour(Cycle& cycle) {
+  if (way_.is_aside() || seconds(cycle.now - searched_) < kSearchPeriodS) return;
+  searched_ = cycle.now;
+  const double s = way_.s_m();
+  const Route& lane = way_.lane();
+  const Room usual = cycle.room(settings_.lane.margin_m, 0.15);
+  auto obstructed = first_obstructed(lane, s + 0.2, kLookForObstaclesM, cycle.room(0.0, 0.08), 0.0);
+  const bool off_lane = geometry::distance(cycle.here(), lane.at(s)) > 0.9;
+  if (!obstructed && !off_lane) {
+    blocked_.reset();
+    return;
+  }
+  const double rejoin = obstructed ? obstructed->end_m : std::min(lane.length_m(), s + 1.0);
+  if (rejoin <= lane.length_m()) {
+    const Point2 join = lane.at(std::min(lane.length_m(), rejoin + 0.3));
+    const auto accepts = [&](Point2 p) { return geometry::distance(p, join) < 0.21; };
+    auto points = search_way(usual, cycle.here(), join, 7.0, accepts);
+    if (points.empty()) points = search_way(cycle.room(0.05, 0.10), cycle.here(), join, 7.0, accepts);
+    if (!points.empty()) {
+      cycle.out.events.push_back({obstructed ? "detour around an obstacle" : "back to the lane"});
+      way_.detour(points, std::min(lane.length_m(), rejoin + 0.3));
+      blocked_.reset();
+      return;
+    }
+  }
+  if (!obstructed) return;
+  blocked_ = obstructed;
+  blocked_by_vehicle_.clear();
+  double nearest = 1e18;
+  for (const Standing& standing : cycle.around.standing) {
+    const double d = geometry::distance(standing.disc.position, obstructed->at_in_map) - standing.disc.radius_m;
+    if (d < nearest) nearest = d, blocked_by_vehicle_ = standing.vehicle_id;
+  }
+}
+
+void LocalPlanner::advise_traffic(Cycle& cycle) {
+  const kinematics::Limits& limits = cycle.vehicle.limits;
+  way_.profile(*cycle.inputs.clearance, cycle.vehicle.radius_m,
+               {limits.max_speed_mps, limits.max_turn_radps, std::min(settings_.comfort_mps2, limits.max_deceleration_mps2), 0.6});
+  const double speed = std::max(0.0, last_command_.linear_mps);
+  const double stopping = kinematics::stopping_distance_m(speed, limits.max_deceleration_mps2) + speed * 0.15;
+  cycle.advice = advise({cycle.vehicle.id, cycle.vehicle.radius_m, way_.s_m(), speed, stopping, cycle.here(), way_.current(), way_.profile_mps()},
+                        cycle.around.peers, settings_.traffic);
+  cycle.stop_at_m = cycle.advice.stop_at_m;
+  if (blocked_ && !way_.is_aside()) cycle.stop_at_m = std::min(cycle.stop_at_m, blocked_->begin_m - 0.1);
+}
+
+/// Makes room for peers that go first and whose way runs through here.
+void LocalPlanner::step_aside(Cycle& cycle) {
+  if (way_.is_aside()) {
+    const bool there = way_.left_m() < 0.12 && cycle.stands();
+    if (there || seconds(cycle.now - stepped_aside_) > 20.0) {
+      way_.come_back();
+      searched_ = {};
+      way_.progress(cycle.here());
+      find_detour(cycle);
+      advise_traffic(cycle);
+    }
+    return;
+  }
+  const double stuck_s = seconds(cycle.now - moved_);
+  std::vector<std::string> for_whom;
+  for (const std::string& id : cycle.advice.gives_way_to)
+    for (const PeerView& peer : cycle.around.peers)
+      if (peer.id == id && geometry::distance(peer.base_in_map.position(), cycle.here()) < 6.0) for_whom.push_back(id);
+  if (for_whom.empty()) return;
+  cycle.stop_at_m = std::min(cycle.stop_at_m, way_.s_m() + (stuck_s > 0.5 ? 0.0 : 1e9));
+  if (stuck_s > 1.0 && seconds(cycle.now - stepped_aside_) > 2.0 && find_spot(cycle, for_whom))
+    cycle.out.events.push_back({"steps aside for " + for_whom.front()});
+}
+
+/// The nearest place, by the way there, that no claim of `for_whom` comes near to. With nobody: any place a metre away.
+bool LocalPlanner::find_spot(Cycle& cycle, const std::vector<std::string>& for_whom) {
+  stepped_aside_ = cycle.now;
+  std::vector<Disc> discs = cycle.standing;
+  for (const PeerView& peer : cycle.around.peers) discs.push_back({peer.base_in_map.position(), peer.radius_m});
+  const Room room{*cycle.inputs.clearance, discs, cycle.vehicle.radius_m, 0.06, 0.10};
+  const Point2 here = cycle.here();
+  const auto accepts = [&](Point2 p) {
+    if (for_whom.empty() && geometry::distance(p, here) < 0.7) return false;
+    for (const PeerView& peer : cycle.around.peers) {
+      const bool asked = std::find(for_whom.begin(), for_whom.end(), peer.id) != for_whom.end();
+      if (!asked && !outranks(peer.id, cycle.vehicle.id)) continue;
+      if (!peer.has_goal && !asked) continue;
+      const double least = cycle.vehicle.radius_m + peer.radius_m + settings_.traffic.margin_m + 0.05;
+      if (is_claimed(peer.claim, p, least)) return false;
+    }
+    return true;
+  };
+  const auto points = search_way(room, here, way_.lane().at(way_.lane_s_m() + 1.0), 8.0, accepts);
+  if (points.size() < 2) return false;
+  way_.step_aside(points);
+  advise_traffic(cycle);
+  return true;
+}
+
+/// Grades of recovery while the vehicle wants to move and cannot: a new look for a detour, a place a metre away, another plan.
+void LocalPlanner::recover(Cycle& cycle) {
+  const double left = way_.lane().length_m() - way_.lane_s_m();
+  if (left < least_left_m_ - 0.5) least_left_m_ = left, progressed_ = cycle.now, recoveries_ = 0;
+  const bool waits = !cycle.advice.yields_to.empty() && !cycle.advice.follows;
+  if (waits || way_.is_aside()) return;
+  const double none_s = seconds(cycle.now - progressed_);
+  const double patience_s = 6.0 + 4.0 * std::min(recoveries_, 5);
+  if (none_s < patience_s) return;
+  progressed_ = cycle.now;
+  least_left_m_ = 1e18;
+  ++recoveries_;
+  std::vector<std::string> stuck_with;
+  for (const PeerView& peer : cycle.around.peers)
+    if (peer.has_goal && geometry::distance(peer.base_in_map.position(), cycle.here()) < 2.5) stuck_with.push_back(peer.id);
+  if (!find_spot(cycle, stuck_with) && !stuck_with.empty()) find_spot(cycle, {});
+  if (way_.is_aside()) cycle.out.events.push_back({"backs off to try again"});
+}
+
+Point2 LocalPlanner::visible_target(const Cycle& cycle) const {
+  const Route& route = way_.current();
+  const double s = way_.s_m();
+  const double wanted = std::clamp(0.6 + 0.9 * last_command_.linear_mps, 0.7, 1.8);
+  const Room room = cycle.room(0.02, 0.02);
+  double ahead = std::min(wanted, route.length_m() - s);
+  while (ahead > 0.35 && !room.is_line_free(cycle.here(), route.at(s + ahead))) ahead -= 0.2;
+  return route.at(s + std::max(ahead, 0.2));
+}
+
+double LocalPlanner::speed_cap(const Cycle& cycle) const {
+  const Route& route = way_.current();
+  const double s = way_.is_aside() ? way_.s_m() : route.project(cycle.base_then.position(), way_.s_m(), way_.s_m() + 0.5);
+  double cap = std::max(0.1, way_.speed_at(s));
+  if (cycle.stop_at_m < 1e17) cap = std::min(cap, bounded_by_braking(cycle.stop_at_m - s - 0.02, settings_.comfort_mps2));
+  const double error = std::abs(geometry::wrap(geometry::bearing(cycle.base_then.position(), cycle.target) - cycle.base_then.yaw));
+  if (error > 0.35) cap = std::min(cap, std::max(0.2, cycle.vehicle.limits.max_speed_mps * std::cos(error) * 0.8));
+  if (cycle.cautious) cap = std::min(cap, settings_.cautious_mps);
+  for (const Mover& mover : cycle.around.movers) {
+    if (geometry::norm(mover.velocity_in_map) < 0.05) continue;
+    double gap = 1e9;
+    for (const double t : {0.0, 0.5, 1.0})
+      gap = std::min(gap, geometry::distance(cycle.base_then.position(), mover.position_in_map + t * mover.velocity_in_map));
+    cap = std::min(cap, 0.25 + 0.5 * std::max(0.0, gap - cycle.vehicle.radius_m - mover.radius_m - 0.2));
+  }
+  return cap;
+}
+
+void LocalPlanner::drive(Cycle& cycle) {
+  cycle.target = visible_target(cycle);
+  const double error = geometry::wrap(geometry::bearing(cycle.base_then.position(), cycle.target) - cycle.base_then.yaw);
+  const bool near_target = geometry::distance(cycle.base_then.position(), cycle.target) < 0.03;
+  const bool near_end = way_.left_m() < 0.6;
+  if (std::abs(error) > (near_end ? 0.45 : kTurnBeginRad) && !near_target) turning_ = true;
+  if (std::abs(error) < kTurnEndRad || near_target) turning_ = false;
+  cycle.out.phase = way_.is_on_detour() || way_.is_aside() ? Phase::kAvoiding : Phase::kDriving;
+  if (turning_) {
+    cycle.out.phase = Phase::kTurning;
+    if (std::abs(last_command_.linear_mps) < 0.02) turn(cycle, error);
+    else command(cycle, {0.0, last_command_.angular_radps * 0.5, 0.0});
+    moved_ = cycle.now;
+    return;
+  }
+  const Scene scene{*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.vehicle.radius_m, cycle.vehicle.limits,
+                    speed_cap(cycle), cycle.around.movers, cycle.around.peer_motions};
+  const Choice choice = choose(scene, {cycle.target, 0.2, 0.6, last_command_}, variant_, settings_.dwa);
+  if (choice.found) command(cycle, choice.twist);
+  else {
+    const double v = last_command_.linear_mps;
+    const double next = std::max(0.0, v - cycle.vehicle.limits.max_deceleration_mps2 * settings_.control_period_s);
+    command(cycle, {0.0, v > 0.01 ? last_command_.angular_radps * next / v : 0.0, 0.0});
+  }
+  if (choice.mover_gap_m < 0.4 && cycle.out.phase == Phase::kDriving) cycle.out.phase = Phase::kAvoiding;
+  if (!cycle.stands()) moved_ = cycle.now;
+  if (!cycle.stands()) return;
+  const double stuck_s = seconds(cycle.now - moved_);
+  const bool waits = !cycle.advice.yields_to.empty();
+  if (waits && !blocked_) {
+    cycle.out.phase = Phase::kWaiting;
+    cycle.out.reason = cycle.advice.follows ? Reason::kVehicle : Reason::kYielding;
+    cycle.out.detail = (cycle.advice.follows ? "behind " : "yields to ") + cycle.advice.yields_to;
+  } else if (stuck_s > settings_.blocked_after_s && blocked_) {
+    cycle.out.phase = Phase::kBlocked;
+    cycle.out.reason = blocked_by_vehicle_.empty() ? Reason::kObstacle : Reason::kVehicle;
+    cycle.out.detail = blocked_by_vehicle_.empty() ? "no way around" : "no way around " + blocked_by_vehicle_;
+    cycle.out.blocked_at_in_map = blocked_->at_in_map;
+    cycle.out.blocked_radius_m = cycle.vehicle.radius_m;
+  } else if (stuck_s > 0.5) {
+    const bool mover = choice.rejected[static_cast<int>(Obstruction::kMover)] > 0;
+    const bool peer = choice.rejected[static_cast<int>(Obstruction::kPeer)] > 0;
+    cycle.out.reason = peer ? Reason::kVehicle : mover ? Reason::kObstacle : Reason::kNone;
+  }
+}
+
+void LocalPlanner::turn(Cycle& cycle, double error_rad) {
+  const kinematics::Limits& limits = cycle.vehicle.limits;
+  const double rate = std::min(limits.max_turn_radps, std::sqrt(2.0 * 0.5 * limits.max_turn_acceleration_radps2 * std::abs(error_rad)));
+  command(cycle, {0.0, std::copysign(rate, error_rad), 0.0});
+}
+
+void LocalPlanner::command(Cycle& cycle, const Twist2& wanted) {
+  last_command_ = kinematics::limit_change(last_command_, wanted, cycle.vehicle.limits, settings_.control_period_s);
+  cycle.out.twist = last_command_;
+}
+
+/// Distance and time left, and the way that the vehicle claims.
+void LocalPlanner::describe(Cycle& cycle) {
+  Output& out = cycle.out;
+  if (!cycle.inputs.state.seen()) return;
+  out.intent.push_back({0.0, cycle.base_now});
+  const bool moves = out.phase == Phase::kTurning || out.phase == Phase::kDriving || out.phase == Phase::kAvoiding ||
+                     out.phase == Phase::kBlocked || (out.phase == Phase::kWaiting && (out.reason == Reason::kYielding || out.reason == Reason::kVehicle));
+  if (!moves || way_.empty() || arrived_) return;
+  const Route& route = way_.current();
+  out.distance_left_m = way_.lane().length_m() - way_.lane_s_m();
+  double end = std::min(route.length_m(), way_.s_m() + kIntentM);
+  if (!cycle.advice.follows) end = std::min(end, cycle.advice.stop_at_m);
+  if (blocked_ && !way_.is_aside() && blocked_by_vehicle_.empty()) end = std::min(end, blocked_->begin_m);
+  const double step = std::max(0.35, (end - way_.s_m()) / static_cast<double>(kIntentPoints));
+  double t = 0.0;
+  for (double s = way_.s_m() + step; s < end + step - 1e-9; s += step) {
+    const double at = std::min(s, end);
+    t += step / std::max(0.25, way_.speed_at(at));
+    const Point2 p = route.at(at);
+    out.intent.push_back({t, {p.x, p.y, route.heading_at(at)}});
+  }
+  out.time_left_s = t;
+  for (double s = end; s < route.length_m(); s += 0.5) out.time_left_s += 0.5 / std::max(0.25, way_.speed_at(s));
+}
+
+}  // namespace aisle::local_planner

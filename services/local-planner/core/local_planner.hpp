@@ -1,0 +1,70 @@
+#pragma once
+#include <optional>
+#include <string>
+
+#include "services/local-planner/core/inputs.hpp"
+#include "services/local-planner/core/settings.hpp"
+#include "services/local-planner/core/way.hpp"
+
+namespace aisle::local_planner {
+
+/// Drives one vehicle along its plan, at 50 Hz, without touching what it can know of.
+///
+///   inputs ─► guard ─► way (lane, detour, aside) ─► right of way ─► speed cap and target ─► dynamic window ─► command
+///
+/// Keeps to the right, slows in bends, near walls and near people, waits where others go first, drives around what stands,
+/// steps aside for those whom it blocks, and asks for another plan when none of this helps. Whatever is missing or old in its
+/// inputs stops it, and the output says which. Deterministic: the same calls give the same outputs. Not for several threads.
+class LocalPlanner {
+ public:
+  explicit LocalPlanner(const Settings& settings = {}, Variant variant = wang());
+  /// One cycle. `now` never goes back; call it every `control_period_s`.
+  Output step(const Inputs& inputs, time::Stamp now);
+
+ private:
+  struct Cycle;                                     // what one step works on
+
+  std::optional<std::pair<Phase, Reason>> guard(const Inputs& inputs, time::Stamp now);
+  std::optional<std::pair<Phase, Reason>> guard_plan(const Inputs& inputs, time::Stamp now);
+  void adopt_plan(const Inputs& inputs, Cycle& cycle);
+  void hold(Cycle& cycle, Phase phase, Reason reason);
+  bool finish(Cycle& cycle);
+  void find_detour(Cycle& cycle);
+  void advise_traffic(Cycle& cycle);
+  void step_aside(Cycle& cycle);
+  bool find_spot(Cycle& cycle, const std::vector<std::string>& for_whom);
+  void recover(Cycle& cycle);
+  void drive(Cycle& cycle);
+  void turn(Cycle& cycle, double error_rad);
+  geometry::Point2 visible_target(const Cycle& cycle) const;
+  double speed_cap(const Cycle& cycle) const;
+  void describe(Cycle& cycle);
+  void command(Cycle& cycle, const geometry::Twist2& wanted);
+
+  Settings settings_;
+  Variant variant_;
+  Observer observer_;
+  Way way_;
+  geometry::Twist2 last_command_;
+  time::Stamp last_step_{};
+  std::uint64_t plan_id_{0};                        // of the lane
+  std::string goal_id_;
+  geometry::Pose2 goal_in_map_;
+  std::uint64_t lane_revision_{0};
+  std::uint64_t seen_revision_{0};
+  time::Stamp revision_changed_{};
+  bool arrived_{false};
+  bool turning_{false};
+  time::Stamp moved_{};                             // when the vehicle last moved, or had no reason to
+  time::Stamp searched_{};                          // when detours were last looked for
+  time::Stamp stepped_aside_{};
+  time::Stamp progressed_{};                        // when the distance left last shrank by a good piece
+  double least_left_m_{1e18};
+  int recoveries_{0};
+  std::optional<Obstructed> blocked_;               // the way is obstructed here and no detour was found
+  std::string blocked_by_vehicle_;
+  Phase phase_{Phase::kWaiting};
+  Reason reason_{Reason::kNone};
+};
+
+}  // namespace aisle::local_planner

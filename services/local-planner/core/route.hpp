@@ -1,0 +1,41 @@
+#pragma once
+#include <cstddef>
+#include <vector>
+
+#include "common/geometry/pose.hpp"
+
+namespace aisle::local_planner {
+
+/// A polyline in map that is driven along, addressed by its arc length s in metres from its first point.
+class Route {
+ public:
+  Route() = default;
+  /// Points closer than 1 cm to the one before are dropped.
+  explicit Route(const std::vector<geometry::Point2>& points_in_map);
+
+  bool empty() const { return points_.empty(); }
+  double length_m() const { return empty() ? 0.0 : along_m_.back(); }
+  const std::vector<geometry::Point2>& points() const { return points_; }
+  /// Arc length of point `i`.
+  double along_m(std::size_t i) const { return along_m_[i]; }
+
+  /// s outside [0, length] is taken as the nearer end. @pre not empty
+  geometry::Point2 at(double s_m) const;
+  double heading_at(double s_m) const;
+
+  /// The s in [from, to] whose point is nearest to `p`. @pre not empty
+  double project(geometry::Point2 p, double from_s_m, double to_s_m) const;
+
+  /// The part from `s` on, with `head` before it.
+  Route spliced(const std::vector<geometry::Point2>& head, double s_m) const;
+
+ private:
+  std::size_t segment_at(double s_m) const;
+  std::vector<geometry::Point2> points_;
+  std::vector<double> along_m_;
+};
+
+/// Points every `step_m` along a polyline, ends included.
+std::vector<geometry::Point2> resample(const std::vector<geometry::Point2>& points, double step_m);
+
+}  // namespace aisle::local_planner

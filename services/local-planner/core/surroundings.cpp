@@ -1,0 +1,131 @@
+#include "services/local-planner/core/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle::local_planner {
+namespace {
+
+using geometry::Point2;
+using geometry::Pose2;
+using geometry::Twist2;
+
+constexpr double kReactionS = 0.15;       // a peer may speed up for so long before it sees what we see
+constexpr double kHonouredIntentS = 2.0;
+
+Mover mover_of(const SeenTrack& seen, const SurroundingsSettings& settings, time::Stamp now) {
+  const auto& track = seen.track;
+  const double speed = geometry::norm(track.velocity_in_map);
+  const bool stands = track.is_static || speed < settings.standing_mps;
+  const double age = time::seconds(now - seen.arrived) + settings.track_latency_s + settings.dead_time_s;
+  Mover mover;
+  mover.velocity_in_map = stands ? Point2{} : track.velocity_in_map;
+  mover.position_in_map = track.position_in_map + std::min(age, 1.0) * mover.velocity_in_map;
+  mover.radius_m = track.radius_m;
+  if (stands) {
+    mover.margin_m = settings.standing_margin_m;
+    mover.growth_mps = track.is_static ? 0.0 : 0.5 * settings.mover_growth_mps;
+    return mover;
+  }
+  const double sigma_m = std::sqrt(std::max(0.0, std::max(track.covariance[0], track.covariance[5])));
+  const double sigma_mps = std::sqrt(std::max(0.0, std::max(track.covariance[10], track.covariance[15])));
+  mover.margin_m = settings.mover_margin_m + std::min(0.15, sigma_m);
+  mover.growth_mps = settings.mover_growth_mps + std::min(0.3, sigma_mps);
+  return mover;
+}
+
+/// Where the peer can come while it brakes, after it went on for the time that it needs to react.
+std::vector<Point2> stopping_sweep(const PeerView& peer, const Peer& sample, double ahead_s) {
+  std::vector<Point2> sweep{peer.base_in_map.position()};
+  Twist2 twist = sample.state.twist;
+  if (std::abs(twist.linear_mps) < 0.02) return sweep;
+  Pose2 pose = peer.base_in_map;
+  const double dt = 0.1;
+  const double reaction_s = kReactionS + ahead_s;
+  for (double t = 0.0; t < reaction_s - 1e-9; t += dt) {
+    pose = kinematics::advance(pose, twist, std::min(dt, reaction_s - t));
+    sweep.push_back(pose.position());
+  }
+  while (std::abs(twist.linear_mps) > 1e-3) {
+    const double next = std::max(0.0, std::abs(twist.linear_mps) - sample.limits.max_deceleration_mps2 * dt);
+    const double share = next / std::abs(twist.linear_mps);
+    pose = kinematics::advance(pose, {0.5 * (1 + share) * twist.linear_mps, 0.5 * (1 + share) * twist.angular_radps, 0.0}, dt);
+    twist = {share * twist.linear_mps, share * twist.angular_radps, 0.0};
+    sweep.push_back(pose.position());
+  }
+  return sweep;
+}
+
+Point2 claimed_at(const std::vector<IntentPoint>& claim, double t_s) {
+  for (std::size_t j = 1; j < claim.size(); ++j) {
+    if (claim[j].offset_s < t_s) continue;
+    const double span = claim[j].offset_s - claim[j - 1].offset_s;
+    const double share = span > 0.0 ? std::clamp((t_s - claim[j - 1].offset_s) / span, 0.0, 1.0) : 1.0;
+    const Point2 a = claim[j - 1].base_in_map.position();
+    return a + share * (claim[j].base_in_map.position() - a);
+  }
+  return claim.back().base_in_map.position();
+}
+
+/// The claim from now on: the place now, then what is left of the intent.
+std::vector<IntentPoint> claim_of(const Peer& peer, const Pose2& base_in_map, time::Stamp now) {
+  std::vector<IntentPoint> claim{{0.0, base_in_map}};
+  const double age = time::seconds(now - peer.intent_arrived);
+  if (age > kHonouredIntentS) return claim;
+  // Drop what lies behind: up to the intent's point that is nearest to the peer within the next metres.
+  std::size_t nearest = 0;
+  double best = 1e18;
+  for (std::size_t j = 0; j < peer.intent.size() && j < 8; ++j) {
+    const double d = geometry::distance(peer.intent[j].base_in_map.position(), base_in_map.position());
+    if (d < best) best = d, nearest = j;
+  }
+  for (std::size_t j = nearest + 1; j < peer.intent.size(); ++j)
+    claim.push_back({std::max(0.05, peer.intent[j].offset_s - peer.intent[nearest].offset_s), peer.intent[j].base_in_map});
+  return claim;
+}
+
+bool means_to_move(Phase phase) { return phase == Phase::kTurning || phase == Phase::kDriving || phase == Phase::kAvoiding || phase == Phase::kBlocked; }
+
+}  // namespace
+
+PeerView Observer::view(const Peer& peer, time::Stamp now) {
+  PeerView view;
+  const double age = time::seconds(now - peer.state_arrived);
+  const bool silent = age > settings_.peer_silent_s;
+  view.id = peer.id;
+  view.radius_m = peer.radius_m;
+  view.base_in_map = silent ? peer.state.base_in_map : kinematics::advance(peer.state.base_in_map, peer.state.twist, age);
+  view.speed_mps = silent ? 0.0 : std::abs(peer.state.twist.linear_mps);
+  view.stopping_m = kinematics::stopping_distance_m(view.speed_mps, peer.limits.max_deceleration_mps2);
+  const bool yields = peer.phase == Phase::kWaiting && peer.reason == Reason::kYielding;
+  view.has_goal = !silent && (means_to_move(peer.phase) || yields);
+  auto [moved, first_seen] = moved_.try_emplace(peer.id, now);
+  if (view.speed_mps > 0.05 || (std::abs(peer.state.twist.angular_radps) > 0.1 && !silent)) moved->second = now;
+  view.standing_s = time::seconds(now - moved->second);
+  view.claim = silent ? std::vector<IntentPoint>{{0.0, view.base_in_map}} : claim_of(peer, view.base_in_map, now);
+  return view;
+}
+
+Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, double step_s, int steps, time::Stamp now) {
+  Surroundings out;
+  for (const SeenTrack& seen : inputs.tracks) {
+    const Mover mover = mover_of(seen, settings_, now);
+    out.movers.push_back(mover);
+    if (mover.velocity_in_map == Point2{}) out.standing.push_back({{mover.position_in_map, mover.radius_m}, {}});
+  }
+  for (const Peer& peer : inputs.peers) {
+    if (peer.id == own_id) continue;
+    PeerView seen = view(peer, now);
+    PeerMotion motion;
+    motion.radius_m = peer.radius_m;
+    motion.stopping_in_map = stopping_sweep(seen, peer, settings_.dead_time_s);
+    for (int k = 0; k <= steps; ++k) motion.intended_in_map.push_back(claimed_at(seen.claim, settings_.dead_time_s + k * step_s));
+    const bool stays = !seen.has_goal && seen.speed_mps < 0.05;
+    if (stays || seen.standing_s > settings_.peer_patience_s) out.standing.push_back({{seen.base_in_map.position(), peer.radius_m}, peer.id});
+    out.peer_motions.push_back(std::move(motion));
+    out.peers.push_back(std::move(seen));
+  }
+  return out;
+}
+
+}  // namespace aisle::local_planner

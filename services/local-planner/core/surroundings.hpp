@@ -1,0 +1,51 @@
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "services/local-planner/core/dwa.hpp"
+#include "services/local-planner/core/inputs.hpp"
+#include "services/local-planner/core/local_search.hpp"
+#include "services/local-planner/core/traffic.hpp"
+
+namespace aisle::local_planner {
+
+struct SurroundingsSettings {
+  double dead_time_s{0.1};          // from a command to the wheels
+  double track_latency_s{0.1};      // from the scan to the track's arrival
+  double mover_margin_m{0.12};
+  double mover_growth_mps{0.2};     // besides the track's own uncertainty of velocity
+  double standing_margin_m{0.05};
+  double standing_mps{0.15};        // slower tracks stand
+  double peer_patience_s{3.0};      // a peer with a goal that stands for so long is driven around
+  double peer_silent_s{0.5};        // then it is taken to stand where it can have come to
+};
+
+/// What stands in the way and must be driven around.
+struct Standing {
+  Disc disc;
+  std::string vehicle_id;           // empty: not a vehicle
+};
+
+/// The inputs as geometry, at two moments: `now` for people and for the fleet's rules, and `dead_time_s` later, when the next
+/// command acts, for the dynamic window.
+struct Surroundings {
+  std::vector<Mover> movers;        // all tracks
+  std::vector<PeerMotion> peer_motions;
+  std::vector<PeerView> peers;      // same order
+  std::vector<Standing> standing;
+};
+
+/// Remembers since when each peer stands.
+class Observer {
+ public:
+  explicit Observer(const SurroundingsSettings& settings) : settings_(settings) {}
+  Surroundings observe(const Inputs& inputs, const std::string& own_id, double step_s, int steps, time::Stamp now);
+
+ private:
+  PeerView view(const Peer& peer, time::Stamp now);
+  SurroundingsSettings settings_;
+  std::map<std::string, time::Stamp> moved_;    // when each peer last moved
+};
+
+}  // namespace aisle::local_planner

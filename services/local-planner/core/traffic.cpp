@@ -1,0 +1,145 @@
+#include "services/local-planner/core/traffic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace aisle::local_planner {
+namespace {
+
+using geometry::Point2;
+
+constexpr double kStepM = 0.2;
+
+/// Where a claim passes a point: how near, when, and in which direction.
+struct Pass {
+  double distance_m{1e18};
+  double time_s{0.0};
+  Point2 direction;
+};
+
+Pass pass_of(const std::vector<IntentPoint>& claim, Point2 p) {
+  Pass pass;
+  for (std::size_t j = 0; j < claim.size(); ++j) {
+    const Point2 a = claim[j].base_in_map.position();
+    const Point2 b = claim[std::min(j + 1, claim.size() - 1)].base_in_map.position();
+    const Point2 ab = b - a;
+    const double length2 = geometry::dot(ab, ab);
+    const double t = length2 > 0.0 ? std::clamp(geometry::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
+    const double d = geometry::distance(p, a + t * ab);
+    if (d >= pass.distance_m) continue;
+    const double begin = claim[j].offset_s;
+    const double end = claim[std::min(j + 1, claim.size() - 1)].offset_s;
+    pass = {d, begin + t * (end - begin), length2 > 0.0 ? (1.0 / std::sqrt(length2)) * ab : Point2{}};
+  }
+  return pass;
+}
+
+/// A stretch of my way that a peer's claim comes near to.
+struct Conflict {
+  double begin_m{0.0}, end_m{0.0};              // s
+  double my_in_s{0.0}, my_out_s{0.0};
+  double its_in_s{1e18}, its_out_s{0.0};
+  double alignment{0.0};                        // mean cosine between the two directions
+  int points{0};
+  bool it_is_inside{false};                     // it stands on this stretch or cannot stop before it
+  bool reaches_me{false};                       // the claim runs through where I am
+};
+
+std::vector<Conflict> conflicts_with(const OwnWay& own, const PeerView& peer, const TrafficSettings& settings) {
+  std::vector<Conflict> found;
+  const double near = own.radius_m + peer.radius_m + settings.margin_m;
+  double time = 0.0;
+  bool open = false;
+  const double end = std::min(own.route.length_m(), own.s_m + settings.look_ahead_m);
+  std::size_t profile_index = 0;
+  for (double s = own.s_m; s <= end + 1e-9; s += kStepM) {
+    while (profile_index + 1 < own.profile_mps.size() && own.route.along_m(profile_index) < s) ++profile_index;
+    const bool first = s == own.s_m;
+    const Point2 p = first ? own.position_in_map : own.route.at(s);
+    if (!first) time += kStepM / std::max(0.25, own.profile_mps[profile_index]);
+    const Pass pass = pass_of(peer.claim, p);
+    if (pass.distance_m >= near) {
+      open = false;
+      continue;
+    }
+    if (!open) found.push_back({s, s, time, time, 1e18, 0.0, 0.0, 0, false, false});
+    open = true;
+    Conflict& c = found.back();
+    c.end_m = s;
+    c.my_out_s = time;
+    c.its_in_s = std::min(c.its_in_s, pass.time_s);
+    c.its_out_s = std::max(c.its_out_s, pass.time_s);
+    const double yaw = own.route.heading_at(s + 0.1);
+    c.alignment += geometry::dot(pass.direction, {std::cos(yaw), std::sin(yaw)});
+    ++c.points;
+    c.reaches_me = c.reaches_me || first;
+    c.it_is_inside = c.it_is_inside || geometry::distance(p, peer.base_in_map.position()) < near + peer.stopping_m * (pass.time_s < 1.5 ? 1.0 : 0.0);
+  }
+  for (Conflict& c : found) c.alignment /= c.points;
+  return found;
+}
+
+/// First s at which my disc would be nearer to the peer's than the following gap, less its braking distance.
+double behind_m(const OwnWay& own, const PeerView& peer, const TrafficSettings& settings) {
+  const double gap = own.radius_m + peer.radius_m + settings.following_gap_m;
+  for (double s = own.s_m; s <= own.route.length_m() && s < own.s_m + settings.look_ahead_m; s += 0.1)
+    if (geometry::distance(own.route.at(s), peer.base_in_map.position()) < gap) return s + peer.stopping_m;
+  return std::numeric_limits<double>::infinity();
+}
+
+bool is_behind_me(const OwnWay& own, const PeerView& peer) {
+  const double yaw = own.route.heading_at(own.s_m + 0.1);
+  const Point2 d = peer.base_in_map.position() - own.position_in_map;
+  return geometry::dot(d, {std::cos(yaw), std::sin(yaw)}) < 0.0;
+}
+
+enum class Right { kMine, kFollow, kWait, kGiveWay };
+
+Right right_of_way(const OwnWay& own, const PeerView& peer, const Conflict& c, const TrafficSettings& settings) {
+  const bool i_am_inside = c.reaches_me || c.begin_m - own.s_m < own.stopping_m + 0.05;
+  const bool same_way = c.alignment > 0.5;
+  const bool i_go_first = outranks(own.id, peer.id);
+  if (same_way && c.it_is_inside && !is_behind_me(own, peer)) return Right::kFollow;
+  if (same_way && i_am_inside) return Right::kMine;
+  if (i_am_inside && !c.it_is_inside) return i_go_first || !c.reaches_me ? Right::kMine : Right::kGiveWay;
+  if (c.it_is_inside && !i_am_inside) return Right::kWait;
+  if (i_go_first) return Right::kMine;
+  if (i_am_inside) return c.reaches_me ? Right::kGiveWay : Right::kWait;
+  if (c.my_out_s + settings.time_gap_s < c.its_in_s) return Right::kMine;
+  if (peer.standing_s > settings.patience_s) return Right::kMine;
+  return Right::kWait;
+}
+
+}  // namespace
+
+bool is_claimed(const std::vector<IntentPoint>& claim, Point2 p, double distance_m) {
+  return pass_of(claim, p).distance_m < distance_m;
+}
+
+Advice advise(const OwnWay& own, const std::vector<PeerView>& peers, const TrafficSettings& settings) {
+  Advice advice;
+  if (own.route.points().size() < 2) return advice;
+  for (const PeerView& peer : peers) {
+    if (!peer.has_goal || peer.claim.size() < 2) continue;
+    for (const Conflict& c : conflicts_with(own, peer, settings)) {
+      const Right right = right_of_way(own, peer, c, settings);
+      if (right == Right::kMine) continue;
+      if (right == Right::kGiveWay) {
+        advice.gives_way_to.push_back(peer.id);
+        continue;
+      }
+      const double stop = right == Right::kFollow ? behind_m(own, peer, settings) : std::max(own.s_m, c.begin_m - 0.25);
+      if (stop < advice.stop_at_m) {
+        advice.stop_at_m = stop;
+        advice.yields_to = peer.id;
+        advice.follows = right == Right::kFollow;
+        advice.conflict_in_map = own.route.at(c.begin_m);
+      }
+      break;
+    }
+  }
+  return advice;
+}
+
+}  // namespace aisle::local_planner
