@@ -56,6 +56,11 @@ Output LocalPlanner::step(const Inputs& inputs, Stamp now) {
   const VehicleState* state = inputs.state.any();
   Cycle cycle{inputs, inputs.vehicle ? *inputs.vehicle : kUnknown, now, {}, {}, {}, 0.0, {}, {}, {}, 1e18, {}, false};
   if (inputs.map_revision != seen_revision_) seen_revision_ = inputs.map_revision, revision_changed_ = now;
+  if (last_step_ != Stamp{} && seconds(now - last_step_) > settings_.late_s) {     // the vehicle has braked by itself meanwhile
+    late_ = now;
+    last_command_ = state != nullptr ? state->twist : Twist2{};
+    cycle.out.events.push_back({"late by " + std::to_string(seconds(now - last_step_)) + " s"});
+  }
   if (state != nullptr) {
     const double age = std::clamp(seconds(now - inputs.state.arrived()), 0.0, settings_.stale_state_s);
     cycle.base_now = kinematics::advance(state->base_in_map, state->twist, age);
@@ -92,6 +97,7 @@ std::optional<std::pair<Phase, Reason>> LocalPlanner::guard(const Inputs& inputs
   if (!inputs.vehicle || !inputs.state.seen()) return Held{Phase::kWaiting, Reason::kNoState};
   if (inputs.authority_lost) return Held{Phase::kHeld, Reason::kAuthority};
   if (!inputs.state.fresh(now, time::from_seconds(settings_.stale_state_s))) return Held{Phase::kHeld, Reason::kStaleState};
+  if (late_ != Stamp{} && seconds(now - late_) < settings_.late_hold_s) return Held{Phase::kHeld, Reason::kLate};
   if (inputs.clearance == nullptr) return Held{Phase::kWaiting, Reason::kNoMap};
   if (!inputs.plan) return Held{Phase::kWaiting, Reason::kNoGoal};
   if (inputs.plan->outcome == Plan::Outcome::kCancelled) return Held{Phase::kHeld, Reason::kCancelled};

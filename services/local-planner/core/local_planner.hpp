@@ -47,6 +47,7 @@ class LocalPlanner {
   Way way_;
   geometry::Twist2 last_command_;
   time::Stamp last_step_{};
+  time::Stamp late_{};                              // when a cycle last came too late
   std::uint64_t plan_id_{0};                        // of the lane
   std::string goal_id_;
   geometry::Pose2 goal_in_map_;

@@ -11,6 +11,8 @@ struct Settings {
   double control_period_s{0.02};
   double stale_state_s{0.2};            // older: stop
   double stale_tracker_s{0.5};          // silent for longer: stop
+  double late_s{0.15};                  // a cycle that comes so long after the one before is late: stop,
+  double late_hold_s{0.5};              // and stand for so long after the last late one
   double plan_update_s{0.5};            // a plan of an older map revision is driven slowly for so long, then not
   double cautious_mps{0.3};             // speed meanwhile
   double blocked_after_s{3.0};          // standing before something for so long: say so, and ask for a new plan
@@ -24,6 +26,8 @@ struct Settings {
   void describe(Reader& r) {
     r.field("stale_state_s", stale_state_s, 0.05, 2.0)
         .field("stale_tracker_s", stale_tracker_s, 0.1, 5.0)
+        .field("late_s", late_s, 0.05, 2.0)
+        .field("late_hold_s", late_hold_s, 0.0, 10.0)
         .field("plan_update_s", plan_update_s, 0.0, 5.0)
         .field("cautious_mps", cautious_mps, 0.0, 2.0)
         .field("blocked_after_s", blocked_after_s, 0.5, 60.0)

@@ -12,7 +12,7 @@ namespace aisle::local_planner {
 
 struct SurroundingsSettings {
   double dead_time_s{0.1};          // from a command to the wheels
-  double track_latency_s{0.1};      // from the scan to the track's arrival
+  double track_latency_s{0.05};     // from the scan to the track's arrival
   double mover_margin_m{0.12};
   double mover_growth_mps{0.2};     // besides the track's own uncertainty of velocity
   double standing_margin_m{0.05};

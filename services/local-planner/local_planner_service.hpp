@@ -1,0 +1,74 @@
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "common/bus/bus.hpp"
+#include "common/process/log.hpp"
+#include "common/service/map_client.hpp"
+#include "common/service/origin_stamper.hpp"
+#include "common/service/shell.hpp"
+#include "common/wire/checks.hpp"
+#include "services/local-planner/core/local_planner.hpp"
+
+namespace aisle::local_planner {
+
+struct ServiceConfig {
+  Settings settings;
+
+  template <class Reader>
+  void describe(Reader& r) {
+    settings.describe(r);
+  }
+};
+
+/// Between the bus and the core, for one vehicle: a command every 20 ms, zero while there is nothing to do; its status at 10 Hz
+/// and whenever phase or reason change. Commands begin when the vehicle was heard, with the epoch after the one that it obeys;
+/// when the vehicle obeys a later one, this planner falls silent for good (a person decides who drives on).
+class LocalPlannerService {
+ public:
+  LocalPlannerService(bus::Bus& bus, const std::string& agv_id, const service::OriginStamper& stamper, service::Health& health,
+                      const std::string& instance_id, const ServiceConfig& config);
+  LocalPlannerService(const LocalPlannerService&) = delete;
+  LocalPlannerService& operator=(const LocalPlannerService&) = delete;
+
+ private:
+  struct TrackEntry {
+    SeenTrack seen;
+    std::string source_id;
+  };
+
+  void listen_to_vehicles();
+  void listen_to_tracks();
+  void take_own_state(const aisle::VehicleState& sample, time::Stamp arrived);
+  void take_status(const aisle::TrackingStatus& sample, time::Stamp arrived);
+  void cycle();
+  void write_command(const Output& output);
+  void write_status(const Output& output);
+  void report(const Output& output);
+  template <class T>
+  std::optional<T> accepted(const char* topic, wire::Decoded<T> decoded);
+
+  bus::Bus& bus_;
+  std::string agv_id_;
+  service::OriginStamper command_stamper_;
+  service::OriginStamper status_stamper_;
+  service::Health& health_;
+  service::MapClient map_;
+  LocalPlanner planner_;
+  Inputs inputs_;
+  std::map<std::string, Peer> peers_;
+  std::map<std::uint64_t, TrackEntry> tracks_;
+  bus::Writer<topics::VelocityCommand> commands_;
+  bus::Writer<topics::NavigationStatus> statuses_;
+  std::optional<std::uint32_t> epoch_;          // of our commands, once the vehicle was heard
+  std::int64_t scan_stamp_ns_{0};
+  double control_ms_{0.0};
+  std::uint64_t cycles_{0};
+  Phase phase_{Phase::kWaiting};
+  Reason reason_{Reason::kNone};
+  process::LimitedWarnings warnings_;
+};
+
+}  // namespace aisle::local_planner
