@@ -44,14 +44,7 @@ dds::DataWriterQos writer_qos(const Qos& qos, int strength) {
     fast::set_heartbeat(writer, 50ms);
     writer.reliability().max_blocking_time = fast::duration(10ms);
   }
-  if (qos.depth == 0 && qos.max_kept > 0) {
-    // Each sample of a queue is an instance of its own, with the note that it ends; the same sample may be sent again.
-    constexpr int kChangesPerInstance = 16;
-    writer.resource_limits().max_instances = qos.max_kept;
-    writer.resource_limits().max_samples_per_instance = kChangesPerInstance;
-    writer.resource_limits().max_samples = qos.max_kept * kChangesPerInstance;
-  }
-  // A queue's instance ends without a disposal; everywhere else, to unregister is to dispose.
+  // The end of a queue's instance is not a disposal; everywhere else, to unregister is to dispose.
   writer.writer_data_lifecycle().autodispose_unregistered_instances = qos.depth > 0;
   return writer;
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@
 #include <fastdds/dds/topic/TypeSupport.hpp>
 
 #if AISLE_FASTDDS_MAJOR >= 3
+#include <fastdds/LibrarySettings.hpp>
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.hpp>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.hpp>
 #include <fastdds/utils/IPLocator.hpp>
@@ -36,6 +38,7 @@
 #include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastdds/rtps/transport/shared_mem/SharedMemTransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
+#include <fastrtps/xmlparser/XMLProfileManager.h>
 #endif
 
 namespace aisle::bus::fast {
@@ -82,8 +85,9 @@ inline void set_heartbeat(dds::DataWriterQos& qos, std::chrono::nanoseconds peri
 #endif
 }
 
-/// Allocates what a sample needs, no more: bounded sequences may be large.
-inline constexpr auto kMemoryPolicy = rtps::DYNAMIC_REUSABLE_MEMORY_MODE;
+/// Payloads start at kFirstPayloadBytes and grow to what is written; the dynamic policies refuse disposals, whose payload is empty.
+inline constexpr auto kMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+inline constexpr std::uint32_t kFirstPayloadBytes = 256;
 
 inline void join_discovery_server(dds::DomainParticipantQos& qos, const std::string& address, std::uint16_t port, bool sees_all) {
   rtps::Locator_t server;
@@ -103,6 +107,19 @@ inline void join_discovery_server(dds::DomainParticipantQos& qos, const std::str
 #endif
 }
 
+/// Two buses in one process (tests) talk as two processes do: through their transports.
+inline void deliver_over_transports_only() {
+#if AISLE_FASTDDS_MAJOR >= 3
+  eprosima::fastdds::LibrarySettings settings;
+  settings.intraprocess_delivery = eprosima::fastdds::INTRAPROCESS_OFF;
+  dds::DomainParticipantFactory::get_instance()->set_library_settings(settings);
+#else
+  eprosima::fastrtps::LibrarySettingsAttributes settings;
+  settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+  eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+#endif
+}
+
 /// Types are matched by their names: Cyclone DDS does not understand the type objects of 3.1.
 inline void keep_types_off_the_wire([[maybe_unused]] dds::DomainParticipantQos& qos) {
 #if AISLE_FASTDDS_MAJOR >= 3
@@ -116,6 +133,15 @@ template <class Generated>
 class Guarded final : public Generated {
  public:
   using typename Generated::type;
+  /// The middleware would preallocate the largest sample that the bounds allow, several times, and never grow.
+  bool is_bounded() const override { return false; }
+  Guarded() {
+#if AISLE_FASTDDS_MAJOR >= 3
+    this->max_serialized_type_size = kFirstPayloadBytes;
+#else
+    this->m_typeSize = kFirstPayloadBytes;
+#endif
+  }
 #if AISLE_FASTDDS_MAJOR >= 3
   bool deserialize(rtps::SerializedPayload_t& payload, void* data) override {
     return guard(data, [&] { return Generated::deserialize(payload, data); });
@@ -163,18 +189,23 @@ bool Guarded<Generated>::guard(void* data, Function decode) {
   return last_sample_fits;
 }
 
-inline void* create_sample(const dds::TypeSupport& support) {
+/// A sample without its C++ type.
+struct SampleDeleter {
+  dds::TypeSupport support;
+  void operator()(void* sample) const {
 #if AISLE_FASTDDS_MAJOR >= 3
-  return support->create_data();
+    support->delete_data(sample);
 #else
-  return support->createData();
+    support->deleteData(sample);
 #endif
-}
-inline void delete_sample(const dds::TypeSupport& support, void* sample) {
+  }
+};
+using Sample = std::unique_ptr<void, SampleDeleter>;
+inline Sample new_sample(const dds::TypeSupport& support) {
 #if AISLE_FASTDDS_MAJOR >= 3
-  support->delete_data(sample);
+  return Sample(support->create_data(), SampleDeleter{support});
 #else
-  support->deleteData(sample);
+  return Sample(support->createData(), SampleDeleter{support});
 #endif
 }
 

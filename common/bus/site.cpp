@@ -2,6 +2,7 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -13,6 +14,8 @@ namespace {
 
 namespace dds = fast::dds;
 
+constexpr std::size_t kEndsAtOnce = 64;
+
 /// stdout belongs to programs (`aisle topic echo --json`); the middleware complains on stderr, and of errors only.
 void configure_process_once() {
   static std::once_flag once;
@@ -22,6 +25,7 @@ void configure_process_once() {
     consumer->stderr_threshold(dds::Log::Kind::Info);
     dds::Log::RegisterConsumer(std::move(consumer));
     dds::Log::SetVerbosity(dds::Log::Kind::Error);
+    fast::deliver_over_transports_only();
     mallopt(M_ARENA_MAX, 2);   // the middleware's ten threads allocate little; an arena for each costs megabytes
   });
 }
@@ -84,7 +88,11 @@ fast::dds::DataReader& Site::make_reader(const Channel& channel, fast::dds::Data
 void Site::drop(fast::dds::DataWriter& writer) { publisher_->delete_datawriter(&writer); }
 
 DdsWriter::DdsWriter(const std::shared_ptr<Site>& site, const Site::Channel& channel, int strength)
-    : site_(site), writer_(site->make_writer(channel, strength)), is_queue_(channel.type->qos.depth == 0) {}
+    : site_(site),
+      writer_(site->make_writer(channel, strength)),
+      type_(*channel.type),
+      support_(channel.support),
+      room_(static_cast<std::size_t>(channel.type->qos.max_kept)) {}
 
 DdsWriter::~DdsWriter() {
   if (const auto site = site_.lock()) site->drop(writer_);
@@ -94,9 +102,18 @@ bool DdsWriter::write(const void* sample) {
   const auto site = site_.lock();
   if (!site) return false;
   void* data = const_cast<void*>(sample);   // 2.9 asks for it, and does not write
-  if (!fast::ok(writer_.write(data, dds::HANDLE_NIL))) return false;
-  if (is_queue_) writer_.unregister_instance(data, dds::HANDLE_NIL);   // so that ids used once do not pile up on either side
+  if (room_ == 0) return fast::ok(writer_.write(data, dds::HANDLE_NIL));
+  if (written_.size() >= std::min(room_, kEndsAtOnce)) end_acknowledged();
+  if (written_.size() >= room_ || !fast::ok(writer_.write(data, dds::HANDLE_NIL))) return false;
+  written_.push_back(fast::new_sample(support_));
+  type_.copy_key(written_.back().get(), data);
   return true;
+}
+
+void DdsWriter::end_acknowledged() {
+  if (!fast::ok(writer_.wait_for_acknowledgments(fast::duration(std::chrono::microseconds(1))))) return;
+  for (const fast::Sample& key : written_) writer_.unregister_instance(key.get(), dds::HANDLE_NIL);
+  written_.clear();
 }
 
 bool DdsWriter::dispose(const void* sample) {

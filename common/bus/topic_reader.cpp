@@ -47,7 +47,7 @@ TopicReader::TopicReader(Site& site, const Site::Channel& channel)
       support_(channel.support),
       type_name_(channel.support.get_type_name()),
       listener_(site),
-      sample_(new_sample()),
+      sample_(fast::new_sample(support_)),
       reader_(&site.make_reader(channel, &listener_)) {
   condition().set_enabled_statuses(dds::StatusMask::data_available() << dds::StatusMask::requested_deadline_missed()
                                                                      << dds::StatusMask::sample_rejected()
@@ -105,7 +105,7 @@ void TopicReader::take(const dds::SampleInfo& info, const Report& report) {
 void TopicReader::hear(const Handle& handle, const Handle& writer) {
   auto found = instances_.find(handle);
   if (found == instances_.end()) {
-    found = instances_.emplace(handle, Instance{new_sample(), {}}).first;
+    found = instances_.emplace(handle, Instance{fast::new_sample(support_), {}}).first;
     type_->copy_key(found->second.key.get(), sample_.get());
   }
   std::vector<Handle>& writers = found->second.writers;

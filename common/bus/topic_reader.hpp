@@ -33,13 +33,8 @@ class TopicReader {
 
  private:
   using Handle = fast::rtps::InstanceHandle_t;
-  struct SampleDeleter {
-    const fast::dds::TypeSupport* support;
-    void operator()(void* sample) const { fast::delete_sample(*support, sample); }
-  };
-  using Sample = std::unique_ptr<void, SampleDeleter>;
   struct Instance {
-    Sample key;                     // only its key fields hold
+    fast::Sample key;                     // only its key fields hold
     std::vector<Handle> writers;    // heard from
   };
   struct WriterEvent {
@@ -62,7 +57,6 @@ class TopicReader {
     std::vector<WriterEvent> events_;
   };
 
-  Sample new_sample() const { return Sample(fast::create_sample(support_), SampleDeleter{&support_}); }
   bool drain_samples(const Report& report);
   void take(const fast::dds::SampleInfo& info, const Report& report);
   void hear(const Handle& instance, const Handle& writer);
@@ -78,7 +72,7 @@ class TopicReader {
   fast::dds::TypeSupport support_;
   std::string type_name_;
   Listener listener_;
-  Sample sample_;
+  fast::Sample sample_;
   fast::dds::DataReader* reader_;
   std::vector<detail::RawHandler> handlers_;
   std::map<Handle, Instance> instances_;
