@@ -21,7 +21,8 @@ Process service(const std::string& name, const std::string& agv_id, Arguments ar
   process.arguments = {"--domain", std::to_string(settings.domain), "--interface", "127.0.0.1", "--instance", process.instance};
   if (!agv_id.empty()) arguments.insert(arguments.end(), {"--agv", agv_id});
   const fs::path config = settings.config_folder / (name + ".yaml");
-  if (!settings.config_folder.empty() && fs::is_regular_file(config)) arguments.insert(arguments.end(), {"--config", config.string()});
+  const bool takes_config = name != "map";  // its file names a map, and so does the scenario
+  if (takes_config && !settings.config_folder.empty() && fs::is_regular_file(config)) arguments.insert(arguments.end(), {"--config", config.string()});
   process.arguments.insert(process.arguments.end(), arguments.begin(), arguments.end());
   return process;
 }

@@ -158,7 +158,8 @@ void RefereeService::take(const aisle::VehicleState& sample, double t_s) {
   report.command_epoch = sample.command_by().epoch();
   report.command_sequence = sample.command_by().sequence_number();
   report.command_plan_id = sample.command_plan_id();
-  judge_.vehicle_reported(report, sample.refused_commands(), sample.hold() != HoldReason::HOLD_NONE);
+  report.holds = sample.hold() != HoldReason::HOLD_NONE;
+  judge_.vehicle_reported(report, sample.refused_commands());
 }
 
 void RefereeService::take(const aisle::Plan& sample, double t_s) {

@@ -8,7 +8,7 @@ namespace {
 using Kind = AuthorityViolation::Kind;
 
 VehicleReport obeying(double t_s, std::uint32_t epoch, std::uint64_t sequence, std::uint64_t plan_id, double speed_mps = 1.0) {
-  return {"agv-1", 11, t_s, speed_mps, "agv-1", "local-planner-agv-1", 22, epoch, sequence, plan_id};
+  return {"agv-1", 11, t_s, speed_mps, false, "agv-1", "local-planner-agv-1", 22, epoch, sequence, plan_id};
 }
 
 TEST(AuthorityWatch, IsContentWithAGoodVehicle) {
@@ -78,6 +78,19 @@ TEST(AuthorityWatch, DoesNotStartTheGraceAnewWhenThePlanIsSentAgain) {
   watch.plan_arrived("agv-1", 6, true, 10.0);
   watch.plan_arrived("agv-1", 6, true, 10.4);
   watch.vehicle_reported(obeying(10.6, 1, 1, 5));
+  EXPECT_EQ(watch.violations().size(), 1u);
+}
+
+TEST(AuthorityWatch, DoesNotBlameAVehicleThatBrakesByItself) {
+  AuthorityWatch watch;
+  watch.plan_arrived("agv-1", 6, true, 10.0);
+  VehicleReport report = obeying(11.0, 1, 1, 5);
+  report.holds = true;
+  watch.vehicle_reported(report);
+  EXPECT_TRUE(watch.violations().empty());
+  report.holds = false;
+  report.t_s = 11.1;
+  watch.vehicle_reported(report);
   EXPECT_EQ(watch.violations().size(), 1u);
 }
 

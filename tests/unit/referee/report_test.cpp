@@ -73,7 +73,7 @@ RunReport invented_run(const Walls& walls) {
     for (int i = 0; i < 5; ++i) {
       const std::string id = "agv-" + std::to_string(i + 1);
       const bool holds = i == 1 && t_s > 4.0 && t_s < 5.0;
-      judge.vehicle_reported({id, 1, t_s, 1.0, id, "lp", 1, 1, static_cast<std::uint64_t>(tick) + 1, 1}, 0, holds);
+      judge.vehicle_reported({id, 1, t_s, 1.0, holds, id, "lp", 1, 1, static_cast<std::uint64_t>(tick) + 1, 1}, 0);
       judge.body_seen({id, BodyKind::kVehicle, {0.35, 0, 0}, drives(i, t_s), 0.9 + 0.3 * std::sin(t_s + i), t_s, 1});
       judge.command_arrived({id, 1'000'000'000 + tick * 20'000'000LL, 1'000'000'000 + (tick / 5) * 100'000'000LL, 2.0, t_s});
       if (t_s >= 10.0) judge.navigation_arrived({id, id + "-0", GoalNews::Phase::kArrived, "", t_s}, i == 2 && t_s > 12 && t_s < 15);

@@ -58,7 +58,7 @@ void AuthorityWatch::check_order(Followed& vehicle, const VehicleReport& report)
 }
 
 void AuthorityWatch::check_plan(Followed& vehicle, const VehicleReport& report) {
-  const bool moves = report.speed_mps > kMoving_mps;
+  const bool moves = report.speed_mps > kMoving_mps && !report.holds;
   const bool planless = report.command_plan_id == 0;
   if (!moves || !planless) vehicle.without_plan_since_s = -1.0;
   if (moves && planless && vehicle.without_plan_since_s < 0.0) vehicle.without_plan_since_s = report.t_s;

@@ -52,11 +52,11 @@ void Judge::trace_body(const BodySample& sample) {
 
 void Judge::body_gone(const std::string& id) { contacts_.gone(id); }
 
-void Judge::vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands, bool holds) {
+void Judge::vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands) {
   authority_.vehicle_reported(report);
   VehicleBook& book = vehicle(report.agv_id);
   book.row.refused_commands = std::max(book.row.refused_commands, refused_commands);
-  book.holds = holds;
+  book.holds = report.holds;
 }
 
 void Judge::plan_arrived(const PlanNews& plan) {

@@ -51,7 +51,7 @@ class Judge {
 
   void body_seen(const BodySample& sample);
   void body_gone(const std::string& id);
-  void vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands, bool holds);
+  void vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands);
   void plan_arrived(const PlanNews& plan);
   void command_arrived(const CommandNews& command);
   void goal_arrived(const GoalRecord& goal, bool cancelled);
