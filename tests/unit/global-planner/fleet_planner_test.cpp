@@ -313,7 +313,9 @@ TEST_F(Fleet, KeepsThePlanAndSaysSoWhenThereIsNoWayAround) {
   first_plan();
   planner_.take_events();
   planner_.set_static_track(7, {{10.1, 5.0}, 0.9});
+  const std::uint64_t searches_before = planner_.searches();
   EXPECT_TRUE(plans_within(30.0).empty());
+  EXPECT_LE(planner_.searches() - searches_before, 8U) << "tries must become rare while they do not help";
   const std::vector<std::string> events = planner_.take_events();
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0], "agv-1: no way around track 7; plan 1 is kept");

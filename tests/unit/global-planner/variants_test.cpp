@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <queue>
 #include <random>
 #include <vector>
@@ -16,6 +17,9 @@
 #include "tests/support/random_grid.hpp"
 
 namespace aisle::global_planner {
+
+void PrintTo(const Variant& variant, std::ostream* out) { *out << variant.name; }
+
 namespace {
 
 using geometry::Point2;

@@ -1,0 +1,253 @@
+#include "tools/lockstep/families.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <random>
+#include <stdexcept>
+
+namespace aisle::lockstep {
+namespace {
+
+using geometry::Point2;
+using geometry::Pose2;
+
+class Dice {
+ public:
+  explicit Dice(std::uint64_t seed) : random_(seed * 7919 + 13) {}
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+grid::OccupancyGrid hall(double width_m, double height_m, double resolution_m) {
+  grid::OccupancyGrid grid(grid::Geometry{static_cast<int>(std::lround(width_m / resolution_m)), static_cast<int>(std::lround(height_m / resolution_m)), resolution_m, {0.0, 0.0}});
+  const auto& g = grid.geometry();
+  for (int y = 0; y < g.height; ++y)
+    for (int x = 0; x < g.width; ++x)
+      if (x == 0 || y == 0 || x == g.width - 1 || y == g.height - 1) grid.set({x, y}, grid::Occupancy::kOccupied);
+  return grid;
+}
+
+void block(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1) {
+  const auto& g = grid.geometry();
+  for (int y = 0; y < g.height; ++y)
+    for (int x = 0; x < g.width; ++x) {
+      const Point2 c = g.center_in_map({x, y});
+      if (c.x > x0 && c.x < x1 && c.y > y0 && c.y < y1) grid.set({x, y}, grid::Occupancy::kOccupied);
+    }
+}
+
+VehicleSetup vehicle(int number, Pose2 start, std::vector<Pose2> goals, double radius_m = 0.35) {
+  VehicleSetup setup;
+  setup.vehicle.id = "agv-" + std::to_string(number);
+  setup.vehicle.radius_m = radius_m;
+  setup.start_in_map = start;
+  setup.goals_in_map = std::move(goals);
+  return setup;
+}
+
+/// A free point, `room_m` from walls and away from the points given.
+Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, double room_m, const std::vector<Pose2>& away_from, double away_m) {
+  const auto& g = clearance.geometry();
+  for (;;) {
+    const Pose2 pose{dice.between(0.5, g.width * g.resolution_m - 0.5), dice.between(0.5, g.height * g.resolution_m - 0.5), dice.between(-3.1, 3.1)};
+    if (clearance.clearance_m(pose.position()) < room_m) continue;
+    if (std::all_of(away_from.begin(), away_from.end(), [&](const Pose2& p) { return geometry::distance(p.position(), pose.position()) > away_m; })) return pose;
+  }
+}
+
+void add_fleet(Setup& setup, Dice& dice, int count, int goals, double radius_m, double room_m, double away_m) {
+  const grid::ClearanceField clearance(setup.grid, 3.0);
+  std::vector<Pose2> starts, taken;
+  for (int i = 0; i < count; ++i) {
+    starts.push_back(free_pose(clearance, dice, room_m, taken, away_m));
+    taken.push_back(starts.back());
+  }
+  std::vector<Pose2> used;
+  for (int i = 0; i < count; ++i) {
+    std::vector<Pose2> list;
+    for (int k = 0; k < goals; ++k) {
+      list.push_back(free_pose(clearance, dice, room_m, used, away_m));
+      used.push_back(list.back());
+    }
+    setup.vehicles.push_back(vehicle(i + 1, starts[static_cast<std::size_t>(i)], list, radius_m));
+  }
+}
+
+/// 40 x 25 m: racks of 10 x 1.6 m, aisles of 3 m between them, cross aisles of 3 m and more.
+grid::OccupancyGrid rack_hall() {
+  grid::OccupancyGrid grid = hall(40.0, 25.0, 0.05);
+  for (double y = 3.4; y + 1.6 < 22.0; y += 4.6)
+    for (double x = 4.0; x + 10.0 < 37.0; x += 11.5 + 1.5) block(grid, x, y, x + 10.0, y + 1.6);
+  return grid;
+}
+
+Setup warehouse(Dice& dice) {
+  Setup setup;
+  setup.grid = rack_hall();
+  add_fleet(setup, dice, 5, 3, 0.35, 0.6, 1.6);
+  for (int i = 0; i < 4; ++i) {
+    MoverSetup mover;
+    mover.speed_mps = dice.between(0.8, 1.4);
+    const double x = 2.0 + 13.0 * dice.below(3) + dice.between(-0.6, 0.6);
+    mover.waypoints_in_map = {{x, dice.between(1.0, 4.0)}, {x, dice.between(18.0, 24.0)}};
+    if (i == 0) mover.waypoints_in_map = {{dice.between(1.0, 5.0), 6.5 + dice.between(-1.0, 1.0)}, {dice.between(30.0, 39.0), 6.5 + dice.between(-1.0, 1.0)}};
+    setup.movers.push_back(mover);
+  }
+  setup.blocks.push_back({{dice.between(5.0, 13.0), 6.5 + 4.6 * dice.below(3) + dice.between(-0.6, 0.6)}, 0.8, 0.0});
+  const double ey = 5.0 + 4.6 * dice.below(3);
+  const double ex = dice.between(17.0, 26.0);
+  setup.edits.push_back({25.0, {ex, ey}, {ex + 1.0, ey + 3.0}});
+  // Goals must not lie in what gets blocked.
+  for (VehicleSetup& v : setup.vehicles)
+    for (Pose2& goal : v.goals_in_map) {
+      const bool in_edit = goal.x > ex - 0.8 && goal.x < ex + 1.8 && goal.y > ey - 0.8 && goal.y < ey + 3.8;
+      const bool in_block = geometry::distance(goal.position(), setup.blocks[0].center_in_map) < 1.3;
+      if (in_edit || in_block) goal = {2.0, goal.y, 0.0};
+    }
+  setup.duration_s = 400.0;
+  return setup;
+}
+
+/// Racks with aisles of 2 m everywhere, at 0.25 m a cell, as Moving AI's warehouse at 2 m a cell.
+Setup narrow(Dice& dice) {
+  Setup setup;
+  setup.grid = hall(60.0, 34.0, 0.25);
+  for (double y = 4.0; y + 4.0 < 31.0; y += 6.0)
+    for (double x = 8.0; x + 14.0 < 55.0; x += 16.0) block(setup.grid, x, y, x + 14.0, y + 4.0);
+  add_fleet(setup, dice, 4, 3, dice.between(0.3, 0.35), 0.5, 2.5);
+  setup.duration_s = 400.0;
+  return setup;
+}
+
+Setup head_on(Dice& dice, double corridor_m) {
+  Setup setup;
+  setup.grid = hall(30.0, 10.0, 0.05);
+  const double half = 0.5 * corridor_m;
+  block(setup.grid, 7.0, 0.0, 23.0, 5.0 - half);
+  block(setup.grid, 7.0, 5.0 + half, 23.0, 10.0);
+  const double y1 = dice.between(2.0, 8.0);
+  const double y2 = dice.between(2.0, 8.0);
+  setup.vehicles.push_back(vehicle(1, {dice.between(2.0, 5.0), y1, 0.0}, {{27.0, y2, 0.0}}));
+  setup.vehicles.push_back(vehicle(2, {dice.between(25.0, 28.0), y2, 3.14}, {{3.0, y1, 0.0}}));
+  setup.duration_s = 150.0;
+  return setup;
+}
+
+Setup crossing(Dice& dice) {
+  Setup setup;
+  setup.grid = hall(24.0, 24.0, 0.05);
+  for (const double x : {0.0, 13.5})
+    for (const double y : {0.0, 13.5}) block(setup.grid, x, y, x + 10.5, y + 10.5);
+  const double c = 12.0;
+  const auto j = [&] { return dice.between(-0.8, 0.8); };
+  setup.vehicles.push_back(vehicle(1, {2.0 + dice.between(0, 2), c + j(), 0.0}, {{22.0, c + j(), 0.0}}));
+  setup.vehicles.push_back(vehicle(2, {c + j(), 2.0 + dice.between(0, 2), 1.57}, {{c + j(), 22.0, 0.0}}));
+  setup.vehicles.push_back(vehicle(3, {22.0 - dice.between(0, 2), c + j(), 3.14}, {{2.0, c + j(), 0.0}}));
+  setup.vehicles.push_back(vehicle(4, {c + j(), 22.0 - dice.between(0, 2), -1.57}, {{c + j(), 2.0, 0.0}}));
+  setup.duration_s = 120.0;
+  return setup;
+}
+
+Setup t_junction(Dice& dice) {
+  Setup setup;
+  setup.grid = hall(24.0, 14.0, 0.05);
+  const double half = dice.between(1.0, 1.5);
+  block(setup.grid, 0.0, 0.0, 12.0 - half, 10.0 - half);
+  block(setup.grid, 12.0 + half, 0.0, 24.0, 10.0 - half);
+  block(setup.grid, 0.0, 10.0 + half, 24.0, 14.0);
+  setup.vehicles.push_back(vehicle(1, {2.0, 10.0, 0.0}, {{12.0, 2.0, 0.0}}));
+  setup.vehicles.push_back(vehicle(2, {12.0, 3.5, 1.57}, {{dice.below(2) == 0 ? 22.0 : 2.0, 10.0, 0.0}}));
+  setup.vehicles.push_back(vehicle(3, {22.0, 10.0, 3.14}, {{3.8, 10.0, 0.0}}));
+  setup.duration_s = 150.0;
+  return setup;
+}
+
+Setup doors(Dice& dice) {
+  Setup setup;
+  setup.grid = hall(24.0, 12.0, 0.05);
+  block(setup.grid, 8.0, 0.0, 8.3, 12.0);
+  block(setup.grid, 16.0, 0.0, 16.3, 12.0);
+  for (const double x : {8.0, 16.0}) {
+    const double y = dice.between(3.0, 8.0);
+    auto& grid = setup.grid;
+    const auto& g = grid.geometry();
+    for (int cy = 0; cy < g.height; ++cy)
+      for (int cx = 0; cx < g.width; ++cx) {
+        const Point2 c = g.center_in_map({cx, cy});
+        if (c.x > x - 0.1 && c.x < x + 0.4 && c.y > y && c.y < y + 1.1) grid.set({cx, cy}, grid::Occupancy::kFree);
+      }
+  }
+  const auto y = [&] { return dice.between(1.5, 10.5); };
+  setup.vehicles.push_back(vehicle(1, {3.0, y(), 0.0}, {{21.0, y(), 0.0}}));
+  setup.vehicles.push_back(vehicle(2, {21.0, 3.0, 3.14}, {{3.0, y(), 0.0}}));
+  setup.vehicles.push_back(vehicle(3, {12.0, 6.0, 0.0}, {{2.0, 2.0, 0.0}}));
+  setup.vehicles.push_back(vehicle(4, {21.0, 9.0, 3.14}, {{12.0, 3.0, 0.0}}));
+  setup.duration_s = 200.0;
+  return setup;
+}
+
+/// A hall in which people walk straight on, whatever is before them.
+Setup walkers(Dice& dice, bool courteous, int count) {
+  Setup setup;
+  setup.grid = hall(24.0, 16.0, 0.05);
+  block(setup.grid, 9.0, 5.0, 11.0, 7.0);
+  block(setup.grid, 15.0, 9.0, 17.0, 10.5);
+  for (int i = 0; i < count; ++i) {
+    MoverSetup mover;
+    mover.courteous = courteous;
+    mover.speed_mps = dice.between(0.9, 1.6);
+    mover.start_s = dice.between(0.0, 20.0);
+    mover.loop = true;
+    if (i % 2 == 0) {
+      const double x = dice.between(2.0, 8.0) + 6.0 * dice.below(3);
+      const bool blocked = (x > 8.5 && x < 11.5) || (x > 14.5 && x < 17.5);
+      mover.waypoints_in_map = {{blocked ? 13.0 : x, 0.5}, {blocked ? 13.0 : x, 15.5}};
+    } else {
+      const double y = dice.below(2) == 0 ? dice.between(1.0, 4.0) : dice.between(11.2, 15.0);
+      mover.waypoints_in_map = {{0.5, y}, {23.5, y + dice.between(-0.5, 0.5)}};
+    }
+    setup.movers.push_back(mover);
+  }
+  add_fleet(setup, dice, 3, 2, 0.3, 0.8, 1.5);
+  setup.duration_s = 240.0;
+  return setup;
+}
+
+const std::map<std::string, std::function<Setup(Dice&)>>& makers() {
+  static const std::map<std::string, std::function<Setup(Dice&)>> all{
+      {"warehouse", warehouse},
+      {"narrow", narrow},
+      {"head-on-wide", [](Dice& d) { return head_on(d, 2.0); }},
+      {"head-on-tight", [](Dice& d) { return head_on(d, 1.2); }},
+      {"crossing", crossing},
+      {"t-junction", t_junction},
+      {"doors", doors},
+      {"walkers", [](Dice& d) { return walkers(d, true, 6); }},
+      {"oblivious", [](Dice& d) { return walkers(d, false, 6); }},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> families() {
+  std::vector<std::string> names;
+  for (const auto& [name, maker] : makers()) names.push_back(name);
+  return names;
+}
+
+Setup make_scenario(const std::string& family, std::uint64_t seed) {
+  const auto maker = makers().find(family);
+  if (maker == makers().end()) throw std::invalid_argument("no scenario family '" + family + "'");
+  Dice dice(seed);
+  Setup setup = maker->second(dice);
+  setup.name = family;
+  setup.seed = seed;
+  return setup;
+}
+
+}  // namespace aisle::lockstep

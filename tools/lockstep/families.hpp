@@ -1,0 +1,15 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/lockstep/simulation.hpp"
+
+namespace aisle::lockstep {
+
+/// Names of the scenario families, each a kind of difficulty.
+std::vector<std::string> families();
+/// One of them, varied by seed. @throws std::invalid_argument for an unknown name
+Setup make_scenario(const std::string& family, std::uint64_t seed);
+
+}  // namespace aisle::lockstep

@@ -1,0 +1,64 @@
+// aisle-lockstep: drives scenario families without DDS and prints one line a family. For tuning; people use `aisle drive`.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "tools/lockstep/families.hpp"
+
+namespace {
+
+aisle::lockstep::Watch tracer(double period_s) {
+  return [period_s, next = 0.0](double t_s, const auto& vehicles, const auto& movers, const auto& outputs) mutable {
+    if (t_s < next) return;
+    next += period_s;
+    for (std::size_t i = 0; i < vehicles.size(); ++i)
+      std::printf("%7.2f #%zu (%.2f %.2f %.2f) v %.2f w %.2f left %.2f %s/%s%s\n", t_s, i + 1, vehicles[i].x, vehicles[i].y, vehicles[i].yaw, outputs[i].twist.linear_mps,
+                  outputs[i].twist.angular_radps, outputs[i].distance_left_m, name(outputs[i].phase), name(outputs[i].reason), outputs[i].detail.c_str());
+    for (const auto& p : movers) std::printf("        person (%.2f %.2f)\n", p.x, p.y);
+  };
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Drives scenario families in lock-step, without DDS"};
+  std::vector<std::string> families;
+  std::uint64_t first = 1;
+  std::uint64_t seeds = 10;
+  bool verbose = false;
+  double trace_s = 0.0;
+  app.add_option("family", families, "families; none: all");
+  app.add_option("--first", first, "first seed");
+  app.add_option("--seeds", seeds, "how many");
+  app.add_flag("--verbose", verbose, "print what happened in each run");
+  app.add_option("--trace", trace_s, "print poses and commands every so many seconds");
+  CLI11_PARSE(app, argc, argv);
+  if (families.empty()) families = aisle::lockstep::families();
+  bool good = true;
+  std::printf("%-14s %5s %9s %9s %8s %8s %8s %7s %6s %7s\n", "family", "runs", "goals", "contacts", "moving", "least m", "time s", "replans", "us", "max us");
+  for (const std::string& family : families) {
+    int assigned = 0, reached = 0, contacts = 0, moving = 0, replans = 0;
+    double least = 1e9, time = 0.0, us = 0.0, most_us = 0.0;
+    std::string bad;
+    for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
+      const auto result = aisle::lockstep::run(aisle::lockstep::make_scenario(family, seed), trace_s > 0.0 ? tracer(trace_s) : aisle::lockstep::Watch{});
+      assigned += result.goals_assigned, reached += result.goals_reached, contacts += result.contacts;
+      moving += result.contacts_moving_vehicle, replans += result.replans;
+      least = std::min(least, result.least_clearance_m), time += result.time_s, us += result.step_us_mean, most_us = std::max(most_us, result.step_us_max);
+      if (result.goals_reached < result.goals_assigned || result.contacts_moving_vehicle > 0) bad += " " + std::to_string(seed);
+      if (verbose) {
+        std::printf("-- %s %d: %d/%d goals, %d contacts, %.1f s\n", family.c_str(), static_cast<int>(seed), result.goals_reached, result.goals_assigned, result.contacts, result.time_s);
+        for (const std::string& line : result.log) std::printf("%s\n", line.c_str());
+      }
+    }
+    const auto n = static_cast<double>(seeds);
+    std::printf("%-14s %5d %4d/%4d %9d %8d %8.3f %8.1f %7d %6.0f %7.0f%s%s\n", family.c_str(), static_cast<int>(seeds), reached, assigned, contacts, moving, least,
+                time / n, replans, us / n, most_us, bad.empty() ? "" : "  bad:", bad.c_str());
+    std::fflush(stdout);
+    good = good && bad.empty();
+  }
+  return good ? 0 : 1;
+}
