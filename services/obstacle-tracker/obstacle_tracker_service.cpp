@@ -173,16 +173,14 @@ void ObstacleTrackerService::write_status(time::Stamp now, time::Stamp took) {
   sample.scans_dropped(tracker_.scans_dropped());
   sample.processing_ms(1e3 * time::seconds(took));
   statuses_.write(sample);
-  status_written_ = now;
 }
 
-/// When no scans come: what is overdue goes, and the tracker is still heard.
+/// When no scans come, what is overdue goes. No status then: who is blind must not be taken for one who sees nothing.
 void ObstacleTrackerService::tend() {
   const time::Stamp now = monotonic_now();
   if (now - newest_scan_used_ < kTend) return;
   dispose(tracker_.give_up_overdue(now));
   write_tracks({}, now);
-  write_status(now, monotonic_now() - now);
 }
 
 void ObstacleTrackerService::report() {

@@ -64,7 +64,6 @@ class ObstacleTrackerService {
   bus::Writer<topics::TrackingStatus> statuses_;
   std::int64_t newest_scan_stamp_ns_{0};  // of any vehicle, by its own clock
   time::Stamp newest_scan_used_{};        // by ours
-  time::Stamp status_written_{};
   process::LimitedWarnings warnings_;
 };
 

@@ -12,6 +12,7 @@
 #include "common/grid/clearance.hpp"
 #include "common/grid/line_of_sight.hpp"
 #include "common/grid/occupancy_grid.hpp"
+#include "common/kinematics/vehicle_model.hpp"
 #include "services/obstacle-tracker/core/scan.hpp"
 
 namespace aisle::obstacle_tracker::test {
@@ -128,24 +129,26 @@ class Lidar {
             geometry::wrap(base_in_map.yaw + draw(noise_.yaw_rad))};
   }
 
-  /// What `vehicle` sees at once (no sweep), other vehicles included.
-  Scan scan(const World& world, const Vehicle& vehicle, const std::vector<Vehicle>& fleet, time::Stamp stamp) {
+  /// What `vehicle` sees, other vehicles included; the rays follow each other within `sweep_s` while it drives on.
+  Scan scan(const World& world, const Vehicle& vehicle, const std::vector<Vehicle>& fleet, time::Stamp stamp, double sweep_s = 0.0) {
     Scan scan;
     scan.agv_id = vehicle.agv_id;
     scan.stamp = stamp;
     scan.base_in_map = believed(vehicle.base_in_map);
     scan.twist = vehicle.twist;
+    scan.sweep_s = sweep_s;
     scan.first_angle_rad = -geometry::kPi;
     scan.angle_step_rad = 2.0 * geometry::kPi / vehicle.rays;
     scan.range_min_m = 0.05;
     scan.range_max_m = vehicle.range_m;
     for (int ray = 0; ray < vehicle.rays; ++ray) {
-      const double angle_rad = vehicle.base_in_map.yaw + scan.first_angle_rad + ray * scan.angle_step_rad;
-      double range_m = world.ray_m(vehicle.base_in_map.position(), angle_rad, vehicle.range_m);
+      const Pose2 base =
+          sweep_s > 0.0 ? kinematics::advance(vehicle.base_in_map, vehicle.twist, sweep_s * ray / (vehicle.rays - 1)) : vehicle.base_in_map;
+      const double angle_rad = base.yaw + scan.first_angle_rad + ray * scan.angle_step_rad;
+      double range_m = world.ray_m(base.position(), angle_rad, vehicle.range_m);
       for (const Vehicle& other : fleet) {
         if (other.agv_id == vehicle.agv_id) continue;
-        range_m =
-            std::min(range_m, ray_to_disc_m(vehicle.base_in_map.position(), angle_rad, {other.base_in_map.position(), other.radius_m}));
+        range_m = std::min(range_m, ray_to_disc_m(base.position(), angle_rad, {other.base_in_map.position(), other.radius_m}));
       }
       if (range_m < vehicle.range_m) range_m = std::clamp(range_m + draw(noise_.range_m), 0.05, vehicle.range_m);
       scan.ranges_m.push_back(static_cast<float>(range_m));

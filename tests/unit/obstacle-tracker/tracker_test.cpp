@@ -113,6 +113,23 @@ TEST(Tracker, SeesNoGhostsDriving) {
   }
 }
 
+TEST(Tracker, SeesNoGhostsWhileItTurnsDuringTheSweep) {
+  World world(room_with_racks());
+  Lidar lidar(1);
+  Tracker tracker;
+  Vehicle vehicle = vehicle_at("a", 9.0, 5.0);
+  vehicle.twist = {0.8, 1.2, 0.0};
+  const Vehicle start = vehicle;
+  for (int k = 0; k < 300; ++k) {
+    vehicle.base_in_map = kinematics::advance(start.base_in_map, start.twist, 0.1 * k);
+    const time::Stamp stamp = std::chrono::seconds(100) + k * std::chrono::milliseconds(100);
+    const time::Stamp end = stamp + std::chrono::milliseconds(90);
+    ASSERT_FALSE(
+        tracker.take(lidar.scan(world, vehicle, {vehicle}, stamp, 0.09), lidar.known({vehicle}, stamp), &world.clearance, end).dropped);
+    ASSERT_TRUE(tracker.tracks(end).empty()) << "at scan " << k;
+  }
+}
+
 TEST(Tracker, KeepsTheIdBehindAPillar) {
   grid::OccupancyGrid walls = room(16.0, 12.0);
   fill(walls, {7.6, 4.0}, {8.4, 4.3});
