@@ -186,7 +186,7 @@ template <class Function>
 bool Guarded<Generated>::guard(void* data, Function decode) {
   last_sample_fits = nothrow(decode);
   if (!last_sample_fits) *static_cast<type*>(data) = type{};
-  return last_sample_fits;
+  return true;   // else a reliable writer would send it again for ever; the reader of `last_sample_fits` drops it
 }
 
 /// A sample without its C++ type.

@@ -111,7 +111,7 @@ TEST(Bus, RunsTimersAtTheirPeriod) {
 }
 
 TEST(Bus, DeliversEachEditOfAQueueOnce) {
-  constexpr int kEdits = 5000;
+  constexpr int kEdits = 3000;
   Bus sender(loopback(206)), receiver(loopback(206));
   auto edits = sender.writer<topics::MapEdit>();
   std::vector<std::string> got;
