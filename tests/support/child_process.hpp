@@ -1,49 +1,42 @@
 #pragma once
-#include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
+#include <sys/types.h>
 
-#include <stdexcept>
+#include <chrono>
+#include <map>
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-extern char** environ;
+namespace aisle::test_support {
 
-namespace aisle::test {
-
-/// A process that a test starts; killed and reaped at the end of its scope.
+/// A program that runs beside the test, with its output in pipes. Ended (SIGKILL) when the object goes.
 class ChildProcess {
  public:
-  explicit ChildProcess(std::vector<std::string> command) {
-    std::vector<char*> arguments;
-    for (std::string& part : command) arguments.push_back(part.data());
-    arguments.push_back(nullptr);
-    if (posix_spawn(&pid_, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0) {
-      throw std::runtime_error("cannot start " + command[0]);
-    }
-  }
-  ChildProcess(ChildProcess&& other) noexcept : pid_(std::exchange(other.pid_, -1)) {}
-  ChildProcess& operator=(ChildProcess&&) = delete;
-  ~ChildProcess() { kill(); }
+  /// `environment` is added to the test's own. Aborts the test program when it cannot be started.
+  explicit ChildProcess(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment = {});
+  ~ChildProcess();
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
 
   pid_t pid() const { return pid_; }
-  void send(int signal) const { ::kill(pid_, signal); }
-  /// kill -9, and waits for its end.
-  void kill() {
-    if (pid_ <= 0) return;
-    ::kill(pid_, SIGKILL);
-    wait();
-  }
-  /// Its exit code; 128 and the signal when it was killed.
-  int wait() {
-    int status = 0;
-    ::waitpid(std::exchange(pid_, -1), &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  }
+  void signal(int number);
+  /// Reads output until the process ends, at most `limit`. Exit code, 128 + signal, or nothing when it still runs.
+  std::optional<int> wait(std::chrono::milliseconds limit);
+  /// Reads output until stdout or stderr holds `text`. False when it does not within `limit` or the process ended without.
+  bool wait_for_output(const std::string& text, std::chrono::milliseconds limit);
+  const std::string& out() const { return out_; }
+  const std::string& err() const { return err_; }
 
  private:
+  bool read_some(std::chrono::milliseconds limit);
+  bool has_ended();
+
   pid_t pid_{-1};
+  int out_fd_{-1};
+  int err_fd_{-1};
+  std::string out_;
+  std::string err_;
+  std::optional<int> code_;
 };
 
-}  // namespace aisle::test
+}  // namespace aisle::test_support

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,13 +28,14 @@ TEST(Fleet, ThirtyParticipantsMeetAndStaySmall) {
   Bus listener(loopback(212, "listener"));
   std::set<std::string> heard;
   listener.on<topics::VehicleState>([&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
-  std::vector<test::ChildProcess> members;
+  std::vector<std::unique_ptr<test_support::ChildProcess>> members;
   for (int i = 0; i < kMembers; ++i) {
-    members.emplace_back(std::vector<std::string>{BUS_TEST_PEER, "212", "", "member-" + std::to_string(i), "member"});
+    members.push_back(std::make_unique<test_support::ChildProcess>(
+        std::vector<std::string>{BUS_TEST_PEER, "212", "", "member-" + std::to_string(i), "member"}));
   }
   EXPECT_TRUE(run_until({&listener}, [&] { return heard.size() == kMembers; }, 60s)) << heard.size();
   EXPECT_EQ(listener.participants().size(), static_cast<std::size_t>(kMembers));
-  for (const auto& member : members) EXPECT_LT(resident_mb(member.pid()), 25.0);
+  for (const auto& member : members) EXPECT_LT(resident_mb(member->pid()), 25.0);
 }
 
 TEST(Fleet, PartitionsKeepSitesApart) {
@@ -42,8 +44,8 @@ TEST(Fleet, PartitionsKeepSitesApart) {
   Bus listener(here);
   std::set<std::string> heard;
   listener.on<topics::VehicleState>([&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
-  const test::ChildProcess other({BUS_TEST_PEER, "213", "site-b", "other", "member"});
-  const test::ChildProcess ours({BUS_TEST_PEER, "213", "site-a", "ours", "member"});
+  const test_support::ChildProcess other({BUS_TEST_PEER, "213", "site-b", "other", "member"});
+  const test_support::ChildProcess ours({BUS_TEST_PEER, "213", "site-a", "ours", "member"});
   ASSERT_TRUE(run_until({&listener}, [&] { return listener.participants().size() == 2 && heard.count("ours") > 0; }));
   run_until({&listener}, [] { return false; }, 500ms);
   EXPECT_EQ(heard, std::set<std::string>{"ours"});

@@ -50,8 +50,8 @@ class PlanListener {
   int heard_{0};
 };
 
-test::ChildProcess planner(int domain, const std::string& name, int strength) {
-  return test::ChildProcess({BUS_TEST_PEER, std::to_string(domain), "", name, "plan", std::to_string(strength)});
+test_support::ChildProcess planner(int domain, const std::string& name, int strength) {
+  return test_support::ChildProcess({BUS_TEST_PEER, std::to_string(domain), "", name, "plan", std::to_string(strength)});
 }
 
 /// How long nobody was heard, from the last sample of `strong` to the first of `weak`.
@@ -70,7 +70,7 @@ TEST(Takeover, TheStrongerWriterIsHeard) {
   PlanListener listener(207);
   const auto weak = planner(207, "weak", 1);
   ASSERT_TRUE(listener.hears("weak"));
-  const auto strong = planner(207, "strong", 5);
+  auto strong = planner(207, "strong", 5);
   EXPECT_TRUE(listener.hears("strong"));
 }
 
@@ -78,15 +78,15 @@ TEST(Takeover, AStandbyIsHeardSoonAfterAKill) {
   PlanListener listener(208);
   const auto weak = planner(208, "weak", 1);
   auto strong = planner(208, "strong", 5);
-  EXPECT_LT(gap_of_takeover(listener, [&] { strong.kill(); }), 400ms);
+  EXPECT_LT(gap_of_takeover(listener, [&] { strong.signal(SIGKILL); }), 400ms);
 }
 
 TEST(Takeover, AStandbyIsHeardSoonAfterAHangAndTheStrongWriterWhenItIsBack) {
   PlanListener listener(209);
   const auto weak = planner(209, "weak", 1);
-  const auto strong = planner(209, "strong", 5);
-  EXPECT_LT(gap_of_takeover(listener, [&] { strong.send(SIGSTOP); }), 400ms);
-  strong.send(SIGCONT);
+  auto strong = planner(209, "strong", 5);
+  EXPECT_LT(gap_of_takeover(listener, [&] { strong.signal(SIGSTOP); }), 400ms);
+  strong.signal(SIGCONT);
   EXPECT_TRUE(listener.hears("strong"));
 }
 
@@ -94,7 +94,7 @@ TEST(Takeover, ARestartedWriterIsHeardThoughTheDeadOneWasStronger) {
   PlanListener listener(210);
   auto first = planner(210, "first", 5);
   ASSERT_TRUE(listener.hears("first"));
-  first.kill();
+  first.signal(SIGKILL);
   const auto again = planner(210, "again", 1);
   EXPECT_TRUE(listener.hears("again", 3s));
 }
@@ -104,7 +104,7 @@ TEST(Takeover, SilenceOfTheOnlyWriterIsToldWithTheKeyAndNamed) {
   auto only = planner(211, "only", 1);
   ASSERT_TRUE(listener.hears("only"));
   const auto killed = Clock::now();
-  only.kill();
+  only.signal(SIGKILL);
   ASSERT_TRUE(run_until({&listener.bus()}, [&] { return !listener.orphaned().empty(); }));
   EXPECT_LT(Clock::now() - killed, 500ms);
   EXPECT_EQ(listener.orphaned(), std::vector<std::string>{"agv-1"});
