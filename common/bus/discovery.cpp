@@ -176,8 +176,8 @@ std::vector<Endpoint> Discovery::endpoints() const {
   std::vector<Endpoint> all;
   for (const auto& [guid, seen] : remotes_) {
     const auto peer = peers_.find(seen.participant_prefix);
-    const Peer who = peer == peers_.end() ? Peer{seen.participant_prefix, "", 0} : peer->second;
-    all.push_back({seen.topic, seen.type, who.name, who.host, seen.is_writer, seen.qos, seen.partitions});
+    if (peer == peers_.end()) continue;   // our own: the middleware tells of them too, and Bus lists them
+    all.push_back({seen.topic, seen.type, peer->second.name, peer->second.host, seen.is_writer, seen.qos, seen.partitions});
   }
   return all;
 }
