@@ -46,11 +46,11 @@ std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* a
   try {
     app.parse(argc, argv);
     return std::nullopt;
-  } catch (const CLI::ExtrasError& error) {
-    const std::vector<std::string> extras = app.remaining(true);
-    throw config::BadInput(extras.empty() ? error.what() : unknown_argument(app, extras.front()));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
+    // A mistyped verb is reported as one that is missing: name what was typed instead.
+    const std::vector<std::string> extras = app.remaining(true);
+    if (!extras.empty()) throw config::BadInput(unknown_argument(app, extras.front()));
     throw config::BadInput(std::string(error.what()) + "; see --help");
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <utility>
 
 #include "common/process/clock.hpp"
 #include "common/process/signals.hpp"
@@ -11,12 +12,45 @@
 
 namespace aisle::cli {
 
-CLI::App* add_verb(CLI::App& parent, Cli& cli, const std::string& name, const std::string& purpose) {
-  CLI::App* verb = parent.add_subcommand(name, purpose);
-  verb->fallthrough();
-  verb->add_flag("--json", cli.json, "write JSON, one line each");
-  verb->footer("Flags of the site (--domain, --partition, --interface, --peer, ...): see aisle --help.");
-  return verb;
+Verb::Verb(CLI::App& parent, Cli& cli, const std::string& name, const std::string& purpose)
+    : app_(parent.add_subcommand(name, purpose)), cli_(cli) {
+  app_->fallthrough();
+  app_->add_flag("--json", cli.json, "write JSON, one line each");
+  app_->footer("Flags of the site (--domain, --partition, --interface, --peer, ...): see aisle --help.");
+}
+
+Verb& Verb::argument(const std::string& name, std::string& value, const std::string& help) {
+  app_->add_option(name, value, help)->required();
+  return *this;
+}
+
+Verb& Verb::flag(const std::string& name, bool& value, const std::string& help) {
+  app_->add_flag(name, value, help);
+  return *this;
+}
+
+Verb& Verb::option(const std::string& name, std::string& value, const std::string& help) {
+  app_->add_option(name, value, help);
+  return *this;
+}
+
+Verb& Verb::option(const std::string& name, double& value, double low, double high, const std::string& help) {
+  app_->add_option(name, value, help)->check(CLI::Range(low, high))->capture_default_str();
+  return *this;
+}
+
+Verb& Verb::option(const std::string& name, int& value, int low, int high, const std::string& help) {
+  app_->add_option(name, value, help)->check(CLI::Range(low, high))->capture_default_str();
+  return *this;
+}
+
+Verb& Verb::list(const std::string& name, std::vector<std::string>& values, const std::string& help) {
+  app_->add_option(name, values, help);
+  return *this;
+}
+
+void Verb::runs(std::function<int()> action) {
+  app_->callback([&cli = cli_, action = std::move(action)] { cli.action = action; });
 }
 
 std::unique_ptr<bus::Bus> join(const Cli& cli, const std::string& name) {

@@ -20,6 +20,7 @@ std::vector<double> split_numbers(const std::string& what, const std::string& te
   std::vector<double> numbers;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
+    while (begin < end && text[begin] == ' ') ++begin;
     double number = 0.0;
     const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, number);
     if (error != std::errc{} || stop != text.data() + end || !std::isfinite(number)) fail("is not a list of numbers");

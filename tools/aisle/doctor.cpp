@@ -1,7 +1,7 @@
 // aisle doctor: looks for what keeps a fleet from working, and says it in words.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -42,7 +42,10 @@ class Examination {
   std::size_t services() const { return health_.size(); }
   std::size_t vehicles() const { return vehicles_.vehicles(); }
   std::vector<Problem> problems(const bus::Settings& settings) const {
-    std::vector<Problem> all = judge_endpoints(settings, bus_->endpoints());
+    std::vector<bus::Endpoint> others = bus_->endpoints();
+    const std::string& own_name = bus_->settings().participant_name;
+    others.erase(std::remove_if(others.begin(), others.end(), [&](const bus::Endpoint& end) { return end.participant == own_name; }), others.end());
+    std::vector<Problem> all = judge_endpoints(settings, others);
     for (const service::Finding& finding : findings_) all.push_back({about(finding.kind), finding.text});
     for (Problem& problem : judge_services(health_, gone_)) all.push_back(std::move(problem));
     for (Problem& problem : vehicles_.judge()) all.push_back(std::move(problem));
@@ -140,10 +143,10 @@ int doctor(const Cli& cli, double wait_s) {
 }  // namespace
 
 void add_doctor(CLI::App& parent, Cli& cli) {
-  CLI::App* verb = add_verb(parent, cli, "doctor", "look for what keeps the fleet from working; exit code 1 when something is wrong");
   auto wait_s = std::make_shared<double>(4.0);
-  verb->add_option("--wait", *wait_s, "seconds to look; clocks need 3")->check(CLI::Range(0.5, 3600.0))->capture_default_str();
-  verb->callback([&cli, wait_s] { cli.action = [&cli, wait_s] { return doctor(cli, *wait_s); }; });
+  Verb(parent, cli, "doctor", "look for what keeps the fleet from working; exit code 1 when something is wrong")
+      .option("--wait", *wait_s, 0.5, 3600.0, "seconds to look; clocks need 3")
+      .runs([&cli, wait_s] { return doctor(cli, *wait_s); });
 }
 
 }  // namespace aisle::cli

@@ -1,7 +1,6 @@
 // aisle fleet: a live table of the vehicles and of the services behind them.
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -49,10 +48,10 @@ int fleet(const Cli& cli, const FleetOptions& options) {
 
 void add_fleet(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<FleetOptions>();
-  CLI::App* verb = add_verb(parent, cli, "fleet", "vehicles and services, live in a terminal; exit code 1 when no vehicle was seen");
-  verb->add_flag("--once", options->once, "one snapshot");
-  verb->add_option("--wait", options->wait_s, "seconds to look before a snapshot")->check(CLI::Range(0.0, 3600.0))->capture_default_str();
-  verb->callback([&cli, options] { cli.action = [&cli, options] { return fleet(cli, *options); }; });
+  Verb(parent, cli, "fleet", "vehicles and services, live in a terminal; exit code 1 when no vehicle was seen")
+      .flag("--once", options->once, "one snapshot")
+      .option("--wait", options->wait_s, 0.0, 3600.0, "seconds to look before a snapshot")
+      .runs([&cli, options] { return fleet(cli, *options); });
 }
 
 }  // namespace aisle::cli

@@ -1,5 +1,4 @@
 // aisle goal cancel: drops a vehicle's goal; it brakes and holds.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -27,7 +26,7 @@ bool is_cancelled(const GoalTalk& talk, const std::string& goal_id) {
   return by_planner || by_vehicle;
 }
 
-int report(const Cli& cli, const GoalTalk& talk, const std::string& goal_id, const std::string& result, const std::string& text, int code) {
+int report_cancelled(const Cli& cli, const GoalTalk& talk, const std::string& goal_id, const std::string& result, const std::string& text, int code) {
   if (cli.json) {
     std::printf("%s\n", write_json(Json{{"agv_id", talk.agv_id()}, {"goal_id", goal_id}, {"result", result}, {"text", text}}).c_str());
   } else {
@@ -41,16 +40,16 @@ int cancel(const Cli& cli, const std::string& agv_id, double timeout_s) {
   talk.require_vehicle();
   talk.listen_until(kUntilGoalIsKnown, [&] { return !open_goal_of(talk).empty(); });
   const std::string goal_id = open_goal_of(talk);
-  if (goal_id.empty()) return report(cli, talk, "", "no_goal", agv_id + " has no goal", process::kNegative);
-  if (is_cancelled(talk, goal_id)) return report(cli, talk, goal_id, "cancelled", "goal " + goal_id + " was cancelled before", process::kDone);
+  if (goal_id.empty()) return report_cancelled(cli, talk, "", "no_goal", agv_id + " has no goal", process::kNegative);
+  if (is_cancelled(talk, goal_id)) return report_cancelled(cli, talk, goal_id, "cancelled", "goal " + goal_id + " was cancelled before", process::kDone);
   aisle::Goal goal;
   goal.agv_id(agv_id);
   goal.goal_id(goal_id);
   goal.cancelled(true);
   if (talk.say_until(goal, Seconds(timeout_s), [&] { return is_cancelled(talk, goal_id); })) {
-    return report(cli, talk, goal_id, "cancelled", agv_id + " dropped goal " + goal_id, process::kDone);
+    return report_cancelled(cli, talk, goal_id, "cancelled", agv_id + " dropped goal " + goal_id, process::kDone);
   }
-  return report(cli, talk, goal_id, "no_answer", "nobody confirmed that goal " + goal_id + " is dropped; is aisle-global-planner running?",
+  return report_cancelled(cli, talk, goal_id, "no_answer", "nobody confirmed that goal " + goal_id + " is dropped; is aisle-global-planner running?",
                 process::kEnvironment);
 }
 
@@ -62,10 +61,10 @@ void add_goal_cancel(CLI::App& parent, Cli& cli) {
     double timeout_s{10.0};
   };
   auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(parent, cli, "cancel", "drop a vehicle's goal: it brakes and holds; exit code 1 when it has none");
-  verb->add_option("agv", options->agv_id, "vehicle, e.g. agv-1")->required();
-  verb->add_option("--timeout", options->timeout_s, "give up after so many seconds")->check(CLI::Range(0.1, 1e6))->capture_default_str();
-  verb->callback([&cli, options] { cli.action = [&cli, options] { return cancel(cli, options->agv_id, options->timeout_s); }; });
+  Verb(parent, cli, "cancel", "drop a vehicle's goal: it brakes and holds; exit code 1 when it has none")
+      .argument("agv", options->agv_id, "vehicle, e.g. agv-1")
+      .option("--timeout", options->timeout_s, 0.1, 1e6, "give up after so many seconds")
+      .runs([&cli, options] { return cancel(cli, options->agv_id, options->timeout_s); });
 }
 
 }  // namespace aisle::cli

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -72,7 +71,7 @@ class Progress {
   std::string last_;
 };
 
-int report(const Cli& cli, const aisle::Goal& goal, const std::string& result, const std::string& text, int code, double length_m = -1.0) {
+int report_sent(const Cli& cli, const aisle::Goal& goal, const std::string& result, const std::string& text, int code, double length_m = -1.0) {
   if (cli.json) {
     Json json{{"agv_id", goal.agv_id().to_string()}, {"goal_id", goal.goal_id().to_string()}, {"result", result}, {"text", text}};
     if (length_m >= 0.0) json["length_m"] = length_m;
@@ -84,8 +83,8 @@ int report(const Cli& cli, const aisle::Goal& goal, const std::string& result, c
 }
 
 int report_no_answer(const Cli& cli, const GoalTalk& talk, const aisle::Goal& goal, double waited_s) {
-  const bool nobody = talk.matched_readers() == 0;
-  return report(cli, goal, "no_answer",
+  const bool nobody = !talk.is_read_by_anybody();
+  return report_sent(cli, goal, "no_answer",
                 fmt::format("no plan for the goal within {:g} s: {}", waited_s,
                             nobody ? "nobody reads goals; is aisle-global-planner running?"
                                    : "aisle-global-planner does not answer; see aisle fleet for what it waits for"),
@@ -109,14 +108,14 @@ int follow(const Cli& cli, GoalTalk& talk, const aisle::Goal& goal, Seconds limi
       return is_over(talk.navigation()->phase());
     });
   }
-  if (!replaced_by.empty()) return report(cli, goal, "replaced", agv_id + " has another goal now: " + replaced_by, process::kNegative);
+  if (!replaced_by.empty()) return report_sent(cli, goal, "replaced", agv_id + " has another goal now: " + replaced_by, process::kNegative);
   if (!is_over_now) {
     const std::string why = is_interrupted() ? "interrupted" : fmt::format("not there after {:g} s", limit.count());
-    return report(cli, goal, "not_arrived", why + "; " + agv_id + " keeps the goal, aisle goal cancel drops it", process::kNegative);
+    return report_sent(cli, goal, "not_arrived", why + "; " + agv_id + " keeps the goal, aisle goal cancel drops it", process::kNegative);
   }
   const aisle::NavigationStatus& status = *talk.navigation();
-  if (status.phase() == NavigationPhase::PHASE_ARRIVED) return report(cli, goal, "arrived", agv_id + " arrived", process::kDone);
-  return report(cli, goal, "failed", agv_id + " failed (" + name_of(status.reason()) + "): " + status.detail().to_string(), process::kNegative);
+  if (status.phase() == NavigationPhase::PHASE_ARRIVED) return report_sent(cli, goal, "arrived", agv_id + " arrived", process::kDone);
+  return report_sent(cli, goal, "failed", agv_id + " failed (" + name_of(status.reason()) + "): " + status.detail().to_string(), process::kNegative);
 }
 
 int send(const Cli& cli, const SendOptions& options) {
@@ -130,10 +129,10 @@ int send(const Cli& cli, const SendOptions& options) {
   const aisle::Plan plan = *talk.plan();
   if (plan.outcome() != PlanOutcome::PLAN_FOUND) {
     const std::string outcome = name_of(plan.outcome());
-    return report(cli, goal, outcome, options.agv_id + " cannot go there: " + outcome + ": " + plan.detail().to_string(), process::kNegative);
+    return report_sent(cli, goal, outcome, options.agv_id + " cannot go there: " + outcome + ": " + plan.detail().to_string(), process::kNegative);
   }
   const std::string text = fmt::format("{} goes {:.1f} m to {}, goal {}", options.agv_id, plan.length_m(), options.pose, goal_id);
-  if (!options.wait) return report(cli, goal, "planned", text, process::kDone, plan.length_m());
+  if (!options.wait) return report_sent(cli, goal, "planned", text, process::kDone, plan.length_m());
   if (!cli.json) std::printf("%s\n", printable(text).c_str());
   std::fflush(stdout);
   return follow(cli, talk, goal, options.timeout_s > 0.0 ? Seconds(options.timeout_s) : kUntilArrived);
@@ -143,15 +142,15 @@ int send(const Cli& cli, const SendOptions& options) {
 
 void add_goal_send(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<SendOptions>();
-  CLI::App* verb = add_verb(parent, cli, "send", "send a vehicle to a pose; exit code 1 when it cannot get there");
-  verb->add_option("agv", options->agv_id, "vehicle, e.g. agv-1")->required();
-  verb->add_option("pose", options->pose, "X,Y or X,Y,YAW in metres and radians, map frame")->required();
-  verb->add_flag("--wait", options->wait, "wait until it arrived, with a line of progress");
-  verb->add_option("--timeout", options->timeout_s, "give up after so many seconds; else 10, with --wait 600")->check(CLI::Range(0.0, 1e6));
-  verb->add_option("--tolerance", options->tolerance_m, "how near is there, in metres")->check(CLI::Range(0.01, 10.0))->capture_default_str();
-  verb->add_option("--yaw-tolerance", options->yaw_tolerance_rad, "in radians, when a yaw is given")->check(CLI::Range(0.01, 3.15))->capture_default_str();
-  verb->add_option("--id", options->goal_id, "id of the goal; one is made when not given");
-  verb->callback([&cli, options] { cli.action = [&cli, options] { return send(cli, *options); }; });
+  Verb(parent, cli, "send", "send a vehicle to a pose; exit code 1 when it cannot get there")
+      .argument("agv", options->agv_id, "vehicle, e.g. agv-1")
+      .argument("pose", options->pose, "X,Y or X,Y,YAW in metres and radians, map frame")
+      .flag("--wait", options->wait, "wait until it arrived, with a line of progress")
+      .option("--timeout", options->timeout_s, 0.0, 1e6, "give up after so many seconds; 0: 10, with --wait 600")
+      .option("--tolerance", options->tolerance_m, 0.01, 10.0, "how near is there, in metres")
+      .option("--yaw-tolerance", options->yaw_tolerance_rad, 0.01, 3.15, "in radians, when a yaw is given")
+      .option("--id", options->goal_id, "id of the goal; one is made when not given")
+      .runs([&cli, options] { return send(cli, *options); });
 }
 
 }  // namespace aisle::cli

@@ -12,7 +12,7 @@ namespace aisle::cli {
 namespace {
 
 constexpr Seconds kUntilVehiclesAreSeen{3.0};
-constexpr std::chrono::milliseconds kRepeat{500};
+constexpr std::chrono::milliseconds kSayAgainAfter{500};
 
 }  // namespace
 
@@ -59,7 +59,7 @@ bool GoalTalk::say_until(aisle::Goal goal, Seconds limit, const std::function<bo
     goal.by(stamper_.next());
     writer_.write(goal);
     const Seconds left = end - std::chrono::steady_clock::now();
-    if (run_until(*bus_, std::min<Seconds>(left, kRepeat), done)) return true;
+    if (run_until(*bus_, std::min<Seconds>(left, kSayAgainAfter), done)) return true;
     if (left <= Seconds::zero()) break;
   }
   return false;

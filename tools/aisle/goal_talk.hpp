@@ -27,7 +27,8 @@ class GoalTalk {
   const std::optional<aisle::Plan>& plan() const { return plan_; }
   const std::optional<aisle::NavigationStatus>& navigation() const { return navigation_; }
   const std::optional<aisle::Goal>& goal() const { return goal_; }
-  int matched_readers() const { return writer_.matched_readers(); }
+  /// Its own reader does not count.
+  bool is_read_by_anybody() const { return writer_.matched_readers() > 1; }
 
  private:
   const Cli& cli_;

@@ -1,5 +1,4 @@
 // aisle health: is one service ready? For healthchecks of containers.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -55,10 +54,10 @@ void add_health(CLI::App& parent, Cli& cli) {
     double timeout_s{3.0};
   };
   auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(parent, cli, "health", "exit code 0 when one service is ready, else 1: for healthchecks");
-  verb->add_option("instance", options->instance_id, "of the service, e.g. map or local-planner-agv-1")->required();
-  verb->add_option("--timeout", options->timeout_s, "how long to wait until it is ready, seconds")->check(CLI::Range(0.1, 1e6))->capture_default_str();
-  verb->callback([&cli, options] { cli.action = [&cli, options] { return health(cli, options->instance_id, options->timeout_s); }; });
+  Verb(parent, cli, "health", "exit code 0 when one service is ready, else 1: for healthchecks")
+      .argument("instance", options->instance_id, "of the service, e.g. map or local-planner-agv-1")
+      .option("--timeout", options->timeout_s, 0.1, 1e6, "how long to wait until it is ready, seconds")
+      .runs([&cli, options] { return health(cli, options->instance_id, options->timeout_s); });
 }
 
 }  // namespace aisle::cli

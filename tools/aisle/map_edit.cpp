@@ -1,7 +1,6 @@
 // aisle map block, aisle map unblock: edits the site's map, and waits for what aisle-map made of it.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -29,7 +28,7 @@ struct EditOptions {
   double timeout_s{10.0};
 };
 
-constexpr Seconds kRepeat{0.5};
+constexpr Seconds kEditAgainAfter{0.5};
 
 class EditTalk {
  public:
@@ -57,7 +56,7 @@ class EditTalk {
       edit.by(stamper_.next());
       writer_.write(edit);
       const Seconds left = end - std::chrono::steady_clock::now();
-      run_until(*bus_, std::min(left, kRepeat), [this] { return result_.has_value(); });
+      run_until(*bus_, std::min(left, kEditAgainAfter), [this] { return result_.has_value(); });
       if (left <= Seconds::zero()) break;
     }
     return result_;
@@ -72,7 +71,7 @@ class EditTalk {
   std::optional<aisle::MapEditResult> result_;
 };
 
-std::string text_of(const aisle::MapEditResult& result) {
+std::string text_of_result(const aisle::MapEditResult& result) {
   const std::string id = result.edit_id().to_string();
   switch (result.outcome()) {
     case EditOutcome::EDIT_APPLIED:
@@ -105,21 +104,21 @@ int edit_map(const Cli& cli, const EditOptions& options, EditAction action) {
   if (cli.json) {
     std::printf("%s\n", write_json(to_json(*result)).c_str());
   } else {
-    std::fprintf(code == process::kDone ? stdout : stderr, "%s\n", printable(text_of(*result)).c_str());
+    std::fprintf(code == process::kDone ? stdout : stderr, "%s\n", printable(text_of_result(*result)).c_str());
   }
   return code;
 }
 
 void add_edit_verb(CLI::App& parent, Cli& cli, const char* name, const char* purpose, EditAction action) {
   auto options = std::make_shared<EditOptions>();
-  CLI::App* verb = add_verb(parent, cli, name, purpose);
-  verb->add_option("--rect", options->shape.rectangle, "x1,y1,x2,y2: two opposite corners, metres");
-  verb->add_option("--disc", options->shape.disc, "x,y,radius: metres");
-  verb->add_option("--polygon", options->shape.polygon, "x,y x,y x,y ...: 3 to 64 corners, metres")->expected(1, 64);
-  verb->add_option("--id", options->edit_id, "id of the edit: the same id is applied once; one is made when not given");
-  verb->add_option("--map", options->map_id, "id of the map; the one that is seen when not given");
-  verb->add_option("--timeout", options->timeout_s, "give up after so many seconds")->check(CLI::Range(0.1, 1e6))->capture_default_str();
-  verb->callback([&cli, options, action] { cli.action = [&cli, options, action] { return edit_map(cli, *options, action); }; });
+  Verb(parent, cli, name, purpose)
+      .option("--rect", options->shape.rectangle, "x1,y1,x2,y2: two opposite corners, metres")
+      .option("--disc", options->shape.disc, "x,y,radius: metres")
+      .list("--polygon", options->shape.polygon, "x,y x,y x,y ...: 3 to 64 corners, metres")
+      .option("--id", options->edit_id, "id of the edit: the same id is applied once; one is made when not given")
+      .option("--map", options->map_id, "id of the map; the one that is seen when not given")
+      .option("--timeout", options->timeout_s, 0.1, 1e6, "give up after so many seconds")
+      .runs([&cli, options, action] { return edit_map(cli, *options, action); });
 }
 
 }  // namespace

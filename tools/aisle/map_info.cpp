@@ -1,7 +1,6 @@
 // aisle map info: what aisle-map says of the site's map.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -26,7 +25,7 @@ Json without_tile_hashes(const aisle::MapInfo& info) {
   return json;
 }
 
-int info(const Cli& cli, double timeout_s) {
+int show_map(const Cli& cli, double timeout_s) {
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-map-info");
   std::map<std::string, aisle::MapInfo> maps;
   bus->on<topics::MapInfo>([&](const aisle::MapInfo& sample, const bus::SampleInfo& sample_info) {
@@ -45,10 +44,10 @@ int info(const Cli& cli, double timeout_s) {
 }  // namespace
 
 void add_map_info(CLI::App& parent, Cli& cli) {
-  CLI::App* verb = add_verb(parent, cli, "info", "id, revision, size, place and hash of the map");
   auto timeout_s = std::make_shared<double>(3.0);
-  verb->add_option("--timeout", *timeout_s, "give up after so many seconds")->check(CLI::Range(0.1, 1e6))->capture_default_str();
-  verb->callback([&cli, timeout_s] { cli.action = [&cli, timeout_s] { return info(cli, *timeout_s); }; });
+  Verb(parent, cli, "info", "id, revision, size, place and hash of the map")
+      .option("--timeout", *timeout_s, 0.1, 1e6, "give up after so many seconds")
+      .runs([&cli, timeout_s] { return show_map(cli, *timeout_s); });
 }
 
 }  // namespace aisle::cli

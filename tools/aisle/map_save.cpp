@@ -1,7 +1,6 @@
 // aisle map save: writes the site's map, with its edits, as a ROS map file.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -58,11 +57,11 @@ int save(const Cli& cli, const SaveOptions& options) {
 
 void add_map_save(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<SaveOptions>();
-  CLI::App* verb = add_verb(parent, cli, "save", "write the map, with its edits, as ROS map_server YAML and PGM");
-  verb->add_option("file", options->file, "FILE.yaml")->required();
-  verb->add_option("--map", options->map_id, "id of the map; the one that is seen when not given");
-  verb->add_option("--timeout", options->timeout_s, "give up after so many seconds")->check(CLI::Range(0.1, 1e6))->capture_default_str();
-  verb->callback([&cli, options] { cli.action = [&cli, options] { return save(cli, *options); }; });
+  Verb(parent, cli, "save", "write the map, with its edits, as ROS map_server YAML and PGM")
+      .argument("file", options->file, "FILE.yaml")
+      .option("--map", options->map_id, "id of the map; the one that is seen when not given")
+      .option("--timeout", options->timeout_s, 0.1, 1e6, "give up after so many seconds")
+      .runs([&cli, options] { return save(cli, *options); });
 }
 
 }  // namespace aisle::cli

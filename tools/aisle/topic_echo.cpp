@@ -1,5 +1,4 @@
 // aisle topic echo: prints what is said on a topic.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -24,7 +23,7 @@ struct EchoOptions {
 constexpr Seconds kUntilHint{2.0};
 constexpr Seconds kForever{1e9};
 
-void print(const Cli& cli, const EchoOptions& options, const Received& received) {
+void print_sample(const Cli& cli, const EchoOptions& options, const Received& received) {
   const bool is_data = received.info.kind == bus::SampleKind::kData;
   const char* gone = received.info.kind == bus::SampleKind::kDisposed ? "disposed" : "no_writers";
   if (cli.json) {
@@ -49,7 +48,7 @@ int echo(const Cli& cli, const EchoOptions& options) {
     if (!options.key.empty() && received.key != options.key) return;
     // Who asks for one sample wants to see one, not that its writer left.
     if (wanted > 0 && received.info.kind != bus::SampleKind::kData) return;
-    print(cli, options, received);
+    print_sample(cli, options, received);
     ++printed;
   });
   const auto done = [&] { return wanted > 0 && printed >= wanted; };
@@ -68,14 +67,14 @@ int echo(const Cli& cli, const EchoOptions& options) {
 
 void add_topic_echo(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<EchoOptions>();
-  CLI::App* verb = add_verb(parent, cli, "echo", "print the samples of a topic; exit code 1 when none came");
-  verb->add_option("topic", options->topic, "name, e.g. plan")->required();
-  verb->add_flag("--once", options->once, "stop after the first");
-  verb->add_option("--count", options->count, "stop after so many")->check(CLI::Range(1, 1'000'000'000));
-  verb->add_option("--key", options->key, "only this instance, e.g. agv-1; several key fields with '/': hall/3/4");
-  verb->add_flag("--full", options->full, "do not shorten long lists");
-  verb->add_option("--timeout", options->timeout_s, "give up after so many seconds")->check(CLI::Range(0.0, 1e6));
-  verb->callback([&cli, options] { cli.action = [&cli, options] { return echo(cli, *options); }; });
+  Verb(parent, cli, "echo", "print the samples of a topic; exit code 1 when none came")
+      .argument("topic", options->topic, "name, e.g. plan")
+      .flag("--once", options->once, "stop after the first")
+      .option("--count", options->count, 0, 1'000'000'000, "stop after so many; 0: never")
+      .option("--key", options->key, "only this instance, e.g. agv-1; several key fields with '/': hall/3/4")
+      .flag("--full", options->full, "do not shorten long lists")
+      .option("--timeout", options->timeout_s, 0.0, 1e6, "give up after so many seconds; 0: never")
+      .runs([&cli, options] { return echo(cli, *options); });
 }
 
 }  // namespace aisle::cli

@@ -1,5 +1,4 @@
 // aisle topic info: one topic's contract, and each writer and reader seen.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -12,7 +11,7 @@
 namespace aisle::cli {
 namespace {
 
-int info(const Cli& cli, const std::string& name, double wait_s) {
+int show_topic(const Cli& cli, const std::string& name, double wait_s) {
   const TopicRow& topic = find_topic(name);
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-topic-info");
   run_until(*bus, Seconds(wait_s), [] { return false; });
@@ -46,10 +45,10 @@ void add_topic_info(CLI::App& parent, Cli& cli) {
     double wait_s{1.5};
   };
   auto options = std::make_shared<Options>();
-  CLI::App* verb = add_verb(parent, cli, "info", "one topic: type, key, QoS, and who writes and reads it now");
-  verb->add_option("topic", options->topic, "name, e.g. plan")->required();
-  verb->add_option("--wait", options->wait_s, "seconds to look")->check(CLI::Range(0.0, 3600.0))->capture_default_str();
-  verb->callback([&cli, options] { cli.action = [&cli, options] { return info(cli, options->topic, options->wait_s); }; });
+  Verb(parent, cli, "info", "one topic: type, key, QoS, and who writes and reads it now")
+      .argument("topic", options->topic, "name, e.g. plan")
+      .option("--wait", options->wait_s, 0.0, 3600.0, "seconds to look")
+      .runs([&cli, options] { return show_topic(cli, options->topic, options->wait_s); });
 }
 
 }  // namespace aisle::cli

@@ -1,5 +1,4 @@
 // aisle topic list: the table of topics, with the writers and readers seen.
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -65,10 +64,10 @@ int list(const Cli& cli, double wait_s) {
 }  // namespace
 
 void add_topic_list(CLI::App& parent, Cli& cli) {
-  CLI::App* verb = add_verb(parent, cli, "list", "all topics, and who writes and reads them now");
   auto wait_s = std::make_shared<double>(1.5);
-  verb->add_option("--wait", *wait_s, "seconds to look")->check(CLI::Range(0.0, 3600.0))->capture_default_str();
-  verb->callback([&cli, wait_s] { cli.action = [&cli, wait_s] { return list(cli, *wait_s); }; });
+  Verb(parent, cli, "list", "all topics, and who writes and reads them now")
+      .option("--wait", *wait_s, 0.0, 3600.0, "seconds to look")
+      .runs([&cli, wait_s] { return list(cli, *wait_s); });
 }
 
 }  // namespace aisle::cli

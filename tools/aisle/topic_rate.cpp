@@ -1,7 +1,6 @@
 // aisle topic hz, aisle topic bw: how often and how much is said on a topic, by instance.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <set>
@@ -43,7 +42,7 @@ Rates measure(const Cli& cli, const RateOptions& options) {
   return rates;
 }
 
-int print(const Cli& cli, const RateOptions& options, const std::vector<std::string>& heading,
+int print_rates(const Cli& cli, const RateOptions& options, const std::vector<std::string>& heading,
           const std::function<std::vector<std::string>(const Rate&)>& cells) {
   const Rates rates = measure(cli, options);
   if (cli.json) {
@@ -67,14 +66,14 @@ int print(const Cli& cli, const RateOptions& options, const std::vector<std::str
 }
 
 int print_hz(const Cli& cli, const RateOptions& options) {
-  return print(cli, options, {"KEY", "HZ", "MEAN GAP ms", "LONGEST GAP ms", "SAMPLES"}, [](const Rate& rate) {
+  return print_rates(cli, options, {"KEY", "HZ", "MEAN GAP ms", "LONGEST GAP ms", "SAMPLES"}, [](const Rate& rate) {
     return std::vector<std::string>{fmt::format("{:.2f}", rate.hz()), fmt::format("{:.1f}", rate.mean_gap_ms()),
                                     fmt::format("{:.1f}", rate.longest_gap_ms()), std::to_string(rate.samples())};
   });
 }
 
 int print_bw(const Cli& cli, const RateOptions& options) {
-  return print(cli, options, {"KEY", "KB/S", "MEAN BYTES", "HZ", "SAMPLES"}, [](const Rate& rate) {
+  return print_rates(cli, options, {"KEY", "KB/S", "MEAN BYTES", "HZ", "SAMPLES"}, [](const Rate& rate) {
     return std::vector<std::string>{fmt::format("{:.2f}", rate.bytes_per_s() / 1e3), fmt::format("{:.0f}", rate.mean_bytes()),
                                     fmt::format("{:.2f}", rate.hz()), std::to_string(rate.samples())};
   });
@@ -82,11 +81,11 @@ int print_bw(const Cli& cli, const RateOptions& options) {
 
 void add_rate_verb(CLI::App& parent, Cli& cli, const char* name, const char* purpose, int (*run)(const Cli&, const RateOptions&)) {
   auto options = std::make_shared<RateOptions>();
-  CLI::App* verb = add_verb(parent, cli, name, purpose);
-  verb->add_option("topic", options->topic, "name, e.g. velocity_command")->required();
-  verb->add_option("--key", options->key, "only this instance, e.g. agv-1");
-  verb->add_option("--seconds", options->seconds, "how long to measure")->check(CLI::Range(0.1, 86400.0))->capture_default_str();
-  verb->callback([&cli, options, run] { cli.action = [&cli, options, run] { return run(cli, *options); }; });
+  Verb(parent, cli, name, purpose)
+      .argument("topic", options->topic, "name, e.g. velocity_command")
+      .option("--key", options->key, "only this instance, e.g. agv-1")
+      .option("--seconds", options->seconds, 0.1, 86400.0, "how long to measure")
+      .runs([&cli, options, run] { return run(cli, *options); });
 }
 
 }  // namespace

@@ -5,11 +5,11 @@ namespace {
 
 constexpr std::array kActions{"block", "unblock"};
 constexpr std::array kShapes{"rectangle", "polygon", "disc"};
-constexpr std::array kOutcomes{"applied", "already_applied", "refused"};
+constexpr std::array kEditOutcomes{"applied", "already_applied", "refused"};
 
 }  // namespace
 
-std::string name_of(aisle::EditOutcome outcome) { return enumerator_name(kOutcomes, outcome); }
+std::string name_of(aisle::EditOutcome outcome) { return enumerator_name(kEditOutcomes, outcome); }
 
 Json to_json(const aisle::MapInfo& sample) {
   Json hashes = Json::array();

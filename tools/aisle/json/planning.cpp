@@ -3,18 +3,18 @@
 namespace aisle::cli {
 namespace {
 
-constexpr std::array kOutcomes{"found", "no_path", "start_blocked", "goal_blocked", "out_of_map", "out_of_time", "cancelled"};
+constexpr std::array kPlanOutcomes{"found", "no_path", "start_blocked", "goal_blocked", "out_of_map", "out_of_time", "cancelled"};
 constexpr std::array kTriggers{"new_goal", "map_changed", "track", "vehicle_blocked", "takeover"};
 constexpr std::array kPhases{"waiting", "turning", "driving", "avoiding", "blocked", "arrived", "failed", "held"};
 constexpr std::array kReasons{"none",          "no_goal",       "no_map",   "no_plan", "no_state", "no_tracker", "stale_state",
                               "stale_tracker", "plan_outdated", "obstacle", "vehicle", "yielding", "off_path",   "unreachable",
                               "cancelled",     "late",          "authority"};
 
-Json to_json(const aisle::IntentPoint& point) { return Json{{"offset_s", point.offset_s()}, {"base_in_map", cli::to_json(point.base_in_map())}}; }
+Json json_of_intent(const aisle::IntentPoint& point) { return Json{{"offset_s", point.offset_s()}, {"base_in_map", to_json(point.base_in_map())}}; }
 
 }  // namespace
 
-std::string name_of(aisle::PlanOutcome outcome) { return enumerator_name(kOutcomes, outcome); }
+std::string name_of(aisle::PlanOutcome outcome) { return enumerator_name(kPlanOutcomes, outcome); }
 std::string name_of(aisle::NavigationPhase phase) { return enumerator_name(kPhases, phase); }
 std::string name_of(aisle::NavigationReason reason) { return enumerator_name(kReasons, reason); }
 
@@ -49,7 +49,7 @@ Json to_json(const aisle::Plan& sample) {
 
 Json to_json(const aisle::NavigationStatus& sample) {
   Json intent = Json::array();
-  for (const aisle::IntentPoint& point : sample.intent()) intent.push_back(to_json(point));
+  for (const aisle::IntentPoint& point : sample.intent()) intent.push_back(json_of_intent(point));
   return Json{{"agv_id", sample.agv_id().to_string()},
               {"by", to_json(sample.by())},
               {"goal_id", sample.goal_id().to_string()},

@@ -3,7 +3,7 @@
 namespace aisle::cli {
 namespace {
 
-Json to_json(const aisle::ScanUse& use) {
+Json json_of_use(const aisle::ScanUse& use) {
   return Json{{"agv_id", use.agv_id().to_string()}, {"scan_sequence", use.scan_sequence()}, {"scan_stamp_ns", use.scan_stamp_ns()}};
 }
 
@@ -25,7 +25,7 @@ Json to_json(const aisle::Track& sample) {
 
 Json to_json(const aisle::TrackingStatus& sample) {
   Json scans = Json::array();
-  for (const aisle::ScanUse& use : sample.newest_scans()) scans.push_back(to_json(use));
+  for (const aisle::ScanUse& use : sample.newest_scans()) scans.push_back(json_of_use(use));
   return Json{{"source_id", sample.source_id().to_string()},
               {"by", to_json(sample.by())},
               {"newest_scans", std::move(scans)},

@@ -1,0 +1,55 @@
+#include "tools/aisle/json/json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+namespace aisle::cli {
+namespace {
+
+TEST(JsonOf, APlanHasItsFieldsInTheOrderOfTheIdl) {
+  aisle::Plan plan;
+  plan.agv_id(std::string("agv-1"));
+  plan.outcome(PlanOutcome::PLAN_GOAL_BLOCKED);
+  plan.trigger(PlanTrigger::TRIGGER_TAKEOVER);
+  plan.plan_id(7);
+  aisle::Point point;
+  point.x_m(1.5);
+  point.y_m(2.0);
+  plan.waypoints_in_map().push_back(point);
+  const Json json = to_json(plan);
+  EXPECT_EQ(json.begin().key(), "agv_id");
+  EXPECT_EQ(json["outcome"], "goal_blocked");
+  EXPECT_EQ(json["trigger"], "takeover");
+  EXPECT_EQ(json["plan_id"], 7);
+  EXPECT_EQ(write_json(json["waypoints_in_map"]), R"([{"x_m":1.5,"y_m":2.0}])");
+}
+
+TEST(JsonOf, EnumeratorsCoversTheLastOfEach) {
+  EXPECT_EQ(name_of(PlanOutcome::PLAN_CANCELLED), "cancelled");
+  EXPECT_EQ(name_of(NavigationPhase::PHASE_HELD), "held");
+  EXPECT_EQ(name_of(NavigationReason::REASON_AUTHORITY), "authority");
+  EXPECT_EQ(name_of(HoldReason::HOLD_DUPLICATE_ID), "duplicate_id");
+  EXPECT_EQ(name_of(ServiceState::SERVICE_STOPPING), "stopping");
+  EXPECT_EQ(name_of(EditOutcome::EDIT_REFUSED), "refused");
+  EXPECT_EQ(name_of(static_cast<ServiceState>(7)), "7");
+}
+
+TEST(JsonOf, NumbersThatAreNoneAndBytesThatAreNoTextCanBeWritten) {
+  aisle::NavigationStatus status;
+  status.distance_left_m(std::nan(""));
+  status.detail(std::string("\xff broken"));
+  const std::string text = write_json(to_json(status));
+  EXPECT_NE(text.find("\"distance_left_m\":null"), std::string::npos);
+  EXPECT_NE(text.find("broken"), std::string::npos);
+}
+
+TEST(JsonOf, HashesKeepAllTheirDigits) {
+  aisle::MapInfo info;
+  info.hash(0xfedcba9876543210u);
+  EXPECT_EQ(to_json(info)["hash"], "0xfedcba9876543210");
+}
+
+}  // namespace
+}  // namespace aisle::cli
