@@ -15,7 +15,8 @@ void Way::clear() {
 void Way::adopt(Route lane, Point2 position_in_map) {
   lane_ = {std::move(lane), 0.0, {}};
   detour_end_m_ = 0.0;
-  if (!lane_.route.empty()) lane_.s_m = lane_.route.project(position_in_map, 0.0, 4.0);
+  // A plan that was kept through a map edit, or found by a restarted planner, has most of its way behind the vehicle.
+  if (!lane_.route.empty()) lane_.s_m = lane_.route.project(position_in_map, 0.0, lane_.route.length_m());
 }
 
 void Way::detour(const std::vector<Point2>& points, double rejoin_m) {
