@@ -5,7 +5,7 @@
 
 namespace aisle::referee {
 namespace {
-constexpr double kBodyTrace_s = 0.2;
+constexpr double kBodyTrace_s = 0.1;
 constexpr double kMilli = 1e3;
 }  // namespace
 

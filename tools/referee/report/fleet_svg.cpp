@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "tools/referee/report/picture.hpp"
@@ -97,6 +98,21 @@ void draw_outline(Out out, const Frame& f, const Shape& shape, const geometry::P
   }
 }
 
+/// One dot for each place, however often somebody walked there: dashes that overlap would look like a line.
+void draw_steps(Out out, const Frame& f, const BodyTrace& body) {
+  std::set<std::pair<long, long>> visited;
+  const double step_m = 6.0 / f.px_per_m;
+  std::string dots;
+  Point2 last{1e18, 1e18};
+  for (const auto& [t_s, pose] : body.way) {
+    if (geometry::distance(pose.position(), last) < step_m) continue;
+    last = pose.position();
+    if (!visited.emplace(std::lround(last.x / step_m), std::lround(last.y / step_m)).second) continue;
+    dots += fmt::format("M{:.1f} {:.1f}h0", f.x(last.x), f.y(last.y));
+  }
+  fmt::format_to(out, "<path d=\"{}\" fill=\"none\" stroke=\"#9b7fc0\" stroke-width=\"2.6\" stroke-linecap=\"round\"/>\n", dots);
+}
+
 void draw_bodies(Out out, const Frame& f, const RunReport& report) {
   for (const auto& [id, body] : report.bodies) {
     if (body.way.empty()) continue;
@@ -104,10 +120,7 @@ void draw_bodies(Out out, const Frame& f, const RunReport& report) {
       draw_outline(out, f, body.shape, body.way.back().second, "fill=\"#8d6e63\" stroke=\"#4e342e\" stroke-width=\"1.5\"");
       continue;
     }
-    std::vector<Point2> way;
-    for (const auto& [t_s, pose] : body.way) way.push_back(pose.position());
-    fmt::format_to(out, "<path d=\"{}\" fill=\"none\" stroke=\"#9b7fc0\" stroke-width=\"1.8\" stroke-linecap=\"round\" stroke-dasharray=\"0.1 5\"/>\n",
-                   path_of(f, way));
+    draw_steps(out, f, body);
     draw_outline(out, f, body.shape, body.way.back().second, "fill=\"#9b7fc0\" fill-opacity=\"0.45\" stroke=\"#6b46a3\"");
   }
 }
@@ -159,9 +172,9 @@ void draw_vehicles(Out out, const Frame& f, const VehicleRow& vehicle, const cha
   }
   const geometry::Pose2& end = vehicle.drive.base_in_map();
   draw_vehicle(out, f, vehicle, end, colour, 0.85);
-  const double up_px = vehicle.shape.reach_m() * f.px_per_m + 5.0;
+  const double down_px = vehicle.shape.reach_m() * f.px_per_m + 14.0;  // goals' flags stand above
   fmt::format_to(out, "<text x=\"{0:.1f}\" y=\"{1:.1f}\" text-anchor=\"middle\" font-size=\"13\" font-weight=\"bold\" fill=\"{2}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{3}</text>\n",
-                 f.x(end.x), f.y(end.y) - up_px, colour, escaped(vehicle.agv_id));
+                 f.x(end.x), f.y(end.y) + down_px, colour, escaped(vehicle.agv_id));
 }
 
 void draw_goals(Out out, const Frame& f, const std::vector<GoalRecord>& goals, const std::string& agv_id, const char* colour) {
