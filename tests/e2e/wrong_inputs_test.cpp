@@ -70,9 +70,9 @@ std::vector<std::string> with(std::vector<std::string> arguments, const std::vec
 
 TEST_F(WrongInputs, AnUnknownFlagIsNamedByEveryProgram) {
   std::vector<Program> all = services();
-  all.push_back({"aisle-referee", {}});
+  all.push_back({"aisle-referee", {"--scenario", "any.yaml"}});
   all.push_back({"aisle-demo", {}});
-  all.push_back({"aisle", {}});
+  all.push_back({"aisle", {"fleet"}});
   for (const Program& program : all) {
     const Answer answer = ask(program.name, with(program.arguments, {"--domian", "7"}));
     EXPECT_EQ(answer.code, kBadInput) << program.name << ": " << answer.text;
