@@ -2,6 +2,7 @@
 // What every decoder does with a sample from the wire: it is distrusted until each field was looked at.
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -71,8 +72,9 @@ class Checks {
 
  private:
   static std::string text(double value) {
-    const std::string long_text = std::to_string(value);
-    return long_text.substr(0, long_text.find_last_not_of('0') + 1);
+    char buffer[32];
+    std::snprintf(buffer, sizeof buffer, "%.9g", value);
+    return buffer;
   }
   Checks& refuse(const char* field, const std::string& why) {
     if (reason_.empty()) reason_ = field + why;
