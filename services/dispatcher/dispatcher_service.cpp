@@ -110,8 +110,9 @@ void DispatcherService::take(const aisle::MapEditResult& sample) {
 
 void DispatcherService::tick() {
   const time::Stamp now = monotonic_now();
-  for (const Order& order : dispatcher_.step(now)) write(order);
+  const std::vector<Order> orders = dispatcher_.step(now);
   for (const Event& event : dispatcher_.take_events()) log(event);
+  for (const Order& order : orders) write(order);
   if (const auto seconds = clock_.seconds(now, wall_clock_ns())) {
     for (const grid::MapEdit& edit : edits_.due(*seconds, map_id_, now)) {
       aisle::MapEdit sample = wire::encode(edit);

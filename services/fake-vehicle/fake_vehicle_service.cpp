@@ -11,7 +11,6 @@
 #include "common/wire/geometry.hpp"
 #include "common/wire/world_obstacle.hpp"
 #include "services/fake-vehicle/core/lidar.hpp"
-#include "services/fake-vehicle/vehicle_memory.hpp"
 
 namespace aisle::fake_vehicle {
 namespace {
@@ -44,8 +43,9 @@ FakeVehicleService::FakeVehicleService(bus::Bus& bus, const std::string& agv_id,
       health_(health),
       config_(config),
       map_(bus, instance_id, {{}, false, 0.0, milliseconds(300)}),
-      authority_(agv_id, memory_of(config).accepted_epoch),
-      vehicle_(config.vehicle, memory_of(config).base_in_map),
+      memory_(memory_of(config)),
+      authority_(agv_id, memory_.accepted_epoch),
+      vehicle_(config.vehicle, memory_.base_in_map),
       bodies_(agv_id),
       duplicates_(boot_id),
       random_(scenario::random_for(config.seed, agv_id + "/noise")),

@@ -15,6 +15,7 @@
 #include "services/fake-vehicle/core/command_authority.hpp"
 #include "services/fake-vehicle/core/duplicate_watch.hpp"
 #include "services/fake-vehicle/core/simulated_vehicle.hpp"
+#include "services/fake-vehicle/vehicle_memory.hpp"
 
 namespace aisle::fake_vehicle {
 
@@ -59,6 +60,7 @@ class FakeVehicleService {
   service::Health& health_;
   ServiceConfig config_;
   service::MapClient map_;
+  VehicleMemory memory_;               // of before a restart, or the start
   CommandAuthority authority_;
   std::optional<Command> command_;
   SimulatedVehicle vehicle_;
