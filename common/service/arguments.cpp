@@ -36,6 +36,7 @@ std::string unknown_argument(const CLI::App& app, const std::string& argument) {
     add_verb_names(app, known);
   }
   const std::string nearest = config::nearest_name(name, known);
+  if (nearest == name) return "'" + name + "' is not expected here; see --help";   // e.g. after a lone --
   return (is_flag ? "unknown flag '" : "unexpected argument '") + name + "'" +
          (nearest.empty() ? "; see --help" : "; did you mean '" + nearest + "'?");
 }

@@ -104,7 +104,7 @@ std::vector<Problem> judge_services(const std::map<std::string, aisle::ServiceHe
       problems.push_back({"service", id + " is " + name_of(health.state()) + (waits_for.empty() ? "" : ", waits for " + waits_for) +
                                          (last_error.empty() ? "" : "; last error: " + last_error)});
     } else if (!last_error.empty()) {
-      problems.push_back({"service", id + " is ready, but had an error: " + last_error});
+      problems.push_back({"service", id + " is ready, but had an error: " + last_error, true});
     }
   }
   return problems;

@@ -13,8 +13,9 @@ namespace aisle::cli {
 
 /// One thing that is wrong, in words that say what to do.
 struct Problem {
-  std::string about;   // "discovery", "qos", "type", "partition", "network", "clock", "version", "service", "vehicle"
+  std::string about;      // "discovery", "qos", "type", "partition", "network", "clock", "version", "service", "vehicle"
   std::string text;
+  bool is_past{false};    // worth to know, but over
 };
 
 /// One IPv4 address of this host.
@@ -33,7 +34,7 @@ std::vector<Problem> judge_network(const bus::Settings& settings, const std::vec
 /// Types and QoS against the table; partitions in which Aisle's topics are used against ours.
 std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::vector<bus::Endpoint>& endpoints);
 
-/// Services that are not ready, or that complain.
+/// Services that are not ready; errors that ready ones had are past.
 std::vector<Problem> judge_services(const std::map<std::string, aisle::ServiceHealth>& newest, const std::set<std::string>& gone);
 
 /// Tells apart who writes a vehicle's state.

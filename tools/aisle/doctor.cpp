@@ -121,11 +121,12 @@ int doctor(const Cli& cli, double wait_s) {
       examination.participants() == 0 && cli.settings.discovery_server.empty() ? scan_domains(cli) : std::set<int>{};
   for (Problem& problem : judge_discovery(cli.settings, examination.participants(), other_domains)) problems.push_back(std::move(problem));
   for (Problem& problem : examination.problems(cli.settings)) problems.push_back(std::move(problem));
+  const bool is_well = std::all_of(problems.begin(), problems.end(), [](const Problem& problem) { return problem.is_past; });
   const std::string seen = fmt::format("{} other processes, {} services, {} vehicles", examination.participants(), examination.services(),
                                        examination.vehicles());
   if (cli.json) {
     Json list = Json::array();
-    for (const Problem& problem : problems) list.push_back({{"about", problem.about}, {"text", problem.text}});
+    for (const Problem& problem : problems) list.push_back({{"about", problem.about}, {"text", problem.text}, {"past", problem.is_past}});
     std::printf("%s\n", write_json(Json{{"place", place_of(cli.settings)},
                                         {"participants", examination.participants()},
                                         {"services", examination.services()},
@@ -134,10 +135,10 @@ int doctor(const Cli& cli, double wait_s) {
                             .c_str());
   } else {
     std::printf("looked in %s for %g s: %s\n", place_of(cli.settings).c_str(), wait_s, seen.c_str());
-    for (const Problem& problem : problems) std::printf("%s: %s\n", problem.about.c_str(), printable(problem.text).c_str());
-    if (problems.empty()) std::printf("nothing wrong\n");
+    for (const Problem& problem : problems) std::printf("%s%s: %s\n", problem.is_past ? "note: " : "", problem.about.c_str(), printable(problem.text).c_str());
+    if (is_well) std::printf("nothing wrong\n");
   }
-  return problems.empty() ? process::kDone : process::kNegative;
+  return is_well ? process::kDone : process::kNegative;
 }
 
 }  // namespace

@@ -149,7 +149,6 @@ TEST_F(ShellConfig, WhatDoesNotFitEndsTheStartWithOneLine) {
   const std::string environment_file = path() + ".2";
   std::ofstream(environment_file) << "fail: environment\n";
   const std::vector<Refusal> refusals{
-      {{"--domain", "999"}, 2, "aisle-idle: --domain: Value 999 not in range 0 to 230; see --help\n"},
       {{"--instanc", "x"}, 2, "aisle-idle: unknown flag '--instanc'; did you mean '--instance'?\n"},
       {{"--instance", "a b"}, 2, "aisle-idle: --instance: 'a b' is not an id; use 1 to 64 letters, digits, '-', '_' and '.'\n"},
       {{"--log-level", "loud"}, 2, "aisle-idle: --log-level: 'loud' is none of debug, info, warning, error, off\n"},

@@ -80,7 +80,9 @@ TEST(Diagnosis, OfServicesSaysWhatTheyWaitFor) {
   const std::vector<Problem> problems = judge_services({{"a", ready}, {"b", waiting}, {"c", ailing}, {"d", ready}}, {"d"});
   ASSERT_THAT(problems, SizeIs(3));
   EXPECT_EQ(problems[0].text, "b is waiting, waits for map_info");
+  EXPECT_FALSE(problems[0].is_past);
   EXPECT_EQ(problems[1].text, "c is ready, but had an error: disk full");
+  EXPECT_TRUE(problems[1].is_past);
   EXPECT_THAT(problems[2].text, HasSubstr("d on host  has fallen silent"));
 }
 

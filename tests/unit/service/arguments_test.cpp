@@ -64,8 +64,9 @@ TEST_F(Arguments, WinOverTheEnvironment) {
 }
 
 TEST_F(Arguments, OfBadValuesAreNamed) {
-  EXPECT_EQ(parse({"--domain", "300"}), "--domain: Value 300 not in range 0 to 230; see --help");
-  EXPECT_EQ(parse({"--domain", "two"}), "--domain: Value two not in range 0 to 230; see --help");
+  // The words between are the parser's own, and differ between its releases.
+  EXPECT_THAT(parse({"--domain", "300"}), ::testing::MatchesRegex("--domain: Value 300 not in range .*230.*; see --help"));
+  EXPECT_THAT(parse({"--domain", "two"}), ::testing::MatchesRegex("--domain: Value two not in range .*230.*; see --help"));
   EXPECT_THAT(parse({"--interface", "10.0.0.400"}), ::testing::HasSubstr("--interface"));
 }
 
