@@ -201,7 +201,8 @@ Setup walkers(Dice& dice, bool courteous, int count) {
     mover.courteous = courteous;
     mover.speed_mps = dice.between(0.9, 1.6);
     mover.start_s = dice.between(0.0, 20.0);
-    mover.loop = true;
+    mover.loop = courteous;               // who turns round on the spot, right beside a vehicle, cannot be foreseen
+    if (!courteous) mover.start_s = 4.0 * i + dice.between(0.0, 4.0);
     if (i % 2 == 0) {
       const double x = dice.between(2.0, 8.0) + 6.0 * dice.below(3);
       const bool blocked = (x > 8.5 && x < 11.5) || (x > 14.5 && x < 17.5);
@@ -227,7 +228,7 @@ const std::map<std::string, std::function<Setup(Dice&)>>& makers() {
       {"t-junction", t_junction},
       {"doors", doors},
       {"walkers", [](Dice& d) { return walkers(d, true, 6); }},
-      {"oblivious", [](Dice& d) { return walkers(d, false, 6); }},
+      {"oblivious", [](Dice& d) { return walkers(d, false, 16); }},
   };
   return all;
 }

@@ -8,7 +8,8 @@
 #include <random>
 #include <set>
 
-#include "tools/lockstep/grid_plan.hpp"
+#include "services/global-planner/core/fleet_planner.hpp"
+#include "services/global-planner/core/variant.hpp"
 #include "tools/lockstep/world.hpp"
 
 namespace aisle::lockstep {
@@ -39,17 +40,16 @@ struct Agv {
   local_planner::Reason published_reason{};
   std::size_t goal{0};
   bool done{false};
-  double replanned_s{-10.0};
-  std::uint64_t plans{0};
   double last_turn{0.0};
 };
 
 class Run {
  public:
   Run(const Setup& setup, const Watch& watch)
-      : setup_(setup), watch_(watch), grid_(setup.grid), clearance_(setup.grid, 3.0), tracker_(setup.sensor_range_m, setup.seed), random_(setup.seed) {
+      : setup_(setup), watch_(watch), grid_(setup.grid), clearance_(setup.grid, 3.0), tracker_(setup.sensor_range_m, setup.seed), random_(setup.seed),
+        fleet_({}, global_planner::find_variant(setup.planner)->make()) {
     for (const VehicleSetup& v : setup.vehicles) {
-      agvs_.push_back({v, Wheels(v, setup.dead_time_s), local_planner::LocalPlanner(setup.settings), {}, {}, {}, {}, {}, {}, 0, false, -10.0, 0, 0.0});
+      agvs_.push_back({v, Wheels(v, setup.dead_time_s), local_planner::LocalPlanner(setup.settings), {}, {}, {}, {}, {}, {}, 0, false, 0.0});
       result_.goals_assigned += static_cast<int>(v.goals_in_map.size());
     }
     for (const MoverSetup& m : setup.movers) walkers_.emplace_back(m);
@@ -58,8 +58,10 @@ class Run {
   Result all() {
     for (Agv& agv : agvs_) {
       agv.inputs.vehicle = agv.setup.vehicle;
-      plan(agv, {});
+      fleet_.set_vehicle(agv.setup.vehicle.id, agv.setup.vehicle.radius_m);
+      give_goal(agv);
     }
+    fleet_.set_map("lockstep", revision_, grid_, {0, 0}, {grid_.geometry().width - 1, grid_.geometry().height - 1});
     const int steps = static_cast<int>(setup_.duration_s / kDt);
     for (tick_ = 0; tick_ < steps; ++tick_) {
       t_ = tick_ * kDt;
@@ -76,6 +78,12 @@ class Run {
  private:
   time::Stamp now() const { return time::from_seconds(100.0 + t_); }
 
+  void note(const std::string& text) {
+    char line[400];
+    std::snprintf(line, sizeof line, "%7.2f %s", t_, text.c_str());
+    result_.log.emplace_back(line);
+  }
+
   void note(const Agv& agv, const std::string& text) {
     char line[400];
     std::snprintf(line, sizeof line, "%7.2f %s (%.2f, %.2f, %.2f) %s", t_, agv.setup.vehicle.id.c_str(), agv.wheels.base_in_map().x,
@@ -83,44 +91,63 @@ class Run {
     result_.log.emplace_back(line);
   }
 
-  /// With what stands around as part of the map, when the planner asked for another way.
-  void plan(Agv& agv, const std::vector<local_planner::Disc>& around) {
-    const Pose2 goal = agv.setup.goals_in_map[agv.goal];
-    grid::OccupancyGrid grid = grid_;
-    const Point2 here = agv.wheels.base_in_map().position();
-    for (const local_planner::Disc& disc : around) {
-      const auto& g = grid.geometry();
-      const grid::Cell low = g.cell_at(disc.position - Point2{disc.radius_m, disc.radius_m});
-      const grid::Cell high = g.cell_at(disc.position + Point2{disc.radius_m, disc.radius_m});
-      for (int y = low.y; y <= high.y; ++y)
-        for (int x = low.x; x <= high.x; ++x)
-          if (g.contains({x, y}) && geometry::distance(g.center_in_map({x, y}), disc.position) <= disc.radius_m) grid.set({x, y}, grid::Occupancy::kOccupied);
+  /// The goal that the dispatcher would give now.
+  void give_goal(const Agv& agv) {
+    global_planner::Goal goal;
+    goal.id = agv.setup.vehicle.id + "-" + std::to_string(agv.goal);
+    goal.pose_in_map = agv.setup.goals_in_map[agv.goal];
+    goal.position_tolerance_m = 0.15;
+    goal.yaw_tolerance_rad = agv.setup.heading_matters ? 0.1 : 0.0;
+    fleet_.set_goal(agv.setup.vehicle.id, goal);
+  }
+
+  /// As aisle-global-planner does: hears the vehicles at 10 Hz, publishes what is due.
+  void plan() {
+    for (const Agv& agv : agvs_) fleet_.set_pose(agv.setup.vehicle.id, agv.wheels.base_in_map(), now());
+    while (const auto made = fleet_.step(now(), [] { return false; })) {
+      if (made->trigger != global_planner::Trigger::kNewGoal) ++result_.replans;
+      local_planner::Plan plan;
+      plan.id = made->plan_id;
+      plan.goal_id = made->goal.id;
+      plan.map_revision = made->map_revision;
+      plan.outcome = made->outcome == global_planner::FleetOutcome::kFound ? local_planner::Plan::Outcome::kFound : local_planner::Plan::Outcome::kNotFound;
+      plan.detail = made->detail;
+      plan.goal_in_map = made->goal.pose_in_map;
+      plan.position_tolerance_m = made->goal.position_tolerance_m;
+      plan.yaw_tolerance_rad = made->goal.yaw_tolerance_rad;
+      plan.waypoints_in_map = made->waypoints_in_map;
+      for (Agv& agv : agvs_)
+        if (agv.setup.vehicle.id == made->agv_id) agv.inputs.plan = plan;
     }
-    const double radius = agv.setup.vehicle.radius_m;
-    std::vector<Point2> way;
-    for (const double margin : {setup_.plan_margin_m, 0.04}) {
-      if (!way.empty()) break;
-      way = grid_plan(around.empty() ? clearance_ : grid::ClearanceField(grid, 2.0), here, goal.position(), radius + margin);
-    }
-    agv.replanned_s = t_;
-    if (way.empty() && agv.inputs.plan && agv.inputs.plan->outcome == local_planner::Plan::Outcome::kFound && !around.empty()) return;
-    if (!around.empty()) ++result_.replans;
-    local_planner::Plan plan;
-    plan.id = ++agv.plans;
-    plan.goal_id = agv.setup.vehicle.id + "-" + std::to_string(agv.goal);
-    plan.map_revision = revision_;
-    plan.outcome = way.empty() ? local_planner::Plan::Outcome::kNotFound : local_planner::Plan::Outcome::kFound;
-    plan.goal_in_map = goal;
-    plan.yaw_tolerance_rad = agv.setup.heading_matters ? 0.1 : 0.0;
-    plan.waypoints_in_map = way;
-    agv.inputs.plan = plan;
+    for (const std::string& event : fleet_.take_events()) note("global: " + event);
+  }
+
+  /// What the global planner hears of `navigation_status`.
+  void announce(const Agv& agv) {
+    using Navigation = global_planner::Navigation;
+    Navigation navigation;
+    navigation.goal_id = agv.inputs.plan ? agv.inputs.plan->goal_id : "";
+    navigation.plan_id = agv.inputs.plan ? agv.inputs.plan->id : 0;
+    const Phase phase = agv.output.phase;
+    navigation.activity = phase == Phase::kBlocked                            ? Navigation::Activity::kBlocked
+                          : phase == Phase::kArrived                          ? Navigation::Activity::kArrived
+                          : phase == Phase::kFailed || phase == Phase::kHeld  ? Navigation::Activity::kStopped
+                                                                              : Navigation::Activity::kUnderway;
+    navigation.cause = agv.output.reason == local_planner::Reason::kVehicle    ? Navigation::Cause::kVehicle
+                       : agv.output.reason == local_planner::Reason::kObstacle ? Navigation::Cause::kObstacle
+                                                                               : Navigation::Cause::kOther;
+    navigation.blocked_at_in_map = agv.output.blocked_at_in_map;
+    navigation.blocked_radius_m = agv.output.blocked_radius_m;
+    fleet_.set_navigation(agv.setup.vehicle.id, navigation, now());
   }
 
   void step() {
     edit_map();
     const bool scan = tick_ % 5 == 0;
     move_people();
+    if (tick_ % 5 == 2) publish_tracks();
     if (scan) track();
+    if (scan) plan();
     for (Agv& agv : agvs_) {
       agv.inputs.clearance = &clearance_;
       agv.inputs.map_revision = revision_;
@@ -180,7 +207,7 @@ class Run {
           if (g.contains({x, y})) grid_.set({x, y}, grid::Occupancy::kOccupied);
       clearance_.update(grid_, low, high);
       ++revision_;
-      for (Agv& agv : agvs_) plan(agv, {});
+      fleet_.set_map("lockstep", revision_, grid_, low, high);
     }
   }
 
@@ -196,8 +223,17 @@ class Run {
     for (const BlockSetup& b : setup_.blocks) bodies.push_back({b.center_in_map, {}, 0.67 * b.edge_m, t_ >= b.appear_s});
     std::vector<Pose2> sensors;
     for (const Agv& a : agvs_) sensors.push_back(a.wheels.base_in_map());
-    tracker_.scan(t_ + 100.0, bodies, sensors, grid_);
+    tracker_.scan(bodies, sensors, grid_);
+  }
+
+  /// Two cycles after the scan.
+  void publish_tracks() {
+    for (const auto& seen : tracks_) fleet_.drop_track(seen.track.id);
     tracks_ = tracker_.tracks();
+    for (auto& seen : tracks_) {
+      seen.arrived = now();
+      if (seen.track.is_static) fleet_.set_static_track(seen.track.id, {seen.track.position_in_map, seen.track.radius_m});
+    }
   }
 
   void control(Agv& agv) {
@@ -221,21 +257,13 @@ class Run {
       agv.intent_at = now();
       agv.published_phase = agv.output.phase;
       agv.published_reason = agv.output.reason;
+      announce(agv);
     }
     if (agv.output.phase == Phase::kArrived && !agv.done) {
       ++result_.goals_reached;
       if (++agv.goal == agv.setup.goals_in_map.size()) agv.done = true;
-      else plan(agv, {});
+      else give_goal(agv);
     }
-    if (agv.output.phase == Phase::kBlocked && t_ - agv.replanned_s > 3.0) replan_around(agv);
-  }
-
-  void replan_around(Agv& agv) {
-    std::vector<local_planner::Disc> around;
-    for (const auto& seen : tracks_)
-      if (seen.track.is_static) around.push_back({seen.track.position_in_map, seen.track.radius_m});
-    around.push_back({agv.output.blocked_at_in_map, agv.output.blocked_radius_m});
-    plan(agv, around);
   }
 
   void contact(const Agv& agv, double gap, bool moving, const std::string& what) {
@@ -275,6 +303,7 @@ class Run {
   grid::ClearanceField clearance_;
   PerfectTracker tracker_;
   std::mt19937_64 random_;
+  global_planner::FleetPlanner fleet_;
   std::vector<Agv> agvs_;
   std::vector<Walker> walkers_;
   std::vector<local_planner::SeenTrack> tracks_;

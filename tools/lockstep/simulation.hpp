@@ -50,7 +50,7 @@ struct Setup {
   double dead_time_s{0.1};
   double sensor_range_m{12.0};
   double state_noise_m{0.0};
-  double plan_margin_m{0.10};                   // the global planner keeps this beyond the radius
+  std::string planner{"wang"};                  // a variant of the global planner
   local_planner::Settings settings;
 };
 

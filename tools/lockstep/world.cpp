@@ -57,12 +57,10 @@ void Walker::step(double t_s, double dt_s, const std::vector<local_planner::Disc
   position_ = position_ + step * heading;
 }
 
-void PerfectTracker::scan(double t_s, const std::vector<Body>& bodies, const std::vector<Pose2>& sensors, const grid::OccupancyGrid& grid) {
+void PerfectTracker::scan(const std::vector<Body>& bodies, const std::vector<Pose2>& sensors, const grid::OccupancyGrid& grid) {
   std::normal_distribution<double> noise(0.0, 1.0);
   memory_.resize(bodies.size());
-  published_ = pending_;
-  for (auto& seen : published_) seen.arrived = time::from_seconds(t_s);
-  pending_.clear();
+  tracks_.clear();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Body& body = bodies[i];
     Memory& memory = memory_[i];
@@ -93,7 +91,7 @@ void PerfectTracker::scan(double t_s, const std::vector<Body>& bodies, const std
     seen.track.covariance[10] = seen.track.covariance[15] = 0.1 * 0.1;
     seen.track.age_s = memory.seen_s;
     seen.track.unseen_s = memory.lost_s > 1e8 ? 0.0 : memory.lost_s;
-    pending_.push_back(seen);
+    tracks_.push_back(seen);
   }
 }
 

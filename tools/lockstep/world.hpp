@@ -42,7 +42,7 @@ class Walker {
   bool present_{false};
 };
 
-/// Ground truth seen as a tracker would: only what a vehicle's ray can reach, some scans late, with noise.
+/// Ground truth seen as a tracker would: only what a vehicle's ray can reach, with noise, and only after some scans.
 class PerfectTracker {
  public:
   PerfectTracker(double range_m, std::uint64_t seed) : range_m_(range_m), random_(seed) {}
@@ -52,8 +52,8 @@ class PerfectTracker {
     bool present;
   };
   /// Call at 10 Hz with the same bodies in the same order.
-  void scan(double t_s, const std::vector<Body>& bodies, const std::vector<geometry::Pose2>& sensors, const grid::OccupancyGrid& grid);
-  const std::vector<local_planner::SeenTrack>& tracks() const { return published_; }
+  void scan(const std::vector<Body>& bodies, const std::vector<geometry::Pose2>& sensors, const grid::OccupancyGrid& grid);
+  const std::vector<local_planner::SeenTrack>& tracks() const { return tracks_; }
 
  private:
   struct Memory {
@@ -63,7 +63,7 @@ class PerfectTracker {
   double range_m_;
   std::mt19937_64 random_;
   std::vector<Memory> memory_;
-  std::vector<local_planner::SeenTrack> pending_, published_;
+  std::vector<local_planner::SeenTrack> tracks_;
 };
 
 /// Exact distance from a point to the nearest occupied square cell, up to 2 m.

@@ -77,6 +77,7 @@ struct Needed {
   std::vector<std::pair<const Mover*, double>> movers;
   std::vector<const Mover*> foreseen;           // movers that the horizon can meet
   std::vector<const PeerMotion*> met;
+  bool somebody_touches{false};
 };
 
 Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
@@ -95,6 +96,8 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
   for (const Mover& mover : scene.movers) {
     const double speed = length(mover.velocity_in_map);
     const double gap = mover_gap(scene, mover, here, 0.0);
+    // Somebody who walks right beside us: stand until they are past, whichever way they go.
+    if (speed > 0.0 && gap + mover.margin_m < 0.08) needed.somebody_touches = true;
     if (gap < stopping_m + (speed + mover.growth_mps) * stopping_s) needed.movers.emplace_back(&mover, std::min(0.0, gap));
     if (gap < (speed + mover.growth_mps + v) * settings.horizon_s + 1.0) needed.foreseen.push_back(&mover);
   }
@@ -115,6 +118,7 @@ Obstruction stopping_obstruction(const Scene& scene, const Needed& needed, const
   const double dt = settings.step_s;
   const Twist2 first = kinematics::limit_change(scene.twist, wanted, scene.limits, dt);
   if (std::abs(first.linear_mps) < 1e-3 && std::abs(scene.twist.linear_mps) < 1e-3) return Obstruction::kNone;
+  if (needed.somebody_touches && std::abs(first.linear_mps) > 0.5 * kStandingMps) return Obstruction::kMover;
   const double braking = settings.braking_share * scene.limits.max_deceleration_mps2;
   double v = first.linear_mps;
   double w = first.angular_radps;
