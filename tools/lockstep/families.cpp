@@ -6,6 +6,9 @@
 #include <random>
 #include <stdexcept>
 
+#include "common/grid/clearance.hpp"
+#include "common/grid/map_file.hpp"
+
 namespace aisle::lockstep {
 namespace {
 
@@ -40,13 +43,27 @@ void block(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1
     }
 }
 
-VehicleSetup vehicle(int number, Pose2 start, std::vector<Pose2> goals, double radius_m = 0.35) {
-  VehicleSetup setup;
-  setup.vehicle.id = "agv-" + std::to_string(number);
-  setup.vehicle.radius_m = radius_m;
-  setup.start_in_map = start;
-  setup.goals_in_map = std::move(goals);
-  return setup;
+void add_vehicle(Setup& setup, int number, Pose2 start, std::vector<Pose2> goals, double radius_m = 0.35) {
+  scenario::Vehicle vehicle;
+  vehicle.id = "agv-" + std::to_string(number);
+  vehicle.start_in_map = start;
+  vehicle.radius_m = radius_m;
+  setup.scenario.vehicles.push_back(vehicle);
+  scenario::Mission mission;
+  mission.vehicle = vehicle.id;
+  mission.goals_in_map = std::move(goals);
+  setup.scenario.missions.push_back(mission);
+}
+
+void add_mover(Setup& setup, double speed_mps, double start_s, bool courteous, std::vector<Point2> waypoints) {
+  scenario::Mover mover;
+  mover.id = "person-" + std::to_string(setup.scenario.movers.size() + 1);
+  mover.speed_mps = speed_mps;
+  mover.start_s = start_s;
+  mover.loop = courteous;                // who turns round on the spot, right beside a vehicle, cannot be foreseen
+  mover.courteous = courteous;
+  mover.waypoints_in_map = std::move(waypoints);
+  setup.scenario.movers.push_back(mover);
 }
 
 /// A free point, `room_m` from walls and away from the points given.
@@ -73,7 +90,7 @@ void add_fleet(Setup& setup, Dice& dice, int count, int goals, double radius_m, 
       list.push_back(free_pose(clearance, dice, room_m, used, away_m));
       used.push_back(list.back());
     }
-    setup.vehicles.push_back(vehicle(i + 1, starts[static_cast<std::size_t>(i)], list, radius_m));
+    add_vehicle(setup, i + 1, starts[static_cast<std::size_t>(i)], list, radius_m);
   }
 }
 
@@ -90,25 +107,27 @@ Setup warehouse(Dice& dice) {
   setup.grid = rack_hall();
   add_fleet(setup, dice, 5, 3, 0.35, 0.6, 1.6);
   for (int i = 0; i < 4; ++i) {
-    MoverSetup mover;
-    mover.speed_mps = dice.between(0.8, 1.4);
+    const double speed = dice.between(0.8, 1.4);
     const double x = 2.0 + 13.0 * dice.below(3) + dice.between(-0.6, 0.6);
-    mover.waypoints_in_map = {{x, dice.between(1.0, 4.0)}, {x, dice.between(18.0, 24.0)}};
-    if (i == 0) mover.waypoints_in_map = {{dice.between(1.0, 5.0), 6.5 + dice.between(-1.0, 1.0)}, {dice.between(30.0, 39.0), 6.5 + dice.between(-1.0, 1.0)}};
-    setup.movers.push_back(mover);
+    if (i > 0) add_mover(setup, speed, 0.0, true, {{x, dice.between(1.0, 4.0)}, {x, dice.between(18.0, 24.0)}});
+    else add_mover(setup, speed, 0.0, true, {{dice.between(1.0, 5.0), 6.5 + dice.between(-1.0, 1.0)}, {dice.between(30.0, 39.0), 6.5 + dice.between(-1.0, 1.0)}});
   }
-  setup.blocks.push_back({{dice.between(5.0, 13.0), 6.5 + 4.6 * dice.below(3) + dice.between(-0.6, 0.6)}, 0.8, 0.0});
+  scenario::Block pallet;
+  pallet.id = "pallet";
+  pallet.center_in_map = {dice.between(5.0, 13.0), 6.5 + 4.6 * dice.below(3) + dice.between(-0.6, 0.6), 0.0};
+  setup.scenario.blocks.push_back(pallet);
   const double ey = 5.0 + 4.6 * dice.below(3);
   const double ex = dice.between(17.0, 26.0);
-  setup.edits.push_back({25.0, {ex, ey}, {ex + 1.0, ey + 3.0}});
-  // Goals must not lie in what gets blocked.
-  for (VehicleSetup& v : setup.vehicles)
-    for (Pose2& goal : v.goals_in_map) {
-      const bool in_edit = goal.x > ex - 0.8 && goal.x < ex + 1.8 && goal.y > ey - 0.8 && goal.y < ey + 3.8;
-      const bool in_block = geometry::distance(goal.position(), setup.blocks[0].center_in_map) < 1.3;
-      if (in_edit || in_block) goal = {2.0, goal.y, 0.0};
-    }
-  setup.duration_s = 400.0;
+  setup.scenario.map_edits.push_back({25.0, true, {ex, ey}, {ex + 1.0, ey + 3.0}});
+  // Nobody is sent to where it is blocked, nor starts on the pallet.
+  const auto clear = [&](Pose2& pose) {
+    const bool in_edit = pose.x > ex - 0.8 && pose.x < ex + 1.8 && pose.y > ey - 0.8 && pose.y < ey + 3.8;
+    if (in_edit || geometry::distance(pose.position(), pallet.center_in_map.position()) < 1.3) pose = {2.0, pose.y, 0.0};
+  };
+  for (scenario::Mission& mission : setup.scenario.missions)
+    for (Pose2& goal : mission.goals_in_map) clear(goal);
+  for (scenario::Vehicle& vehicle : setup.scenario.vehicles) clear(vehicle.start_in_map);
+  setup.scenario.duration_s = 400.0;
   return setup;
 }
 
@@ -119,7 +138,7 @@ Setup narrow(Dice& dice) {
   for (double y = 4.0; y + 4.0 < 31.0; y += 6.0)
     for (double x = 8.0; x + 14.0 < 55.0; x += 16.0) block(setup.grid, x, y, x + 14.0, y + 4.0);
   add_fleet(setup, dice, 4, 3, dice.between(0.3, 0.35), 0.5, 2.5);
-  setup.duration_s = 400.0;
+  setup.scenario.duration_s = 400.0;
   return setup;
 }
 
@@ -131,9 +150,9 @@ Setup head_on(Dice& dice, double corridor_m) {
   block(setup.grid, 7.0, 5.0 + half, 23.0, 10.0);
   const double y1 = dice.between(2.0, 8.0);
   const double y2 = dice.between(2.0, 8.0);
-  setup.vehicles.push_back(vehicle(1, {dice.between(2.0, 5.0), y1, 0.0}, {{27.0, y2, 0.0}}));
-  setup.vehicles.push_back(vehicle(2, {dice.between(25.0, 28.0), y2, 3.14}, {{3.0, y1, 0.0}}));
-  setup.duration_s = 150.0;
+  add_vehicle(setup, 1, {dice.between(2.0, 5.0), y1, 0.0}, {{27.0, y2, 0.0}});
+  add_vehicle(setup, 2, {dice.between(25.0, 28.0), y2, 3.14}, {{3.0, y1, 0.0}});
+  setup.scenario.duration_s = 150.0;
   return setup;
 }
 
@@ -144,11 +163,11 @@ Setup crossing(Dice& dice) {
     for (const double y : {0.0, 13.5}) block(setup.grid, x, y, x + 10.5, y + 10.5);
   const double c = 12.0;
   const auto j = [&] { return dice.between(-0.8, 0.8); };
-  setup.vehicles.push_back(vehicle(1, {2.0 + dice.between(0, 2), c + j(), 0.0}, {{22.0, c + j(), 0.0}}));
-  setup.vehicles.push_back(vehicle(2, {c + j(), 2.0 + dice.between(0, 2), 1.57}, {{c + j(), 22.0, 0.0}}));
-  setup.vehicles.push_back(vehicle(3, {22.0 - dice.between(0, 2), c + j(), 3.14}, {{2.0, c + j(), 0.0}}));
-  setup.vehicles.push_back(vehicle(4, {c + j(), 22.0 - dice.between(0, 2), -1.57}, {{c + j(), 2.0, 0.0}}));
-  setup.duration_s = 120.0;
+  add_vehicle(setup, 1, {2.0 + dice.between(0, 2), c + j(), 0.0}, {{22.0, c + j(), 0.0}});
+  add_vehicle(setup, 2, {c + j(), 2.0 + dice.between(0, 2), 1.57}, {{c + j(), 22.0, 0.0}});
+  add_vehicle(setup, 3, {22.0 - dice.between(0, 2), c + j(), 3.14}, {{2.0, c + j(), 0.0}});
+  add_vehicle(setup, 4, {c + j(), 22.0 - dice.between(0, 2), -1.57}, {{c + j(), 2.0, 0.0}});
+  setup.scenario.duration_s = 120.0;
   return setup;
 }
 
@@ -159,10 +178,10 @@ Setup t_junction(Dice& dice) {
   block(setup.grid, 0.0, 0.0, 12.0 - half, 10.0 - half);
   block(setup.grid, 12.0 + half, 0.0, 24.0, 10.0 - half);
   block(setup.grid, 0.0, 10.0 + half, 24.0, 14.0);
-  setup.vehicles.push_back(vehicle(1, {2.0, 10.0, 0.0}, {{12.0, 2.0, 0.0}}));
-  setup.vehicles.push_back(vehicle(2, {12.0, 3.5, 1.57}, {{dice.below(2) == 0 ? 22.0 : 2.0, 10.0, 0.0}}));
-  setup.vehicles.push_back(vehicle(3, {22.0, 10.0, 3.14}, {{3.8, 10.0, 0.0}}));
-  setup.duration_s = 150.0;
+  add_vehicle(setup, 1, {2.0, 10.0, 0.0}, {{12.0, 2.0, 0.0}});
+  add_vehicle(setup, 2, {12.0, 3.5, 1.57}, {{dice.below(2) == 0 ? 22.0 : 2.0, 10.0, 0.0}});
+  add_vehicle(setup, 3, {22.0, 10.0, 3.14}, {{3.8, 10.0, 0.0}});
+  setup.scenario.duration_s = 150.0;
   return setup;
 }
 
@@ -182,11 +201,11 @@ Setup doors(Dice& dice) {
       }
   }
   const auto y = [&] { return dice.between(1.5, 10.5); };
-  setup.vehicles.push_back(vehicle(1, {3.0, y(), 0.0}, {{21.0, y(), 0.0}}));
-  setup.vehicles.push_back(vehicle(2, {21.0, 3.0, 3.14}, {{3.0, y(), 0.0}}));
-  setup.vehicles.push_back(vehicle(3, {12.0, 6.0, 0.0}, {{2.0, 2.0, 0.0}}));
-  setup.vehicles.push_back(vehicle(4, {21.0, 9.0, 3.14}, {{12.0, 3.0, 0.0}}));
-  setup.duration_s = 200.0;
+  add_vehicle(setup, 1, {3.0, y(), 0.0}, {{21.0, y(), 0.0}});
+  add_vehicle(setup, 2, {21.0, 3.0, 3.14}, {{3.0, y(), 0.0}});
+  add_vehicle(setup, 3, {12.0, 6.0, 0.0}, {{2.0, 2.0, 0.0}});
+  add_vehicle(setup, 4, {21.0, 9.0, 3.14}, {{12.0, 3.0, 0.0}});
+  setup.scenario.duration_s = 200.0;
   return setup;
 }
 
@@ -197,24 +216,19 @@ Setup walkers(Dice& dice, bool courteous, int count) {
   block(setup.grid, 9.0, 5.0, 11.0, 7.0);
   block(setup.grid, 15.0, 9.0, 17.0, 10.5);
   for (int i = 0; i < count; ++i) {
-    MoverSetup mover;
-    mover.courteous = courteous;
-    mover.speed_mps = dice.between(0.9, 1.6);
-    mover.start_s = dice.between(0.0, 20.0);
-    mover.loop = courteous;               // who turns round on the spot, right beside a vehicle, cannot be foreseen
-    if (!courteous) mover.start_s = 4.0 * i + dice.between(0.0, 4.0);
+    const double speed = dice.between(0.9, 1.6);
+    const double start = courteous ? dice.between(0.0, 20.0) : 4.0 * i + dice.between(0.0, 4.0);
     if (i % 2 == 0) {
       const double x = dice.between(2.0, 8.0) + 6.0 * dice.below(3);
       const bool blocked = (x > 8.5 && x < 11.5) || (x > 14.5 && x < 17.5);
-      mover.waypoints_in_map = {{blocked ? 13.0 : x, 0.5}, {blocked ? 13.0 : x, 15.5}};
+      add_mover(setup, speed, start, courteous, {{blocked ? 13.0 : x, 0.5}, {blocked ? 13.0 : x, 15.5}});
     } else {
       const double y = dice.below(2) == 0 ? dice.between(1.0, 4.0) : dice.between(11.2, 15.0);
-      mover.waypoints_in_map = {{0.5, y}, {23.5, y + dice.between(-0.5, 0.5)}};
+      add_mover(setup, speed, start, courteous, {{0.5, y}, {23.5, y + dice.between(-0.5, 0.5)}});
     }
-    setup.movers.push_back(mover);
   }
   add_fleet(setup, dice, 3, 2, 0.3, 0.8, 1.5);
-  setup.duration_s = 240.0;
+  setup.scenario.duration_s = 240.0;
   return setup;
 }
 
@@ -235,18 +249,27 @@ const std::map<std::string, std::function<Setup(Dice&)>>& makers() {
 
 }  // namespace
 
+Setup read_setup(const std::filesystem::path& scenario_file, std::uint64_t seed) {
+  Setup setup;
+  setup.scenario = scenario::read_scenario(scenario_file);
+  setup.seed = seed;
+  setup.grid = grid::read_map_file(setup.scenario.map_file, setup.scenario.map_options);
+  for (const scenario::Recording& recording : setup.scenario.recordings) setup.people.push_back(fake_world::read_recording(recording));
+  return setup;
+}
+
 std::vector<std::string> families() {
   std::vector<std::string> names;
   for (const auto& [name, maker] : makers()) names.push_back(name);
   return names;
 }
 
-Setup make_scenario(const std::string& family, std::uint64_t seed) {
+Setup make_setup(const std::string& family, std::uint64_t seed) {
   const auto maker = makers().find(family);
   if (maker == makers().end()) throw std::invalid_argument("no scenario family '" + family + "'");
   Dice dice(seed);
   Setup setup = maker->second(dice);
-  setup.name = family;
+  setup.scenario.name = family;
   setup.seed = seed;
   return setup;
 }

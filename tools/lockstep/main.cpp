@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,22 @@
 namespace {
 
 aisle::lockstep::Watch tracer(double period_s) {
-  return [period_s, next = 0.0](double t_s, const auto& vehicles, const auto& movers, const auto& outputs) mutable {
-    if (t_s < next) return;
+  return [period_s, next = 0.0](const aisle::lockstep::Snapshot& now) mutable {
+    if (now.t_s < next) return;
     next += period_s;
-    for (std::size_t i = 0; i < vehicles.size(); ++i)
-      std::printf("%7.2f #%zu (%.2f %.2f %.2f) v %.2f w %.2f left %.2f %s/%s%s\n", t_s, i + 1, vehicles[i].x, vehicles[i].y, vehicles[i].yaw, outputs[i].twist.linear_mps,
-                  outputs[i].twist.angular_radps, outputs[i].distance_left_m, name(outputs[i].phase), name(outputs[i].reason), outputs[i].detail.c_str());
-    for (const auto& p : movers) std::printf("        person (%.2f %.2f)\n", p.x, p.y);
+    for (std::size_t i = 0; i < now.vehicles.size(); ++i)
+      std::printf("%7.2f #%zu (%.2f %.2f %.2f) v %.2f w %.2f left %.2f %s/%s %s\n", now.t_s, i + 1, now.vehicles[i].x, now.vehicles[i].y, now.vehicles[i].yaw,
+                  now.outputs[i].twist.linear_mps, now.outputs[i].twist.angular_radps, now.outputs[i].distance_left_m, name(now.outputs[i].phase),
+                  name(now.outputs[i].reason), now.outputs[i].detail.c_str());
+    for (const auto& thing : now.things) std::printf("%7.2f thing (%.2f %.2f)\n", now.t_s, thing.base_in_map.x, thing.base_in_map.y);
+    for (const auto& seen : now.tracks)
+      std::printf("%7.2f track %llu (%.2f %.2f) v (%.2f %.2f) r %.2f%s\n", now.t_s, static_cast<unsigned long long>(seen.track.id), seen.track.position_in_map.x,
+                  seen.track.position_in_map.y, seen.track.velocity_in_map.x, seen.track.velocity_in_map.y, seen.track.radius_m, seen.track.is_static ? " static" : "");
   };
+}
+
+aisle::lockstep::Setup setup_of(const std::string& name, std::uint64_t seed) {
+  return std::filesystem::path(name).extension() == ".yaml" ? aisle::lockstep::read_setup(name, seed) : aisle::lockstep::make_setup(name, seed);
 }
 
 }  // namespace
@@ -29,10 +38,12 @@ int main(int argc, char** argv) {
   std::uint64_t first = 1;
   std::uint64_t seeds = 10;
   bool verbose = false;
+  bool truth = false;
   double trace_s = 0.0;
-  app.add_option("family", families, "families; none: all");
+  app.add_option("family", families, "families or scenario files; none: all families");
   app.add_option("--first", first, "first seed");
   app.add_option("--seeds", seeds, "how many");
+  app.add_flag("--truth", truth, "tracks from the truth in sight, not from simulated scans");
   app.add_flag("--verbose", verbose, "print what happened in each run");
   app.add_option("--trace", trace_s, "print poses and commands every so many seconds");
   CLI11_PARSE(app, argc, argv);
@@ -44,7 +55,9 @@ int main(int argc, char** argv) {
     double least = 1e9, time = 0.0, us = 0.0, most_us = 0.0;
     std::string bad;
     for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
-      const auto result = aisle::lockstep::run(aisle::lockstep::make_scenario(family, seed), trace_s > 0.0 ? tracer(trace_s) : aisle::lockstep::Watch{});
+      aisle::lockstep::Setup setup = setup_of(family, seed);
+      if (truth) setup.perception = aisle::lockstep::Perception::kTruth;
+      const auto result = aisle::lockstep::run(setup, trace_s > 0.0 ? tracer(trace_s) : aisle::lockstep::Watch{});
       assigned += result.goals_assigned, reached += result.goals_reached, contacts += result.contacts;
       moving += result.contacts_moving_vehicle, replans += result.replans;
       least = std::min(least, result.least_clearance_m), time += result.time_s, us += result.step_us_mean, most_us = std::max(most_us, result.step_us_max);
@@ -55,7 +68,7 @@ int main(int argc, char** argv) {
       }
     }
     const auto n = static_cast<double>(seeds);
-    std::printf("%-14s %5d %4d/%4d %9d %8d %8.3f %8.1f %7d %6.0f %7.0f%s%s\n", family.c_str(), static_cast<int>(seeds), reached, assigned, contacts, moving, least,
+    std::printf("%-14.14s %5d %4d/%4d %9d %8d %8.3f %8.1f %7d %6.0f %7.0f%s%s\n", std::filesystem::path(family).stem().c_str(), static_cast<int>(seeds), reached, assigned, contacts, moving, least,
                 time / n, replans, us / n, most_us, bad.empty() ? "" : "  bad:", bad.c_str());
     std::fflush(stdout);
     good = good && bad.empty();

@@ -1,0 +1,34 @@
+#pragma once
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/geometry/body.hpp"
+#include "common/grid/clearance.hpp"
+#include "tools/lockstep/simulation.hpp"
+
+namespace aisle::lockstep {
+
+/// Counts contacts of vehicles (discs) with walls, things and each other, each from its beginning until they are 2 cm apart.
+class Judge {
+ public:
+  struct Vehicle {
+    std::string id;
+    geometry::Pose2 base_in_map;
+    double radius_m{0.35};
+    bool is_moving{false};
+  };
+  struct Thing {
+    std::string id;
+    geometry::Body body;
+  };
+  /// Returns a line for each new contact, and for each that a vehicle in motion makes worse.
+  std::vector<std::string> look(const std::vector<Vehicle>& vehicles, const std::vector<Thing>& things, const grid::OccupancyGrid& walls,
+                                const grid::ClearanceField& clearance, Result& result);
+
+ private:
+  void pair(const Vehicle& vehicle, const std::string& other, double gap_m, Result& result, std::vector<std::string>& lines);
+  std::set<std::string> touching_, moving_;
+};
+
+}  // namespace aisle::lockstep
