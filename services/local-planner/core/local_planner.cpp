@@ -135,11 +135,12 @@ void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
     recoveries_ = 0;
   }
   if (!other_goal && plan.id == plan_id_ && lane_revision_ == inputs.map_revision && !way_.empty()) return;
+  const bool same_plan = !other_goal && plan.id == plan_id_ && !way_.empty();
   goal_id_ = plan.goal_id;
   goal_in_map_ = plan.goal_in_map;
   plan_id_ = plan.id;
   lane_revision_ = inputs.map_revision;
-  way_.adopt(make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.radius_m, settings_.lane), cycle.here());
+  way_.adopt(make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.radius_m, settings_.lane), cycle.here(), same_plan);
   blocked_.reset();
   searched_ = {};
   moved_ = cycle.now;

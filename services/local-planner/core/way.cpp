@@ -12,11 +12,15 @@ void Way::clear() {
   detour_end_m_ = 0.0;
 }
 
-void Way::adopt(Route lane, Point2 position_in_map) {
+void Way::adopt(Route lane, Point2 position_in_map, bool is_same_plan) {
+  const double left_m = lane_.route.length_m() - lane_.s_m;
   lane_ = {std::move(lane), 0.0, {}};
   detour_end_m_ = 0.0;
-  // A plan that was kept through a map edit, or found by a restarted planner, has most of its way behind the vehicle.
-  if (!lane_.route.empty()) lane_.s_m = lane_.route.project(position_in_map, 0.0, lane_.route.length_m());
+  if (lane_.route.empty()) return;
+  const double about_m = is_same_plan ? lane_.route.length_m() - left_m : 0.0;
+  lane_.s_m = lane_.route.project(position_in_map, about_m - 5.0, about_m + 5.0);
+  // A plan that was kept while we were not there to follow it, e.g. over a restart: we are somewhere along it.
+  if (geometry::distance(lane_.route.at(lane_.s_m), position_in_map) > 1.5) lane_.s_m = lane_.route.project(position_in_map, 0.0, lane_.route.length_m());
 }
 
 void Way::detour(const std::vector<Point2>& points, double rejoin_m) {

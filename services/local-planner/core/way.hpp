@@ -15,8 +15,9 @@ class Way {
   bool empty() const { return current().empty(); }
   void clear();
 
-  /// A new lane; keeps a way aside, if one is being driven.
-  void adopt(Route lane, geometry::Point2 position_in_map);
+  /// A new lane; keeps a way aside, if one is being driven. The lane begins near here, but for one that is made anew from the same
+  /// plan: then about as much of it is left as before.
+  void adopt(Route lane, geometry::Point2 position_in_map, bool is_same_plan);
   /// Leaves the lane at once for `points` and comes back to it further on, at `rejoin_m` of the current lane.
   void detour(const std::vector<geometry::Point2>& points, double rejoin_m);
   /// Drives `points` and stays there until `come_back`.
