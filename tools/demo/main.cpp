@@ -79,12 +79,17 @@ std::vector<demo::Process> ordered_processes(const scenario::Scenario& scenario,
 }
 
 void write_outcome(const demo::RunOutcome& outcome, const fs::path& out) {
+  nlohmann::ordered_json deaths = nlohmann::ordered_json::array();
+  for (const demo::Death& death : outcome.deaths) {
+    deaths.push_back({{"instance", death.instance}, {"ending", death.ending}, {"while_stopping", death.while_stopping}, {"last_words", death.last_words}});
+  }
   const nlohmann::ordered_json json{{"processes", outcome.processes},
                                     {"kills", outcome.kills},
                                     {"unexpected_deaths", outcome.unexpected_deaths},
                                     {"stopped_cleanly", outcome.stopped_cleanly},
                                     {"stopped_uncleanly", outcome.stopped_uncleanly},
-                                    {"slowest_stop_s", outcome.slowest_stop_s}};
+                                    {"slowest_stop_s", outcome.slowest_stop_s},
+                                    {"deaths", std::move(deaths)}};
   std::ofstream(out / "processes.json") << json.dump(2) << "\n";
 }
 

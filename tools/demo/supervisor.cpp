@@ -107,8 +107,10 @@ void Supervisor::died(Slot& slot, const Ending& ending) {
   ++outcome_.unexpected_deaths;
   ++slot.own_deaths;
   const bool again = slot.own_deaths == 1;
+  const std::string last_words = last_line(log_of(slot.process));
+  outcome_.deaths.push_back({slot.process.instance, ending.text(), last_words, false});
   progress_.say(fmt::format("{:.1f} s: {} ended by itself with {}{}: {}", now_s(), slot.process.instance, ending.text(),
-                            again ? ", is restarted" : " again, and stays down", last_line(log_of(slot.process))));
+                            again ? ", is restarted" : " again, and stays down", last_words));
   slot.child.reset();
   slot.start_at_s = again ? now_s() + kRestart_s : -1.0;
 }
@@ -162,7 +164,8 @@ void Supervisor::stop_all() {
         ++outcome_.stopped_cleanly;
       } else {
         ++outcome_.stopped_uncleanly;
-        progress_.say(fmt::format("{} stopped with {}: {}", slot.process.instance, ending->text(), last_line(log_of(slot.process))));
+        outcome_.deaths.push_back({slot.process.instance, ending->text(), last_line(log_of(slot.process)), true});
+        progress_.say(fmt::format("{} stopped with {}: {}", slot.process.instance, ending->text(), outcome_.deaths.back().last_words));
       }
       slot.child.reset();
     }
@@ -170,8 +173,9 @@ void Supervisor::stop_all() {
   }
   for (Slot& slot : slots_) {
     if (!slot.child) continue;
-    progress_.say(fmt::format("{} did not stop within {:.0f} s, is killed: {}", slot.process.instance, kStop_s, last_line(log_of(slot.process))));
     ++outcome_.stopped_uncleanly;
+    outcome_.deaths.push_back({slot.process.instance, fmt::format("killed after {:.0f} s", kStop_s), last_line(log_of(slot.process)), true});
+    progress_.say(fmt::format("{} did not stop within {:.0f} s, is killed: {}", slot.process.instance, kStop_s, outcome_.deaths.back().last_words));
     slot.child.reset();
   }
 }

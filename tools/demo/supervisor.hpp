@@ -12,6 +12,14 @@
 
 namespace aisle::demo {
 
+/// A process that ended otherwise than asked.
+struct Death {
+  std::string instance;
+  std::string ending;      // "signal 6", "exit code 3", "killed after 2 s"
+  std::string last_words;  // the last line of its log
+  bool while_stopping{false};
+};
+
 /// What became of a run, beside what the referee says.
 struct RunOutcome {
   int referee_code{1};
@@ -21,6 +29,7 @@ struct RunOutcome {
   int stopped_cleanly{0};   // within kStop_s after SIGTERM, exit code 0
   int stopped_uncleanly{0};
   double slowest_stop_s{0.0};
+  std::vector<Death> deaths;
 };
 
 /// Runs the processes of one fleet: starts them in order, kills and restarts as ordered, restarts once what dies by itself,

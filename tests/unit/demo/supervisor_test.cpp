@@ -74,6 +74,10 @@ TEST_F(Supervised, RestartsOnceWhatDiesByItselfAndShowsItsLastWords) {
   referee_ends_when("[ \"$(wc -l < " + file("starts") + " 2>/dev/null)\" = 2 ] && sleep 0.3", 0);
   const RunOutcome outcome = run({"referee", "map"});
   EXPECT_EQ(outcome.unexpected_deaths, 2);
+  ASSERT_EQ(outcome.deaths.size(), 2u);
+  EXPECT_EQ(outcome.deaths[0].ending, "exit code 3");
+  EXPECT_EQ(outcome.deaths[0].last_words, "no disk left");
+  EXPECT_FALSE(outcome.deaths[0].while_stopping);
   EXPECT_THAT(said_, HasSubstr("map ended by itself with exit code 3, is restarted: no disk left"));
   EXPECT_THAT(said_, HasSubstr("again, and stays down"));
 }
@@ -92,6 +96,8 @@ TEST_F(Supervised, KillsWhatDoesNotStopAndSaysSo) {
   referee_ends_when("[ -e " + file("begun") + " ]", 0);
   const RunOutcome outcome = run({"referee", "map"});
   EXPECT_EQ(outcome.stopped_uncleanly, 1);
+  ASSERT_EQ(outcome.deaths.size(), 1u);
+  EXPECT_TRUE(outcome.deaths[0].while_stopping);
   EXPECT_THAT(said_, HasSubstr("map did not stop within 2 s"));
 }
 
