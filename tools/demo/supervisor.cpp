@@ -106,11 +106,11 @@ void Supervisor::died(Slot& slot, const Ending& ending) {
   }
   ++outcome_.unexpected_deaths;
   ++slot.own_deaths;
-  const bool again = slot.own_deaths == 1;
+  const bool again = slot.own_deaths == 1 && !referee_ended();
   const std::string last_words = last_line(log_of(slot.process));
   outcome_.deaths.push_back({slot.process.instance, ending.text(), last_words, false});
   progress_.say(fmt::format("{:.1f} s: {} ended by itself with {}{}: {}", now_s(), slot.process.instance, ending.text(),
-                            again ? ", is restarted" : " again, and stays down", last_words));
+                            again ? ", is restarted" : ", and stays down", last_words));
   slot.child.reset();
   slot.start_at_s = again ? now_s() + kRestart_s : -1.0;
 }

@@ -54,7 +54,7 @@ void print_progress(const referee::RefereeService& service, int goals_expected) 
 /// Runs until the missions are over, time is up or a signal comes; returns the report.
 referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& scenario, const referee::Walls& walls, const Options& options) {
   const referee::Expectation expectation = expectation_of(scenario);
-  referee::RefereeService service(shell, walls, expectation);
+  referee::RefereeService service(shell.bus(), shell.health(), walls, expectation);
   if (options.progress_json) {
     shell.bus().every(std::chrono::seconds(1), [&] { print_progress(service, expectation.goals()); });
   }

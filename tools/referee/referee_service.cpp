@@ -70,14 +70,14 @@ bool all_finite(const std::vector<geometry::Point2>& points) {
 
 }  // namespace
 
-RefereeService::RefereeService(service::Shell& shell, const Walls& walls, const Expectation& expectation)
-    : shell_(shell), judge_(&walls, expectation), started_(std::chrono::steady_clock::now()), started_wall_ns_(process::wall_clock_ns()) {
-  listen_to_simulation(shell.bus());
-  listen_to_fleet(shell.bus());
-  listen_to_map(shell.bus());
-  listen_to_services(shell.bus());
-  shell.bus().every(std::chrono::milliseconds(50), [this] { judge_.advance(now_s() - kJudgeDelay_s); });
-  shell.health().state = ServiceState::SERVICE_READY;
+RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls, const Expectation& expectation)
+    : health_(health), judge_(&walls, expectation), started_(std::chrono::steady_clock::now()), started_wall_ns_(process::wall_clock_ns()) {
+  listen_to_simulation(bus);
+  listen_to_fleet(bus);
+  listen_to_map(bus);
+  listen_to_services(bus);
+  bus.every(std::chrono::milliseconds(50), [this] { judge_.advance(now_s() - kJudgeDelay_s); });
+  health_.state = ServiceState::SERVICE_READY;
 }
 
 double RefereeService::now_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(); }
@@ -85,7 +85,7 @@ double RefereeService::now_s() const { return std::chrono::duration<double>(std:
 double RefereeService::arrived_s(const SampleInfo& info) const { return std::chrono::duration<double>(info.arrived - started_).count(); }
 
 bool RefereeService::fit(const char* topic, bool ok) {
-  if (!ok) shell_.health().count(std::string("unfit_") + topic);
+  if (!ok) health_.count(std::string("unfit_") + topic);
   return ok;
 }
 

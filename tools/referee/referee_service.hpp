@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "common/bus/bus.hpp"
 #include "common/service/shell.hpp"
 #include "tools/referee/core/judge.hpp"
 
@@ -12,8 +13,8 @@ namespace aisle::referee {
 /// its own health. Ground truth is placed by its stamp, everything else by its arrival.
 class RefereeService {
  public:
-  /// `walls` must outlive the service.
-  RefereeService(service::Shell& shell, const Walls& walls, const Expectation& expectation);
+  /// `bus`, `health` and `walls` must outlive the service.
+  RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls, const Expectation& expectation);
 
   double now_s() const;
   const Judge& judge() const { return judge_; }
@@ -36,7 +37,7 @@ class RefereeService {
   bool fit(const char* topic, bool ok);
   double arrived_s(const bus::SampleInfo& info) const;
 
-  service::Shell& shell_;
+  service::Health& health_;
   Judge judge_;
   std::chrono::steady_clock::time_point started_;
   std::int64_t started_wall_ns_;

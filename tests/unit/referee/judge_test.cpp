@@ -65,10 +65,10 @@ TEST(Judge, IsOverWhenAVehicleHasReportedFailureForLong) {
   judge.body_seen(vehicle(0.0, 0.0, 0.0));
   judge.body_seen(vehicle(3.0, 0.0, 0.0));
   judge.navigation_arrived({"agv-1", "g1", GoalNews::Phase::kFailed, "failed: no path", 3.0}, false);
-  EXPECT_FALSE(judge.is_over(17.9));
-  EXPECT_TRUE(judge.is_over(18.1));
-  judge.navigation_arrived({"agv-1", "g1", GoalNews::Phase::kOther, "driving", 18.1}, false);
-  EXPECT_FALSE(judge.is_over(19.0));
+  EXPECT_FALSE(judge.is_over(3.0 + Judge::kGiveUp_s - 0.1));
+  EXPECT_TRUE(judge.is_over(3.0 + Judge::kGiveUp_s + 0.1));
+  judge.navigation_arrived({"agv-1", "g1", GoalNews::Phase::kOther, "driving", 34.0}, false);
+  EXPECT_FALSE(judge.is_over(35.0));
 }
 
 TEST(Judge, CountsAGoalThatWasNeverGivenAsMissed) {

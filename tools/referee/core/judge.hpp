@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -68,13 +69,14 @@ class Judge {
   bool is_over(double now_s) const;
   const ContactWatch& contacts() const { return contacts_; }
   const GoalBook& goals() const { return goals_; }
+  std::size_t violations() const { return authority_.violations().size(); }
   int vehicles_seen() const { return static_cast<int>(vehicles_.size()); }
 
   /// Closes the books. Scenario's name, seed and the like are the caller's.
   RunReport finish(double t_s);
 
   static constexpr double kSettle_s = 1.0;
-  static constexpr double kGiveUp_s = 15.0;
+  static constexpr double kGiveUp_s = 30.0;  // longer than a dispatcher goes on trying
 
  private:
   struct VehicleBook {
