@@ -1,6 +1,7 @@
 #include "common/service/shell.hpp"
 
 #include <spdlog/spdlog.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,7 @@
 
 #include "common/process/clock.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/process/leaving.hpp"
 #include "common/process/log.hpp"
 #include "common/process/own_usage.hpp"
 #include "common/process/signals.hpp"
@@ -228,6 +230,7 @@ struct Shell::State {
     health.state = ServiceState::SERVICE_STOPPING;
     publish();
     writer.wait_until_acknowledged(milliseconds(200));
+    process::take_an_abort_for_the_end();
   }
 
   std::string service;
@@ -266,6 +269,7 @@ int run_service(int argc, char** argv, const Shell::About& about, const std::fun
   const std::string program = "aisle-" + about.service;
   return process::run_guarded(program, [&]() -> int {
     process::stop_on_signals();
+    mallopt(M_ARENA_MAX, 1);   // the middleware's threads would each keep an arena of their own: some megabytes a process
     Common common;
     std::vector<Describe> bindings;
     CLI::App app(about.purpose, program);

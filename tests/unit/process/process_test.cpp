@@ -4,12 +4,14 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
 #include "common/config/reader.hpp"
 #include "common/process/clock.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/process/leaving.hpp"
 #include "common/process/log.hpp"
 #include "common/process/own_usage.hpp"
 #include "common/process/signals.hpp"
@@ -103,6 +105,15 @@ TEST(Signals, FirstOneAsksToStop) {
   EXPECT_FALSE(stop.load());
   std::raise(SIGTERM);
   EXPECT_TRUE(stop.load());
+}
+
+TEST(Leaving, AnAbortOfTheMiddlewareEndsTheProcessCleanly) {
+  EXPECT_EXIT(
+      {
+        take_an_abort_for_the_end();
+        std::abort();
+      },
+      ::testing::ExitedWithCode(0), "aborted while this process was leaving");
 }
 
 }  // namespace
