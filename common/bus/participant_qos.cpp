@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <ifaddrs.h>
+#include <netdb.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -100,16 +101,31 @@ void use_peers(const Settings& settings, fast::dds::DomainParticipantQos& qos) {
   }
 }
 
+/// The first IPv4 address of a host's name (or of an address written out).
+std::string resolve(const std::string& host) {
+  addrinfo wanted{};
+  wanted.ai_family = AF_INET;
+  wanted.ai_socktype = SOCK_DGRAM;
+  addrinfo* list = nullptr;
+  const int code = getaddrinfo(host.c_str(), nullptr, &wanted, &list);
+  if (code != 0) {
+    throw config::BadEnvironment("discovery server '" + host + "': " + gai_strerror(code) + "; write a host's name or an address like 192.168.1.20");
+  }
+  char text[INET_ADDRSTRLEN] = {};
+  inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(list->ai_addr)->sin_addr, text, sizeof text);
+  freeaddrinfo(list);
+  return text;
+}
+
 void use_discovery_server(const Settings& settings, fast::dds::DomainParticipantQos& qos) {
   if (settings.discovery_server.empty()) return;
   const std::size_t colon = settings.discovery_server.find(':');
   const std::string address = settings.discovery_server.substr(0, colon);
   const int port = colon == std::string::npos ? 11811 : std::atoi(settings.discovery_server.c_str() + colon + 1);
-  check_address(address, "discovery server");
   if (port < 1 || port > 65535) {
     throw config::BadInput("discovery server '" + settings.discovery_server + "': the port must be 1 to 65535; write it like 192.168.1.20:11811");
   }
-  fast::join_discovery_server(qos, address, static_cast<std::uint16_t>(port), settings.super_client);
+  fast::join_discovery_server(qos, resolve(address), static_cast<std::uint16_t>(port), settings.super_client);
 }
 
 std::string file_uri(const std::string& file) { return file.find("://") == std::string::npos && file.rfind("file:", 0) != 0 ? "file://" + file : file; }

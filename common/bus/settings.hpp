@@ -18,7 +18,7 @@ struct Settings {
   std::string partition;                  // empty: the default partition
   std::vector<std::string> interfaces;    // IPv4 addresses to bind to; empty: all
   std::vector<std::string> peers;         // ADDRESS where multicast is missing
-  std::string discovery_server;           // ADDRESS:PORT; then no multicast is used at all
+  std::string discovery_server;           // ADDRESS:PORT or NAME:PORT; then no multicast is used at all
   bool super_client{false};               // inspection tools behind a discovery server
   bool shared_memory{false};
   int max_message_bytes{0};               // 0: 65500 on loopback only, else 1400
