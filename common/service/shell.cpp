@@ -1,7 +1,6 @@
 #include "common/service/shell.hpp"
 
 #include <spdlog/spdlog.h>
-#include <malloc.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -269,7 +268,6 @@ int run_service(int argc, char** argv, const Shell::About& about, const std::fun
   const std::string program = "aisle-" + about.service;
   return process::run_guarded(program, [&]() -> int {
     process::stop_on_signals();
-    mallopt(M_ARENA_MAX, 1);   // the middleware's threads would each keep an arena of their own: some megabytes a process
     Common common;
     std::vector<Describe> bindings;
     CLI::App app(about.purpose, program);
