@@ -1,4 +1,4 @@
 FROM aisle:build
-RUN cmake --preset release -DAISLE_TESTS=ON -DAISLE_WARNINGS_AS_ERRORS=ON -DCMAKE_CXX_COMPILER_LAUNCHER= -DCMAKE_C_COMPILER_LAUNCHER= \
+RUN cmake --preset release -DAISLE_TESTS=ON -DCMAKE_CXX_COMPILER_LAUNCHER= -DCMAKE_C_COMPILER_LAUNCHER= \
  && cmake --build --preset release
 CMD ["ctest", "--preset", "release", "-L", "unit"]

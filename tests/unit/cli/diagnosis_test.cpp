@@ -22,7 +22,7 @@ bus::Settings site() {
 }
 
 bus::Endpoint plan_writer() {
-  const TopicRow& plan = find_topic("plan");
+  const TopicRow plan = find_topic("plan");
   return {plan.name, plan.type, "global-planner", "host-b", true, plan.qos, {}};
 }
 
