@@ -20,6 +20,7 @@ constexpr std::uint32_t kLoopbackMessageBytes = 65500;
 constexpr std::uint32_t kNetworkMessageBytes = 1400;
 constexpr std::uint32_t kParticipantsPerHost = 250;
 constexpr std::uint32_t kPeersPerHost = 32;
+constexpr std::size_t kSendBuffers = 2;
 
 std::vector<std::string> addresses_of_host() {
   std::vector<std::string> found;
@@ -165,6 +166,8 @@ fast::dds::DomainParticipantQos participant_qos(const Settings& settings) {
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
   discovery.leaseDuration = fast::duration(std::chrono::seconds(3));
   discovery.leaseDuration_announcementperiod = fast::duration(std::chrono::milliseconds(500));
+  qos.allocation().send_buffers.preallocated_number = kSendBuffers;   // by default ten, of the largest message each
+  qos.allocation().send_buffers.dynamic = true;
   qos.wire_protocol().builtin.mutation_tries = kParticipantsPerHost;
   use_transports(settings, qos);
   use_peers(settings, qos);

@@ -1,18 +1,20 @@
 #include "common/grid/clearance.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 #include "common/grid/between_centers.hpp"
+#include "common/grid/row_envelope.hpp"
 
 namespace aisle::grid {
 namespace {
 
 // Lengths inside the transform are whole numbers of half cells, squared lengths are their squares: all arithmetic is exact.
 constexpr int kMaxReachCells = 16000;
-constexpr std::int32_t kFar = 40000;  // of more half cells than any reach: no obstacle within it
+constexpr int kFar = 40000;  // more half cells than any reach: no obstacle within it
 
 int reach_cells(double max_m, double resolution_m) {
   return static_cast<int>(std::min<double>(kMaxReachCells, std::ceil(max_m / resolution_m) + 1.0));
@@ -22,134 +24,174 @@ int reach_cells(double max_m, double resolution_m) {
 struct Window {
   int x0, y0, x1, y1;
   int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+  bool contains(Cell c) const { return c.x >= x0 && c.y >= y0 && c.x < x1 && c.y < y1; }
 };
 
 Window grown(const Window& w, int by, const Geometry& g) {
   return {std::max(0, w.x0 - by), std::max(0, w.y0 - by), std::min(g.width, w.x1 + by), std::min(g.height, w.y1 + by)};
 }
 
-/// For each cell of `from` (row by row): half cells from the centre to the edge of the nearest occupied cell in its own column.
-std::vector<std::uint16_t> column_distances(const OccupancyGrid& grid, const Window& from) {
-  const auto width = static_cast<std::size_t>(from.width());
-  const auto rows = static_cast<std::size_t>(from.y1 - from.y0);
-  std::vector<std::uint16_t> half(width * rows);
-  const auto pass = [&](std::size_t row, const std::uint16_t* before, bool first_pass) {
-    std::uint16_t* out = half.data() + row * width;
-    const Occupancy* cells = grid.cells().data() + grid.geometry().index({from.x0, from.y0 + static_cast<int>(row)});
-    for (std::size_t x = 0; x < width; ++x) {
-      const std::uint16_t next = before[x] == 0 ? 1 : static_cast<std::uint16_t>(std::min<int>(before[x] + 2, kFar));
-      const std::uint16_t own = first_pass ? (cells[x] == Occupancy::kFree ? std::uint16_t{kFar} : std::uint16_t{0}) : out[x];
-      out[x] = std::min(own, next);
-    }
-  };
-  // Below the first and above the last row of the grid everything is occupied; at other borders of the window nothing is known.
-  const std::vector<std::uint16_t> below(width, from.y0 == 0 ? std::uint16_t{0} : std::uint16_t{kFar});
-  const std::vector<std::uint16_t> above(width, from.y1 == grid.geometry().height ? std::uint16_t{0} : std::uint16_t{kFar});
-  for (std::size_t row = 0; row < rows; ++row) pass(row, row == 0 ? below.data() : half.data() + (row - 1) * width, true);
-  for (std::size_t row = rows; row-- > 0;) pass(row, row + 1 == rows ? above.data() : half.data() + (row + 1) * width, false);
-  return half;
-}
-
-/// The lower envelope of parabolas over one row. A site stands on each border between two cells of the row.
-class RowEnvelope {
+/// Half cells from the centres of a row's cells to the edge of the nearest occupied cell in their own columns, row by row.
+class Columns {
  public:
-  explicit RowEnvelope(int width) : site_(static_cast<std::size_t>(width) + 1), height_(site_.size()), begin_(site_.size()) {}
-
-  void clear() { count_ = 0; }
-
-  /// Border `j` lies left of cell `j`; borders come in rising order.
-  void add(std::int32_t j, std::int64_t height) {
-    while (count_ > 0) {
-      const std::int32_t begin = first_better(site_[count_ - 1], height_[count_ - 1], j, height);
-      if (begin > begin_[count_ - 1]) {
-        push(j, height, begin);
-        return;
-      }
-      --count_;
-    }
-    push(j, height, 0);
+  /// What is farther than `farthest` half cells counts as that far.
+  Columns(const Window& seen, int grid_height, int farthest)
+      : seen_(seen), farthest_(static_cast<std::uint16_t>(farthest)), width_(static_cast<std::size_t>(seen.width())),
+        half_(width_ * static_cast<std::size_t>(seen.height())) {
+    // Below the first and above the last row of the grid everything is occupied; at other borders of the window nothing is known.
+    below_.assign(width_, seen.y0 == 0 ? std::uint16_t{0} : farthest_);
+    above_.assign(width_, seen.y1 == grid_height ? std::uint16_t{0} : farthest_);
   }
 
-  /// Squared half cells from the centres of cells x0..x1-1 to the nearest site; kept where `out` is already less.
-  void lower(std::int32_t x0, std::int32_t x1, double* out) const {
-    for (std::size_t k = 0; k < count_; ++k) {
-      const std::int32_t begin = std::max(x0, begin_[k]);
-      const std::int32_t end = k + 1 < count_ ? std::min(x1, begin_[k + 1]) : x1;
-      const auto height = static_cast<double>(height_[k]);
-      for (std::int32_t x = begin; x < end; ++x) {
-        const double across = 2 * (x - site_[k]) + 1;
-        out[x - x0] = std::min(out[x - x0], across * across + height);
-      }
+  void look_up_from_below(const OccupancyGrid& grid, const std::vector<Cell>& also_occupied) {
+    const Occupancy* cells = grid.cells().data() + grid.geometry().index({seen_.x0, seen_.y0});
+    for (int y = seen_.y0; y < seen_.y1; ++y, cells += grid.geometry().width) {
+      std::uint16_t* own = row(y);
+      for (std::size_t x = 0; x < width_; ++x) own[x] = cells[x] == Occupancy::kFree ? farthest_ : std::uint16_t{0};
     }
+    for (const Cell cell : also_occupied) {
+      if (seen_.contains(cell)) row(cell.y)[cell.x - seen_.x0] = 0;
+    }
+    for (int y = seen_.y0; y < seen_.y1; ++y) lower(row(y), y == seen_.y0 ? below_.data() : row(y - 1));
   }
-  bool empty() const { return count_ == 0; }
+  /// For each row once, from the top.
+  const std::uint16_t* look_down_from_above(int y) {
+    lower(row(y), y + 1 == seen_.y1 ? above_.data() : row(y + 1));
+    return row(y);
+  }
 
  private:
-  void push(std::int32_t j, std::int64_t height, std::int32_t begin) {
-    site_[count_] = j;
-    height_[count_] = height;
-    begin_[count_++] = begin;
+  std::uint16_t* row(int y) { return half_.data() + static_cast<std::size_t>(y - seen_.y0) * width_; }
+
+  /// From the centre it is half a cell to the edge of the next cell, and a whole one more for each cell between.
+  void lower(std::uint16_t* own, const std::uint16_t* next) const {
+    for (std::size_t x = 0; x < width_; ++x) {
+      const auto through = static_cast<std::uint16_t>(next[x] + (next[x] == 0 ? 1 : 2));
+      own[x] = std::min(own[x], through);
+    }
   }
 
-  /// The first cell that is nearer to the later site b than to a: (2(x-a)+1)^2 + A > (2(x-b)+1)^2 + B.
-  static std::int32_t first_better(std::int32_t a, std::int64_t height_a, std::int32_t b, std::int64_t height_b) {
-    const std::int64_t gap = b - a;
-    const std::int64_t top = height_b - height_a + 4 * gap * (static_cast<std::int64_t>(a) + b - 1);
-    if (top < 0) return 0;
-    // A double holds both exactly, and the quotient is nearer to a whole number than rounding can tell only when it is one.
-    return static_cast<std::int32_t>(static_cast<double>(top) / static_cast<double>(8 * gap)) + 1;
-  }
-
-  std::vector<std::int32_t> site_;
-  std::vector<std::int64_t> height_;
-  std::vector<std::int32_t> begin_;
-  std::size_t count_{0};
+  Window seen_;
+  std::uint16_t farthest_;
+  std::size_t width_;
+  std::vector<std::uint16_t> half_, below_, above_;
 };
+
+/// Squared half cells from the centres of one row to the nearest square, found by looking left and right in turn, 32 cells at once in
+/// 16-bit numbers that compilers make vectors of. Exact as far as kExact; what is farther is said to be farther.
+class NearRow {
+ public:
+  static constexpr int kBlock = 32;
+  static constexpr int kSteps = 63;                                          // cells to each side
+  static constexpr std::int16_t kExact = (2 * kSteps + 1) * (2 * kSteps + 1);
+  static constexpr int kHighest = 130;                                       // half cells in the column that still matter
+  static_assert(kHighest * kHighest > kExact && kHighest * kHighest + (2 * kSteps - 1) * (2 * kSteps - 1) <= INT16_MAX);
+  using Block = std::array<std::int16_t, kBlock>;
+
+  explicit NearRow(int width) : squares_(static_cast<std::size_t>(width + 2 * kMargin)) {}
+
+  /// `columns`: of cells x0 to x1; beyond the grid's edges everything is occupied.
+  void begin(const std::uint16_t* columns, int x0, int x1, int grid_width) {
+    first_ = x0;
+    const auto nothing = static_cast<std::int16_t>(kHighest * kHighest);
+    std::fill_n(squares_.begin(), kMargin, x0 == 0 ? std::int16_t{0} : nothing);
+    std::int16_t* out = squares_.data() + kMargin;
+    const auto width = static_cast<std::size_t>(x1 - x0);
+    for (std::size_t i = 0; i < width; ++i) {
+      const auto half = static_cast<std::int16_t>(std::min<std::uint16_t>(columns[i], kHighest));
+      out[i] = static_cast<std::int16_t>(half * half);
+    }
+    std::fill_n(out + width, kMargin, x1 == grid_width ? std::int16_t{0} : nothing);
+  }
+
+  /// Of the `count` cells from `x` on; at most `reach` cells to each side matter. Returns the greatest.
+  int look(int x, std::size_t count, int reach, Block& nearest) const {
+    const std::int16_t* here = squares_.data() + kMargin + (x - first_);
+    nearest.fill(0);
+    std::copy_n(here, count, nearest.begin());
+    int greatest = greatest_of(nearest);
+    const int steps = std::min(reach, kSteps);
+    for (int k = 1; k <= steps && (2 * k - 1) * (2 * k - 1) < greatest; ++k) {
+      const auto across = static_cast<std::int16_t>((2 * k - 1) * (2 * k - 1));
+      for (int i = 0; i < kBlock; ++i) {
+        const auto through = static_cast<std::int16_t>(std::min(here[i - k], here[i + k]) + across);
+        nearest[static_cast<std::size_t>(i)] = std::min(nearest[static_cast<std::size_t>(i)], through);
+      }
+      if (k % 4 == 0) greatest = greatest_of(nearest);
+    }
+    return greatest_of(nearest);
+  }
+
+ private:
+  static constexpr int kMargin = kSteps + kBlock;   // a block may stick out of the row
+
+  static int greatest_of(const Block& squares) {
+    std::int16_t greatest = 0;
+    for (const std::int16_t square : squares) greatest = std::max(greatest, square);
+    return greatest;
+  }
+
+  int first_{0};
+  std::vector<std::int16_t> squares_;
+};
+
+/// The sites of one row for what lies farther than NearRow can see.
+void fill(RowEnvelope& envelope, const std::uint16_t* row, const Window& seen, int grid_width, int far) {
+  const auto at = [&](int x) -> std::int64_t { return x < 0 || x >= grid_width ? 0 : row[x - seen.x0]; };
+  envelope.clear();
+  for (int border = seen.x0 == 0 ? 0 : seen.x0 + 1; border < seen.x1 || border == grid_width; ++border) {
+    const std::int64_t nearest = std::min(at(border - 1), at(border));
+    if (nearest < far) envelope.add(border, nearest * nearest);
+  }
+}
 
 }  // namespace
 
 ClearanceField::ClearanceField(const OccupancyGrid& grid, double max_m)
     : geometry_(grid.geometry()), max_m_(max_m), clearance_m_(grid.geometry().cells(), 0.0F) {
-  if (geometry_.width > 0 && geometry_.height > 0) recompute(grid, {0, 0}, {geometry_.width - 1, geometry_.height - 1});
+  if (geometry_.width > 0 && geometry_.height > 0) recompute(grid, {}, {0, 0}, {geometry_.width - 1, geometry_.height - 1});
 }
 
-void ClearanceField::update(const OccupancyGrid& grid, Cell low, Cell high) {
+void ClearanceField::update(const OccupancyGrid& grid, Cell low, Cell high, const std::vector<Cell>& also_occupied) {
   if (high.x < low.x || high.y < low.y) return;
   const int reach = reach_cells(max_m_, geometry_.resolution_m);
   const Window changed{std::clamp(low.x, 0, geometry_.width - 1), std::clamp(low.y, 0, geometry_.height - 1),
                        std::clamp(high.x + 1, 1, geometry_.width), std::clamp(high.y + 1, 1, geometry_.height)};
   const Window window = grown(changed, reach, geometry_);
-  recompute(grid, {window.x0, window.y0}, {window.x1 - 1, window.y1 - 1});
+  recompute(grid, also_occupied, {window.x0, window.y0}, {window.x1 - 1, window.y1 - 1});
 }
 
-void ClearanceField::recompute(const OccupancyGrid& grid, Cell low, Cell high) {
+void ClearanceField::recompute(const OccupancyGrid& grid, const std::vector<Cell>& also_occupied, Cell low, Cell high) {
   const int reach = reach_cells(max_m_, geometry_.resolution_m);
   const Window window{low.x, low.y, high.x + 1, high.y + 1};
   const Window seen = grown(window, reach, geometry_);
-  const std::vector<std::uint16_t> columns = column_distances(grid, seen);
-  const auto far = static_cast<std::uint16_t>(std::min<std::int32_t>(kFar, 2 * reach));
+  const int far = std::min(kFar, 2 * reach);
   const auto half_cell_m = static_cast<float>(0.5 * geometry_.resolution_m);
   const auto max_m = static_cast<float>(max_m_);
-  const double far_squared = static_cast<double>(kFar) * kFar;
 
-  RowEnvelope envelope(seen.width());
-  std::vector<double> squared(static_cast<std::size_t>(window.width()));
-  for (int y = window.y0; y < window.y1; ++y) {
-    const std::uint16_t* row = columns.data() + static_cast<std::size_t>(y - seen.y0) * static_cast<std::size_t>(seen.width());
-    const auto at = [&](int x) -> std::int64_t { return x < 0 || x >= geometry_.width ? 0 : row[x - seen.x0]; };
+  Columns columns(seen, geometry_.height, far);
+  columns.look_up_from_below(grid, also_occupied);
+  NearRow near(seen.width());
+  RowEnvelope envelope(reach > NearRow::kSteps ? seen.width() : 0);
+  for (int y = seen.y1 - 1; y >= window.y0; --y) {
+    const std::uint16_t* row = columns.look_down_from_above(y);
+    if (y >= window.y1) continue;
+    near.begin(row, seen.x0, seen.x1, geometry_.width);
     envelope.clear();
-    for (int border = seen.x0 == 0 ? 0 : seen.x0 + 1; border < seen.x1 || border == geometry_.width; ++border) {
-      const std::int64_t nearest = std::min(at(border - 1), at(border));
-      if (nearest < far) envelope.add(border, nearest * nearest);
-    }
-    float* out = clearance_m_.data() + geometry_.index({window.x0, y});
-    for (int x = window.x0; x < window.x1; ++x) {
-      const double own = row[x - seen.x0];
-      squared[static_cast<std::size_t>(x - window.x0)] = own < far ? own * own : far_squared;
-    }
-    if (!envelope.empty()) envelope.lower(window.x0, window.x1, squared.data());
-    for (std::size_t i = 0; i < squared.size(); ++i) {
-      out[i] = std::min(max_m, half_cell_m * std::sqrt(static_cast<float>(squared[i])));
+    for (int x = window.x0; x < window.x1; x += NearRow::kBlock) {
+      const int end = std::min(window.x1, x + NearRow::kBlock);
+      const auto count = static_cast<std::size_t>(end - x);
+      float* out = clearance_m_.data() + geometry_.index({x, y});
+      NearRow::Block squares;
+      const bool is_exact = near.look(x, count, reach, squares) <= NearRow::kExact || reach <= NearRow::kSteps;
+      for (std::size_t i = 0; i < count; ++i) out[i] = std::min(max_m, half_cell_m * std::sqrt(static_cast<float>(squares[i])));
+      if (is_exact) continue;
+      if (envelope.empty()) fill(envelope, row, seen, geometry_.width, far);
+      std::array<double, NearRow::kBlock> squared;
+      for (std::size_t i = 0; i < count; ++i) squared[i] = static_cast<double>(row[x - seen.x0 + static_cast<int>(i)]) * row[x - seen.x0 + static_cast<int>(i)];
+      if (!envelope.empty()) envelope.lower(x, end, squared.data());
+      for (std::size_t i = 0; i < count; ++i) out[i] = std::min(max_m, half_cell_m * std::sqrt(static_cast<float>(squared[i])));
     }
   }
 }

@@ -16,8 +16,9 @@ class ClearanceField {
 
   /// After an edit of the cells from `low` to `high` (both included): recomputes only what can have changed.
   /// Afterwards equal, cell by cell, to a field made anew from `grid`. Nothing to do when `high` lies below `low`.
+  /// `also_occupied`: cells that count as occupied whatever `grid` says; those that come or go lie within `low` to `high`.
   /// @pre same geometry as before
-  void update(const OccupancyGrid& grid, Cell low, Cell high);
+  void update(const OccupancyGrid& grid, Cell low, Cell high, const std::vector<Cell>& also_occupied = {});
 
   const Geometry& geometry() const { return geometry_; }
   double max_m() const { return max_m_; }
@@ -40,7 +41,7 @@ class ClearanceField {
   }
 
  private:
-  void recompute(const OccupancyGrid& grid, Cell low, Cell high);
+  void recompute(const OccupancyGrid& grid, const std::vector<Cell>& also_occupied, Cell low, Cell high);
 
   Geometry geometry_;
   double max_m_{0.0};

@@ -16,6 +16,7 @@
 #include "common/process/exit_code.hpp"
 #include "common/process/leaving.hpp"
 #include "common/process/log.hpp"
+#include "common/process/memory.hpp"
 #include "common/process/own_usage.hpp"
 #include "common/process/signals.hpp"
 #include "common/process/version.hpp"
@@ -37,6 +38,7 @@ constexpr milliseconds kHealthPeriod{1000};
 constexpr milliseconds kLivelinessPeriod{500};   // of a lease of 2 s
 constexpr milliseconds kLongestWait{100};        // until a signal is noticed
 constexpr seconds kWarningPeriod{10};
+constexpr seconds kTidyPeriod{5};                // a map or a crowd of peers came: what they needed for a moment is given back
 
 thread_local std::vector<Describe>* config_bindings = nullptr;
 
@@ -159,6 +161,7 @@ struct Shell::State {
     bus.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) { take(sample, info); });
     bus.every(kHealthPeriod, [this] { publish(); });
     bus.every(kLivelinessPeriod, [this] { writer.assert_liveliness(); });
+    bus.every(kTidyPeriod, [] { process::give_back_free_memory(); });
   }
 
   void take(const bus::Incident& incident) {
@@ -268,6 +271,7 @@ int run_service(int argc, char** argv, const Shell::About& about, const std::fun
   const std::string program = "aisle-" + about.service;
   return process::run_guarded(program, [&]() -> int {
     process::stop_on_signals();
+    process::keep_no_large_blocks();
     Common common;
     std::vector<Describe> bindings;
     CLI::App app(about.purpose, program);

@@ -20,6 +20,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kTurn{20};
 constexpr milliseconds kAssert{50};          // of a lease of 200 ms
+constexpr milliseconds kRestAfter{500};      // without a search: a map's cells times 8 bytes are given back
 constexpr std::uint32_t kMostEpochs = 2'000'000;
 
 std::unique_ptr<Planner> make_planner(const std::string& name) {
@@ -144,6 +145,12 @@ void GlobalPlannerService::work() {
   const time::Stamp begun = monotonic_now();
   const std::optional<FleetPlan> plan = fleet_.step(begun, [&] { return is_too_late(begun); });
   for (const std::string& event : fleet_.take_events()) spdlog::info("{}", event);
+  if (std::exchange(searches_, fleet_.searches()) != fleet_.searches()) {
+    searched_ = monotonic_now();
+  } else if (searched_ != time::Stamp{} && begun - searched_ > kRestAfter) {
+    fleet_.rest();
+    searched_ = {};
+  }
   if (!plan) return;
   aisle::Plan sample = encode(*plan, config_.planner, 1e3 * time::seconds(monotonic_now() - begun));
   sample.by(stamper_.next());

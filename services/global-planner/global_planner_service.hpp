@@ -63,6 +63,8 @@ class GlobalPlannerService {
   bus::Writer<topics::Plan> plans_;
   std::string followed_;             // the leader whose plans were heard last
   time::Stamp asserted_{};
+  time::Stamp searched_{};           // when the newest search ended
+  std::uint64_t searches_{0};
   bool is_work_posted_{false};
   process::LimitedWarnings warnings_;
 };

@@ -35,6 +35,11 @@ class BestFirst final : public Planner {
   BestFirst(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes)
       : closed_(closed), rule_(rule), passes_(std::move(passes)) {}
 
+  void rest() override {
+    nodes_.release();
+    open_.release();
+  }
+
  private:
   Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
     const grid::Geometry& geometry = drivable.geometry();

@@ -36,18 +36,18 @@ FleetPlanner::FleetPlanner(const FleetSettings& settings, std::unique_ptr<Planne
     : settings_(settings), planner_(std::move(planner)) {}
 
 void FleetPlanner::set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low, grid::Cell high) {
-  const bool is_same_place = map_revision_ > 0 && map_id == map_id_ && grid.geometry() == grid_.geometry();
-  grid_ = grid;
+  const bool is_same_place = map_revision_ > 0 && map_id == map_id_ && grid.geometry() == clearance_.geometry();
+  grid_ = &grid;
   map_id_ = map_id;
   map_revision_ = revision;
   if (is_same_place) {
-    clearance_.update(grid_, low, high);
+    clearance_.update(*grid_, low, high);
   } else {
     rebuild_clearance();
   }
 }
 
-void FleetPlanner::rebuild_clearance() { clearance_ = grid::ClearanceField(grid_, reach_m_); }
+void FleetPlanner::rebuild_clearance() { clearance_ = grid::ClearanceField(*grid_, reach_m_); }
 
 void FleetPlanner::set_vehicle(const std::string& agv_id, double radius_m) {
   Vehicle* v = vehicle(agv_id);
@@ -252,7 +252,7 @@ Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around,
   ++searches_;
   std::vector<Disc> discs;
   for (const Obstacle& obstacle : around) discs.push_back(obstacle.disc);
-  const StampedDiscs stamped(grid_, clearance_, discs);
+  const StampedDiscs stamped(*grid_, clearance_, discs);
   const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
   Plan plan = planner_->plan(problem, out_of_time);
   if (plan.outcome != Outcome::kFound) return plan;

@@ -30,7 +30,9 @@ class FleetPlanner {
   FleetPlanner(const FleetSettings& settings, std::unique_ptr<Planner> planner);
 
   /// A new complete map. `low` to `high` (both included) hold all cells that differ from the map before.
+  /// `grid` is not copied: it must live, unchanged, until the next call.
   void set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low, grid::Cell high);
+  void set_map(const std::string& map_id, std::uint64_t revision, grid::OccupancyGrid&& grid, grid::Cell low, grid::Cell high) = delete;
   void set_vehicle(const std::string& agv_id, double radius_m);
   void set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, time::Stamp now);
   void set_goal(const std::string& agv_id, const Goal& goal);
@@ -47,6 +49,9 @@ class FleetPlanner {
 
   /// The next plan to publish, after working for at most one vehicle; call it again until there is none.
   std::optional<FleetPlan> step(time::Stamp now, const OutOfTime& out_of_time);
+
+  /// Nothing will be asked for some time: the search's memory is given back until then.
+  void rest() { planner_->rest(); }
 
   /// What happened since the last call, one line each.
   std::vector<std::string> take_events();
@@ -108,7 +113,7 @@ class FleetPlanner {
   std::unique_ptr<Planner> planner_;
   std::string map_id_;
   std::uint64_t map_revision_{0};           // 0: no map yet
-  grid::OccupancyGrid grid_;
+  const grid::OccupancyGrid* grid_{nullptr};
   grid::ClearanceField clearance_;
   double reach_m_{2.0};                     // the clearance field's cap; grows with the largest vehicle
   std::map<std::string, Vehicle> vehicles_;

@@ -41,6 +41,8 @@ class Planner {
   virtual ~Planner() = default;
   /// Checks the problem (in the map, start and goal traversable), then searches.
   [[nodiscard]] Plan plan(const Problem& problem, const OutOfTime& out_of_time);
+  /// Gives the search's memory back, until the next search.
+  virtual void rest() {}
 
  private:
   /// Both ends are in the map and drivable, and lie in different cells; the answer needs no length.

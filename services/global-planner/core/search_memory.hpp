@@ -1,7 +1,11 @@
 #pragma once
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
+#include <memory>
+#include <new>
 #include <vector>
 
 namespace aisle::global_planner {
@@ -11,15 +15,23 @@ inline constexpr std::uint32_t kStraightCost = 2378;
 inline constexpr std::uint32_t kDiagonalCost = 3363;
 
 /// What a search knows of each cell, in 8 bytes. Kept between searches: a generation number tells old entries from new ones,
-/// so that beginning a search costs nothing, however large the map.
+/// so that beginning a search costs nothing, however large the map. Pages of cells that no search came to are never touched, and
+/// take no memory where the operating system gives it out page by page.
 class SearchNodes {
  public:
   void begin(std::size_t cells) {
-    if (nodes_.size() != cells || generation_ == kLastGeneration) {
-      nodes_.assign(cells, Node{});
-      generation_ = 0;
+    if (size_ != cells || generation_ == kLastGeneration) {
+      release();
+      nodes_.reset(static_cast<Node*>(std::calloc(cells, sizeof(Node))));   // large blocks come untouched, and zero
+      if (!nodes_) throw std::bad_alloc();
+      size_ = cells;
     }
     ++generation_;
+  }
+  void release() {
+    nodes_.reset();
+    size_ = 0;
+    generation_ = 0;
   }
 
   bool is_known(std::size_t index) const { return nodes_[index].mark >> kShift == generation_; }
@@ -39,10 +51,14 @@ class SearchNodes {
   static constexpr std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max() >> kShift;
 
   struct Node {
-    std::uint32_t cost{0};
-    std::uint32_t mark{0};
+    std::uint32_t cost;
+    std::uint32_t mark;
   };
-  std::vector<Node> nodes_;
+  struct Free {
+    void operator()(Node* nodes) const { std::free(nodes); }
+  };
+  std::unique_ptr<Node[], Free> nodes_;
+  std::size_t size_{0};
   std::uint32_t generation_{0};
 };
 
@@ -57,6 +73,8 @@ class BucketQueue {
   };
   static constexpr int kWidthShift = 7;   // 128 cost units a bucket: 0.054 of a straight step
   static std::uint32_t rank_of(std::uint32_t evaluation) { return evaluation >> kWidthShift; }
+
+  void release() { *this = BucketQueue(); }
 
   void begin() {
     if (low_ <= high_ && !heads_.empty()) std::fill(heads_.begin() + low_, heads_.begin() + high_ + 1, kNone);

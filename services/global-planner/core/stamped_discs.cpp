@@ -15,31 +15,30 @@ bool touches(const grid::Geometry& geometry, grid::Cell c, const Disc& disc) {
 
 }  // namespace
 
-StampedDiscs::StampedDiscs(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, const std::vector<Disc>& discs)
+StampedDiscs::StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField& clearance, const std::vector<Disc>& discs)
     : grid_(grid), clearance_(clearance) {
   const grid::Geometry& geometry = grid.geometry();
+  std::vector<grid::Cell> stamped;
   for (const Disc& disc : discs) {
     const geometry::Point2 reach{disc.radius_m, disc.radius_m};
     grid::Cell low = geometry.cell_at(disc.center_in_map - reach);
     grid::Cell high = geometry.cell_at(disc.center_in_map + reach);
     low = {std::max(low.x, 0), std::max(low.y, 0)};
     high = {std::min(high.x, geometry.width - 1), std::min(high.y, geometry.height - 1)};
-    const std::size_t before = stamped_.size();
+    const std::size_t before = stamped.size();
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         const grid::Cell cell{x, y};
         if (!grid.is_free(cell) || !touches(geometry, cell, disc)) continue;
-        grid.set(cell, grid::Occupancy::kOccupied);
-        stamped_.push_back(cell);
+        stamped.push_back(cell);
       }
     }
-    if (stamped_.size() > before) windows_.push_back({low, high});
+    if (stamped.size() > before) windows_.push_back({low, high});
   }
-  for (const Window& window : windows_) clearance_.update(grid_, window.low, window.high);
+  for (const Window& window : windows_) clearance_.update(grid_, window.low, window.high, stamped);
 }
 
 StampedDiscs::~StampedDiscs() {
-  for (const grid::Cell cell : stamped_) grid_.set(cell, grid::Occupancy::kFree);
   for (const Window& window : windows_) clearance_.update(grid_, window.low, window.high);
 }
 

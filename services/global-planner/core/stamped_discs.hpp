@@ -10,11 +10,11 @@ struct Disc {
   double radius_m{0.0};
 };
 
-/// Puts discs into a grid and its clearance field for as long as it lives, then takes them out again; both are then cell by cell
-/// what they were. Only windows around the discs are recomputed.
+/// Puts discs into the clearance field of a grid for as long as it lives, then takes them out again; the field is then cell by cell
+/// what it was. Only windows around the discs are recomputed.
 class StampedDiscs {
  public:
-  StampedDiscs(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, const std::vector<Disc>& discs);
+  StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField& clearance, const std::vector<Disc>& discs);
   ~StampedDiscs();
   StampedDiscs(const StampedDiscs&) = delete;
   StampedDiscs& operator=(const StampedDiscs&) = delete;
@@ -24,9 +24,8 @@ class StampedDiscs {
     grid::Cell low;
     grid::Cell high;
   };
-  grid::OccupancyGrid& grid_;
+  const grid::OccupancyGrid& grid_;
   grid::ClearanceField& clearance_;
-  std::vector<grid::Cell> stamped_;
   std::vector<Window> windows_;
 };
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 #include "tests/unit/grid/random_grid.hpp"
 
 namespace aisle::grid {
@@ -21,6 +25,29 @@ TEST(Clearance, IsTheDistanceToTheNearestSquareAtEveryCentre) {
       for (int x = 0; x < grid.geometry().width; ++x) {
         const double expected = std::min(max_m, true_clearance_m(grid, grid.geometry().center_in_map({x, y})));
         ASSERT_NEAR(field.clearance_m(Cell{x, y}), expected, 1e-6 * (1.0 + expected)) << "seed " << seed << " cell " << x << " " << y;
+      }
+    }
+  }
+}
+
+TEST(Clearance, IsExactNearAndFarInLargeGrids) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    std::mt19937 random(seed);
+    const auto pick = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+    OccupancyGrid grid({pick(150, 300), pick(150, 300), 1.0, {0.0, 0.0}});
+    const Geometry g = grid.geometry();
+    std::vector<Cell> occupied;
+    for (int i = pick(0, 6); i > 0; --i) occupied.push_back({pick(0, g.width - 1), pick(0, g.height - 1)});
+    for (const Cell cell : occupied) grid.set(cell, Occupancy::kOccupied);
+    const double max_m = pick(30, 200);
+    const ClearanceField field(grid, max_m);
+    for (int y = 0; y < g.height; ++y) {
+      for (int x = 0; x < g.width; ++x) {
+        double nearest = std::min({max_m, x + 0.5, y + 0.5, g.width - x - 0.5, g.height - y - 0.5});
+        for (const Cell cell : occupied) {
+          nearest = std::min(nearest, std::hypot(std::max(0.0, std::abs(cell.x - x) - 0.5), std::max(0.0, std::abs(cell.y - y) - 0.5)));
+        }
+        ASSERT_NEAR(field.clearance_m(Cell{x, y}), nearest, 1e-6 * (1.0 + nearest)) << "seed " << seed << " cell " << x << " " << y;
       }
     }
   }
@@ -79,9 +106,9 @@ TEST(Clearance, LetsNobodyStandOnAnObstacleWhateverItsRadius) {
 TEST(Clearance, UpdatedAfterAnEditEqualsAFieldMadeAnew) {
   for (unsigned seed = 0; seed < 400; ++seed) {
     std::mt19937 random(seed);
-    OccupancyGrid grid = random_grid(random, 60);
+    OccupancyGrid grid = random_grid(random, seed % 40 == 0 ? 260 : 60);
     const Geometry g = grid.geometry();
-    const double max_m = g.resolution_m * std::uniform_real_distribution<double>(0.6, 20.0)(random);
+    const double max_m = g.resolution_m * std::uniform_real_distribution<double>(0.6, seed % 40 == 0 ? 90.0 : 20.0)(random);
     ClearanceField field(grid, max_m);
     const auto pick = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
     const Cell low{pick(0, g.width - 1), pick(0, g.height - 1)};
@@ -95,6 +122,21 @@ TEST(Clearance, UpdatedAfterAnEditEqualsAFieldMadeAnew) {
       for (int x = 0; x < g.width; ++x) ASSERT_EQ(field.clearance_m(Cell{x, y}), anew.clearance_m(Cell{x, y})) << "seed " << seed;
     }
   }
+}
+
+TEST(Clearance, CountsCellsAsOccupiedForAnUpdateWithoutTouchingTheGrid) {
+  std::mt19937 random(3);
+  OccupancyGrid grid = random_grid(random, 60);
+  ClearanceField field(grid, 2.0);
+  const ClearanceField before = field;
+  const std::vector<Cell> also{{3, 4}, {4, 4}};
+  field.update(grid, {3, 4}, {4, 4}, also);
+  OccupancyGrid with_them = grid;
+  for (const Cell cell : also) with_them.set(cell, Occupancy::kOccupied);
+  EXPECT_EQ(field.cells_m(), ClearanceField(with_them, 2.0).cells_m());
+  EXPECT_NE(field.cells_m(), before.cells_m());
+  field.update(grid, {3, 4}, {4, 4});
+  EXPECT_EQ(field.cells_m(), before.cells_m());
 }
 
 }  // namespace
