@@ -20,7 +20,6 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kTurn{20};
 constexpr milliseconds kAssert{50};          // of a lease of 200 ms
-constexpr milliseconds kRestAfter{500};      // without a search: a map's cells times 8 bytes are given back
 constexpr std::uint32_t kMostEpochs = 2'000'000;
 
 std::unique_ptr<Planner> make_planner(const std::string& name) {
@@ -145,13 +144,7 @@ void GlobalPlannerService::work() {
   const time::Stamp begun = monotonic_now();
   const std::optional<FleetPlan> plan = fleet_.step(begun, [&] { return is_too_late(begun); });
   for (const std::string& event : fleet_.take_events()) spdlog::info("{}", event);
-  if (std::exchange(searches_, fleet_.searches()) != fleet_.searches()) {
-    searched_ = monotonic_now();
-  } else if (searched_ != time::Stamp{} && begun - searched_ > kRestAfter) {
-    fleet_.rest();
-    searched_ = {};
-  }
-  if (!plan) return;
+  if (!plan) return rest_after_searches();
   aisle::Plan sample = encode(*plan, config_.planner, 1e3 * time::seconds(monotonic_now() - begun));
   sample.by(stamper_.next());
   if (!plans_.write(sample)) health_.count("plans_not_written");
@@ -159,6 +152,12 @@ void GlobalPlannerService::work() {
   health_.count(plan->outcome == FleetOutcome::kFound ? "plans_published" : "plans_without_path");
   if (plan->trigger != Trigger::kNewGoal) health_.count("plans_replaced_or_checked");
   work_soon();
+}
+
+void GlobalPlannerService::rest_after_searches() {
+  if (searches_before_rest_ == fleet_.searches()) return;
+  fleet_.rest();
+  searches_before_rest_ = fleet_.searches();
 }
 
 bool GlobalPlannerService::is_too_late(time::Stamp begun) {

@@ -46,6 +46,8 @@ class GlobalPlannerService {
   void keep_lead();
   void work();
   void work_soon();
+  /// Nobody waits for a plan: what searches need, some bytes a cell of the map, is given back.
+  void rest_after_searches();
   bool is_too_late(time::Stamp begun);
   void report();
   /// Nothing when the sample must be dropped, which is counted and said.
@@ -63,8 +65,7 @@ class GlobalPlannerService {
   bus::Writer<topics::Plan> plans_;
   std::string followed_;             // the leader whose plans were heard last
   time::Stamp asserted_{};
-  time::Stamp searched_{};           // when the newest search ended
-  std::uint64_t searches_{0};
+  std::uint64_t searches_before_rest_{0};
   bool is_work_posted_{false};
   process::LimitedWarnings warnings_;
 };
