@@ -1,5 +1,7 @@
-// A service that does nothing, in the shell of them all.
+// A service that does nothing, in the shell of them all. With --hold it waits for SIGUSR1 before it is ready.
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <csignal>
 #include <string>
 
 #include "common/service/shell.hpp"
@@ -9,18 +11,26 @@ namespace {
 struct Parameters {
   double radius_m{0.5};
   std::string fail;
+  bool hold{false};
   template <class Reader>
   void describe(Reader& r) {
     r.field("radius_m", radius_m, 0.0, 10.0).field("fail", fail);
   }
 };
 
+volatile std::sig_atomic_t may_be_ready = 1;
+
 void serve(aisle::service::Shell& shell, const Parameters& parameters) {
   if (parameters.fail == "environment") throw aisle::config::BadEnvironment("no disk");
   shell.health().waits_for = "radius " + std::to_string(parameters.radius_m);
   shell.health().state = aisle::ServiceState::SERVICE_WAITING;
+  shell.health().count("radius_mm", static_cast<std::uint64_t>(std::lround(1000.0 * parameters.radius_m)));
+  if (parameters.hold) {
+    may_be_ready = 0;
+    std::signal(SIGUSR1, [](int) { may_be_ready = 1; });
+  }
   shell.bus().every(std::chrono::milliseconds(200), [&shell] {
-    shell.health().count("ticks");
+    if (may_be_ready == 0) return;
     shell.health().state = aisle::ServiceState::SERVICE_READY;
     shell.health().waits_for.clear();
   });
@@ -36,6 +46,7 @@ int main(int argc, char** argv) {
       [&](CLI::App& app) {
         aisle::service::Shell::config(app, parameters);
         app.add_option("--radius", parameters.radius_m, "radius in metres");
+        app.add_flag("--hold", parameters.hold, "not ready before SIGUSR1");
       },
       [&](aisle::service::Shell& shell) { serve(shell, parameters); });
 }

@@ -66,21 +66,22 @@ struct Observer {
 
 TEST(Shell, SaysItsHealthAndStopsCleanlyOnSigterm) {
   Observer observer(kDomain);
-  ChildProcess service(on_site({"--instance", "idle-1", "--radius", "0.7"}));
-  ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_READY)) << service.err();
-  const ServiceHealth first = observer.heard.front();
+  ChildProcess service(on_site({"--instance", "idle-1", "--radius", "0.7", "--hold"}));
+  ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_WAITING)) << service.err();
+  const ServiceHealth first = observer.heard.back();
   EXPECT_EQ(first.instance_id().to_string(), "idle-1");
   EXPECT_EQ(first.service().to_string(), "idle");
   EXPECT_EQ(first.process_id(), static_cast<unsigned>(service.pid()));
-  EXPECT_EQ(first.by().sequence_number(), 1u);
-  EXPECT_EQ(first.state(), ServiceState::SERVICE_WAITING);
   EXPECT_EQ(first.waits_for().to_string(), "radius 0.700000");
+  service.signal(SIGUSR1);
+  ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_READY));
+  EXPECT_GT(observer.heard.back().by().sequence_number(), first.by().sequence_number());
   EXPECT_EQ(observer.heard.back().waits_for().to_string(), "");
   EXPECT_TRUE(observer.until([&] { return observer.heard.size() >= 4; }));   // goes on at 1 Hz
   EXPECT_GT(observer.heard.back().resident_mb(), 1.0);
   EXPECT_LT(observer.heard.back().resident_mb(), 25.0);
   ASSERT_EQ(observer.heard.back().counters().size(), 1u);
-  EXPECT_EQ(observer.heard.back().counters()[0].name().to_string(), "ticks");
+  EXPECT_EQ(observer.heard.back().counters()[0].name().to_string(), "radius_mm");
 
   service.signal(SIGTERM);
   EXPECT_EQ(service.wait(seconds(2)), 0);
@@ -110,6 +111,8 @@ TEST(Shell, NamesASecondProcessWithItsInstanceId) {
   EXPECT_TRUE(observer.until([&] { return !observer.heard.empty() && observer.heard.back().last_error().to_string().find("used twice") != std::string::npos; }));
 }
 
+std::uint64_t radius_mm(const ServiceHealth& health) { return health.counters().at(0).value(); }
+
 class ShellConfig : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -125,8 +128,8 @@ TEST_F(ShellConfig, FlagsWinOverTheEnvironmentAndThatOverTheFile) {
   Observer observer(kDomain + 3);
   ChildProcess service(command({"--config", path()}), {{"AISLE_DOMAIN", std::to_string(kDomain + 3)}});
   ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_READY)) << service.err();
-  EXPECT_EQ(observer.heard.front().instance_id().to_string(), "from-file");
-  EXPECT_EQ(observer.heard.front().waits_for().to_string(), "radius 0.250000");
+  EXPECT_EQ(observer.heard.back().instance_id().to_string(), "from-file");
+  EXPECT_EQ(radius_mm(observer.heard.back()), 250u);
   service.signal(SIGTERM);
   EXPECT_EQ(service.wait(seconds(2)), 0);
   ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_STOPPING));
@@ -134,8 +137,8 @@ TEST_F(ShellConfig, FlagsWinOverTheEnvironmentAndThatOverTheFile) {
   observer.heard.clear();
   ChildProcess flagged(on_site({"--config=" + path(), "--radius", "2", "--instance", "from-flag"}, kDomain + 3), {{"AISLE_DOMAIN", "8"}});
   ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_READY)) << flagged.err();
-  EXPECT_EQ(observer.heard.front().instance_id().to_string(), "from-flag");
-  EXPECT_EQ(observer.heard.front().waits_for().to_string(), "radius 2.000000");
+  EXPECT_EQ(observer.heard.back().instance_id().to_string(), "from-flag");
+  EXPECT_EQ(radius_mm(observer.heard.back()), 2000u);
 }
 
 struct Refusal {
