@@ -164,7 +164,7 @@ fast::dds::DomainParticipantQos participant_qos(const Settings& settings) {
   fast::dds::DomainParticipantQos qos = fast::dds::PARTICIPANT_QOS_DEFAULT;
   if (!settings.participant_name.empty()) qos.name(settings.participant_name.c_str());
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
-  discovery.leaseDuration = fast::duration(std::chrono::seconds(3));
+  discovery.leaseDuration = fast::duration(std::chrono::seconds(5));  // longer than a healthcheck lives: see docs/decisions/0006
   discovery.leaseDuration_announcementperiod = fast::duration(std::chrono::milliseconds(500));
   qos.allocation().send_buffers.preallocated_number = kSendBuffers;   // by default ten, of the largest message each
   qos.allocation().send_buffers.dynamic = true;

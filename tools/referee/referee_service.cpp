@@ -171,6 +171,7 @@ void RefereeService::take(const aisle::Plan& sample, double t_s) {
   plan.found = sample.outcome() == PlanOutcome::PLAN_FOUND;
   for (const aisle::Point& p : sample.waypoints_in_map()) plan.waypoints_in_map.push_back({p.x_m(), p.y_m()});
   plan.planning_ms = sample.planning_ms();
+  plan.stamp_ns = sample.by().stamp_ns();
   plan.t_s = t_s;
   if (fit("plan", all_finite(plan.waypoints_in_map) && std::isfinite(plan.planning_ms))) judge_.plan_arrived(plan);
 }
@@ -207,6 +208,7 @@ void RefereeService::take(const aisle::MapEdit& sample, double t_s) {
   edit.edit_id = sample.edit_id().to_string();
   edit.block = sample.action() == EditAction::EDIT_BLOCK;
   edit.outline_in_map = outline_of(sample);
+  edit.asked_stamp_ns = sample.by().stamp_ns();
   edit.asked_s = t_s;
   if (fit("map_edit", all_finite(edit.outline_in_map))) judge_.edit_asked(edit);
 }
@@ -215,7 +217,7 @@ void RefereeService::take(const aisle::MapEditResult& sample, double t_s) {
   const bool applied = sample.outcome() == EditOutcome::EDIT_APPLIED;
   const bool refused = sample.outcome() == EditOutcome::EDIT_REFUSED;
   const std::string outcome = applied ? "applied" : refused ? "refused: " + sample.detail().to_string() : "already applied";
-  judge_.edit_answered(sample.edit_id().to_string(), applied, outcome, sample.revision(), t_s);
+  judge_.edit_answered({sample.edit_id().to_string(), applied, outcome, sample.revision(), t_s});
 }
 
 }  // namespace aisle::referee

@@ -16,7 +16,7 @@ GoalRecord goal_at(double x_m) {
   goal.position_tolerance_m = 0.1;
   return goal;
 }
-PlanNews plan(double t_s, std::uint64_t id, std::uint64_t revision) {
+PlanNews plan(double written_s, std::uint64_t id, std::uint64_t revision, double arrives_late_s = 0.0) {
   PlanNews news;
   news.agv_id = "agv-1";
   news.plan_id = id;
@@ -24,7 +24,8 @@ PlanNews plan(double t_s, std::uint64_t id, std::uint64_t revision) {
   news.map_revision = revision;
   news.found = true;
   news.planning_ms = 2.0;
-  news.t_s = t_s;
+  news.stamp_ns = static_cast<std::int64_t>(written_s * 1e9);
+  news.t_s = written_s + arrives_late_s;
   return news;
 }
 
@@ -86,16 +87,31 @@ TEST(Judge, TimesTheFirstPlanThatKnowsAnEdit) {
   judge.plan_arrived(plan(1.0, 7, 3));
   EditRow edit;
   edit.edit_id = "e1";
+  edit.asked_stamp_ns = 1'990'000'000;
   judge.edit_asked(edit);
-  judge.edit_answered("e1", true, "applied", 4, 2.0);
+  judge.edit_answered({"e1", true, "applied", 4, 2.0});
   judge.plan_arrived(plan(2.01, 7, 3));  // knows nothing of it yet
-  judge.plan_arrived(plan(2.04, 7, 4));  // checked again and kept
+  judge.plan_arrived(plan(2.03, 7, 4, 0.3));  // checked again and kept; a busy referee reads it late
   judge.plan_arrived(plan(3.0, 8, 4));
   const RunReport report = judge.finish(4.0);
   ASSERT_EQ(report.map_edit_to_plan_ms.count(), 1u);
   EXPECT_NEAR(*report.map_edit_to_plan_ms.max(), 40.0, 1e-6);
   EXPECT_EQ(report.replans(), 1);
   EXPECT_EQ(report.planning_ms.count(), 2u);
+}
+
+TEST(Judge, TimesAPlanThatItReadBeforeTheAnswerToTheEdit) {
+  Judge judge(nullptr, {{{"agv-1", 1}}});
+  judge.goal_arrived(goal_at(4.0), false);
+  EditRow edit;
+  edit.edit_id = "e1";
+  edit.asked_stamp_ns = 2'000'000'000;
+  judge.edit_asked(edit);
+  judge.plan_arrived(plan(2.06, 8, 4));
+  judge.edit_answered({"e1", true, "applied", 4, 2.07});
+  const RunReport report = judge.finish(4.0);
+  ASSERT_EQ(report.map_edit_to_plan_ms.count(), 1u);
+  EXPECT_NEAR(*report.map_edit_to_plan_ms.max(), 60.0, 1e-6);
 }
 
 TEST(Judge, MeasuresGapsOfCommandsAndHowOldTheirScansAre) {

@@ -65,9 +65,9 @@ RunReport invented_run(const Walls& walls) {
     for (int k = 0; k <= 10; ++k) plan.waypoints_in_map.push_back(drives(i, k).position() + Point2{0.3, 0.2});
     judge.plan_arrived(plan);
   }
-  EditRow edit{"e1", true, {{18, 7}, {21, 7}, {21, 9.2}, {18, 9.2}}, 6.0, -1.0, "", 0};
+  EditRow edit{"e1", true, {{18, 7}, {21, 7}, {21, 9.2}, {18, 9.2}}, 6'000'000'000, 6.0, -1.0, "", 0};
   judge.edit_asked(edit);
-  judge.edit_answered("e1", true, "applied", 2, 6.01);
+  judge.edit_answered({"e1", true, "applied", 2, 6.01});
   for (int tick = 0; tick <= 1200; ++tick) {
     const double t_s = 0.02 * tick;
     for (int i = 0; i < 5; ++i) {

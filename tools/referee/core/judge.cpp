@@ -72,10 +72,11 @@ void Judge::plan_arrived(const PlanNews& plan) {
   book.plan_id = plan.plan_id;
   book.planned_goal = plan.goal_id;
   book.plan_revision = plan.map_revision;
+  book.plan_stamp_ns = plan.stamp_ns;
   for (PendingEdit& edit : pending_edits_) {
     const auto waits = std::find(edit.waiting.begin(), edit.waiting.end(), plan.agv_id);
     if (waits == edit.waiting.end() || plan.map_revision < edit.revision) continue;
-    map_edit_to_plan_ms_.add(std::max(0.0, plan.t_s - edit.answered_s) * kMilli);
+    edit_planned_for(edit.asked_stamp_ns, plan.stamp_ns);
     edit.waiting.erase(waits);
   }
 }
@@ -104,18 +105,22 @@ void Judge::edit_asked(const EditRow& edit) {
   if (!known) edits_.push_back(edit);
 }
 
-void Judge::edit_answered(const std::string& edit_id, bool applied, const std::string& outcome, std::uint64_t revision, double t_s) {
-  const auto row = std::find_if(edits_.begin(), edits_.end(), [&](const EditRow& e) { return e.edit_id == edit_id; });
+void Judge::edit_planned_for(std::int64_t asked_stamp_ns, std::int64_t plan_stamp_ns) {
+  map_edit_to_plan_ms_.add(static_cast<double>(plan_stamp_ns - asked_stamp_ns) / 1e6);
+}
+
+void Judge::edit_answered(const EditAnswer& answer) {
+  const auto row = std::find_if(edits_.begin(), edits_.end(), [&](const EditRow& e) { return e.edit_id == answer.edit_id; });
   if (row == edits_.end() || row->answered_s >= 0.0) return;
-  row->answered_s = t_s;
-  row->outcome = outcome;
-  row->revision = revision;
-  if (!applied) return;
-  PendingEdit pending{t_s, revision, {}};
+  row->answered_s = answer.t_s;
+  row->outcome = answer.outcome;
+  row->revision = answer.revision;
+  if (!answer.applied) return;
+  PendingEdit pending{row->asked_stamp_ns, answer.revision, {}};
   for (const auto& [agv_id, book] : vehicles_) {
     if (goals_.open_goal(agv_id) == nullptr || !book.has_plan) continue;
-    if (book.plan_revision >= revision) {
-      map_edit_to_plan_ms_.add(0.0);  // the plan was faster on the wire than the answer
+    if (book.plan_revision >= answer.revision) {
+      edit_planned_for(row->asked_stamp_ns, book.plan_stamp_ns);  // the plan was faster on the wire than the answer
     } else {
       pending.waiting.push_back(agv_id);
     }

@@ -18,7 +18,8 @@ struct PlanNews {
   std::string outcome;  // "no path: ...", for the report
   std::vector<geometry::Point2> waypoints_in_map;
   double planning_ms{0.0};
-  double t_s{0.0};
+  std::int64_t stamp_ns{0};       // when it was written
+  double t_s{0.0};                // when it arrived
 };
 
 struct CommandNews {
@@ -29,6 +30,13 @@ struct CommandNews {
   double t_s{0.0};                // when it arrived
 };
 
+struct EditAnswer {
+  std::string edit_id;
+  bool applied{false};
+  std::string outcome;            // "applied", "refused: ..."
+  std::uint64_t revision{0};
+  double t_s{0.0};                // when it arrived
+};
 
 struct HealthNews {
   std::string instance;
@@ -58,7 +66,7 @@ class Judge {
   void goal_arrived(const GoalRecord& goal, bool cancelled);
   void navigation_arrived(const GoalNews& news, bool waits);
   void edit_asked(const EditRow& edit);
-  void edit_answered(const std::string& edit_id, bool applied, const std::string& outcome, std::uint64_t revision, double t_s);
+  void edit_answered(const EditAnswer& answer);
   void health_arrived(const HealthNews& health);
 
   /// Judges contacts up to `until_s`: some tenths of a second behind the newest sample, so that none comes too late.
@@ -91,14 +99,16 @@ class Judge {
     std::uint64_t plan_id{0};
     bool has_plan{false};
     std::uint64_t plan_revision{0};
+    std::int64_t plan_stamp_ns{0};
   };
   struct PendingEdit {
-    double answered_s;
+    std::int64_t asked_stamp_ns;
     std::uint64_t revision;
     std::vector<std::string> waiting;  // vehicles whose plan has not been looked at since
   };
   VehicleBook& vehicle(const std::string& agv_id);
   void trace_body(const BodySample& sample);
+  void edit_planned_for(std::int64_t asked_stamp_ns, std::int64_t plan_stamp_ns);
 
   ContactWatch contacts_;
   AuthorityWatch authority_;

@@ -42,6 +42,7 @@ struct EditRow {
   std::string edit_id;
   bool block{true};
   std::vector<geometry::Point2> outline_in_map;  // of a disc: points on it
+  std::int64_t asked_stamp_ns{0};  // when it was written
   double asked_s{0.0};
   double answered_s{-1.0};
   std::string outcome;  // "applied", "refused: ..."; empty: no answer
