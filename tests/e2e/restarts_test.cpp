@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "tests/e2e/demo_run.hpp"
 #include "tests/e2e/verdicts.hpp"
 
@@ -19,25 +22,22 @@ void expect_restarted(const DemoRun& run, const std::vector<std::string>& instan
   }
 }
 
-TEST(Restarts, OfMapTrackerAndDispatcher) {
-  const DemoRun run = run_demo("restarts-site", {"crossing", "--seed", "4", "--kill", "map@5", "--kill", "obstacle-tracker@8", "--kill", "dispatcher@11"}, 200.0);
+/// One after the other, while both vehicles are on their way.
+TEST(Restarts, OfEveryServiceInOneRun) {
+  const std::vector<std::string> killed{"map",        "global-planner",     "obstacle-tracker", "local-planner-agv-1",
+                                        "dispatcher", "fake-vehicle-agv-2", "fake-world"};
+  std::vector<std::string> arguments{"crossing", "--seed", "4"};
+  int at_s = 3;
+  for (const std::string& instance : killed) {
+    arguments.insert(arguments.end(), {"--kill", instance + "@" + std::to_string(at_s)});
+    at_s += 3;
+  }
+  const DemoRun run = run_demo("restarts", arguments, 200.0);
   expect_passed(run);
   expect_clean(run);
   EXPECT_EQ(run.report["contacts"], 0);
-  EXPECT_EQ(run.processes["kills"], 3) << run.output;
-  expect_restarted(run, {"map", "obstacle-tracker", "dispatcher"});
-}
-
-TEST(Restarts, OfThePlannersAndTheSimulation) {
-  const DemoRun run = run_demo("restarts-fleet",
-                               {"crossing", "--seed", "5", "--kill", "global-planner@5", "--kill", "local-planner-agv-1@8", "--kill",
-                                "fake-vehicle-agv-2@11", "--kill", "fake-world@13"},
-                               200.0);
-  expect_passed(run);
-  expect_clean(run);
-  EXPECT_EQ(run.report["contacts"], 0);
-  EXPECT_EQ(run.processes["kills"], 4) << run.output;
-  expect_restarted(run, {"global-planner", "local-planner-agv-1", "fake-vehicle-agv-2", "fake-world"});
+  EXPECT_EQ(run.processes["kills"], killed.size()) << run.output;
+  expect_restarted(run, killed);
 }
 
 }  // namespace
