@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -163,6 +164,8 @@ void ClearanceField::update(const OccupancyGrid& grid, Cell low, Cell high, cons
 }
 
 void ClearanceField::recompute(const OccupancyGrid& grid, const std::vector<Cell>& also_occupied, Cell low, Cell high) {
+  static std::atomic<std::uint64_t> newest_revision{0};
+  revision_ = ++newest_revision;
   const int reach = reach_cells(max_m_, geometry_.resolution_m);
   const Window window{low.x, low.y, high.x + 1, high.y + 1};
   const Window seen = grown(window, reach, geometry_);

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstdint>
 #include <vector>
 
 #include "common/grid/occupancy_grid.hpp"
@@ -23,6 +24,10 @@ class ClearanceField {
   const Geometry& geometry() const { return geometry_; }
   double max_m() const { return max_m_; }
 
+  /// Another number after each change, and never that of a field with other contents: for who keeps something made from a field.
+  /// 0 for an empty one.
+  std::uint64_t revision() const { return revision_; }
+
   /// Exact at the cell's centre (capped): the radius of the largest disc that may stand there. 0 on obstacles and outside the grid.
   double clearance_m(Cell c) const { return geometry_.contains(c) ? clearance_m_[geometry_.index(c)] : 0.0; }
 
@@ -45,6 +50,7 @@ class ClearanceField {
 
   Geometry geometry_;
   double max_m_{0.0};
+  std::uint64_t revision_{0};
   std::vector<float> clearance_m_;
 };
 

@@ -17,6 +17,7 @@ struct Ends {
   grid::Geometry geometry;
   grid::Cell start;
   grid::Cell goal;
+  const Drivable& drivable;
 };
 
 /// What becomes of a cell that was expanded and is then reached at a lower cost.
@@ -43,7 +44,7 @@ class BestFirst final : public Planner {
  private:
   Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
     const grid::Geometry& geometry = drivable.geometry();
-    const Ends ends{geometry, geometry.cell_at(problem.start_in_map), geometry.cell_at(problem.goal_in_map)};
+    const Ends ends{geometry, geometry.cell_at(problem.start_in_map), geometry.cell_at(problem.goal_in_map), drivable};
     Plan plan;
     plan.outcome = run(drivable, ends, out_of_time, plan.expanded);
     if (plan.outcome != Outcome::kFound) return plan;

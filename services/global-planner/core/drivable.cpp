@@ -27,6 +27,7 @@ Drivable::Drivable(const Problem& problem)
       geometry_(problem.clearance.geometry()),
       clearances_m_(problem.clearance.cells_m().data()),
       radius_m_(std::max(problem.radius_m, kLeastRadius_m)),
+      safe_distance_m_(problem.safe_distance_m),
       least_m_(rounded_up(radius_m_)),
       start_(tight_end(problem, problem.start_in_map)),
       goal_(tight_end(problem, problem.goal_in_map)),
@@ -39,7 +40,14 @@ TightEnd Drivable::tight_end(const Problem& problem, Point2 end_in_map) const {
 }
 
 bool Drivable::is_traversable_at_tight_end(float clearance_m, grid::Cell c) const {
-  return clearance_m >= radius_at(geometry_.center_in_map(c));
+  // A step may lead out of the range, so cells count as within it only where the whole step is.
+  const double cell_m = geometry_.resolution_m;
+  double radius_m = radius_m_;
+  for (const TightEnd* end : {&start_, &goal_}) {
+    const double range_m = end->range_m > 0.0 ? std::max(end->range_m - 1.5 * cell_m, 0.75 * cell_m) : -1.0;
+    if (geometry::distance(geometry_.center_in_map(c), end->center_in_map) <= range_m) radius_m = std::min(radius_m, end->radius_m);
+  }
+  return clearance_m >= radius_m;
 }
 
 double Drivable::radius_at(Point2 in_map) const {
@@ -59,6 +67,11 @@ bool Drivable::is_line_free(Point2 from, Point2 to) const {
     if (!is_free(from + (static_cast<double>(i) / pieces) * (to - from))) return false;
   }
   return true;
+}
+
+bool Drivable::is_line_safe(Point2 from, Point2 to) const {
+  if (safe_distance_m_ <= radius_m_) return is_line_free(from, to);
+  return grid::is_line_free(clearance_, from, to, safe_distance_m_);
 }
 
 }  // namespace aisle::global_planner

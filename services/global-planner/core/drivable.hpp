@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+
 #include "services/global-planner/core/planner.hpp"
 
 namespace aisle::global_planner {
@@ -27,11 +29,22 @@ class Drivable {
     return clearance_m >= least_m_ || (has_tight_end_ && is_traversable_at_tight_end(clearance_m, c));
   }
 
+  /// What decides is_traversable: the field, the least clearance, and whether an end is an exception from it.
+  std::uint64_t field_revision() const { return clearance_.revision(); }
+  float least_m() const { return least_m_; }
+  bool has_tight_end() const { return has_tight_end_; }
+
+  /// Is the cell itself not free, whatever the vehicle's size? Outside the grid everything is.
+  bool is_obstacle(grid::Cell c) const { return !geometry_.contains(c) || clearances_m_[geometry_.index(c)] <= 0.0F; }
+
   /// May the vehicle's centre be at this point?
   bool is_free(geometry::Point2 in_map) const { return clearance_.clearance_m(in_map) >= radius_at(in_map); }
 
   /// May the vehicle sweep the straight segment?
   bool is_line_free(geometry::Point2 from_in_map, geometry::Point2 to_in_map) const;
+
+  /// The same, and nowhere nearer to an obstacle than the problem's safe distance.
+  bool is_line_safe(geometry::Point2 from_in_map, geometry::Point2 to_in_map) const;
 
  private:
   TightEnd tight_end(const Problem& problem, geometry::Point2 end_in_map) const;
@@ -42,6 +55,7 @@ class Drivable {
   const grid::Geometry& geometry_;
   const float* clearances_m_;
   double radius_m_;
+  double safe_distance_m_;
   float least_m_;            // radius_m_, rounded up
   TightEnd start_, goal_;
   bool has_tight_end_;

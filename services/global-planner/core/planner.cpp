@@ -21,7 +21,7 @@ double path_length_m(const std::vector<geometry::Point2>& path) {
 Plan Planner::plan(const Problem& problem, const OutOfTime& out_of_time) {
   const grid::Geometry& geometry = problem.clearance.geometry();
   Plan plan;
-  if (!is_in_map(geometry, problem.start_in_map) || !is_in_map(geometry, problem.goal_in_map) || !std::isfinite(problem.radius_m)) {
+  if (!is_in_map(geometry, problem.start_in_map) || !is_in_map(geometry, problem.goal_in_map) || !std::isfinite(problem.radius_m) || problem.radius_m < 0.0) {
     plan.outcome = Outcome::kOutOfMap;
     return plan;
   }

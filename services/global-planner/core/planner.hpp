@@ -1,12 +1,20 @@
 #pragma once
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/grid/clearance.hpp"
 
 namespace aisle::global_planner {
+
+/// How a vehicle that cannot turn on the spot drives, for planners that know headings (`hybrid`); the others do not look at it.
+struct Steering {
+  double turning_radius_m{0.0};             // of the tightest forward arc; 0: it turns on the spot, and headings do not matter
+  double start_yaw_rad{0.0};
+  std::optional<double> goal_yaw_rad;       // none: any heading will do
+};
 
 /// Plan from start to goal for a vehicle whose centre keeps `radius_m` (its radius and safety margin) from whatever is not free.
 ///
@@ -19,6 +27,11 @@ struct Problem {
   double radius_m{0.0};
   double least_radius_m{1e9};   // radius_m and more: starts and goals get no exception
   double tight_range_m{1.5};
+  /// What passes that keep a safe distance (QU, YU) want beside the lines they draw, when more than `radius_m`.
+  double safe_distance_m{0.0};
+  /// Nearer to an obstacle than this a metre costs more, for planners that prefer clearance (`clear`); 0: twice the radius.
+  double preferred_clearance_m{0.0};
+  Steering steering{};
 };
 
 enum class Outcome { kFound, kNoPath, kStartBlocked, kGoalBlocked, kOutOfMap, kOutOfTime };
@@ -28,6 +41,7 @@ struct Plan {
   std::vector<geometry::Point2> waypoints_in_map;   // first the start, last the goal, both exact; empty unless kFound
   double length_m{0.0};
   std::size_t expanded{0};                          // cells popped and not stale
+  std::vector<double> headings_rad;                 // at each waypoint; empty unless the planner knows headings and they matter
 };
 
 /// Looked at between expansions, every 256 of them.

@@ -13,6 +13,7 @@ struct Variant {
   std::string summary;    // one line
   bool is_optimal{false}; // among 8-connected paths that cut no corner
   std::unique_ptr<Planner> (*make)();
+  bool is_never_longer{false};   // than that optimum, even where it is not a path from cell to cell
 };
 
 /// Every variant, by name.

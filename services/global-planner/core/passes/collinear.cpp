@@ -1,19 +1,47 @@
+#include <cmath>
+
 #include "services/global-planner/core/passes/passes.hpp"
 
 namespace aisle::global_planner::passes {
+namespace {
 
-void collinear(const Drivable& drivable, std::vector<geometry::Point2>& path) {
+using geometry::Point2;
+
+bool is_straight(Point2 a, Point2 b, Point2 c, double tolerance_m) {
+  const Point2 before = b - a;
+  const Point2 after = c - b;
+  return std::abs(geometry::cross(before, after)) <= tolerance_m * geometry::norm(after) && geometry::dot(before, after) >= 0.0;
+}
+
+/// Keeps the ends, what turns, and whatever `must_stay` says.
+template <class MustStay>
+void drop_straight(const Drivable& drivable, std::vector<Point2>& path, const MustStay& must_stay) {
   if (path.size() < 3) return;
   const double tolerance_m = 1e-6 * drivable.geometry().resolution_m;   // cell centres are exact but for rounding
   std::size_t kept = 1;
   for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-    const geometry::Point2 before = path[i] - path[kept - 1];
-    const geometry::Point2 after = path[i + 1] - path[i];
-    const bool is_straight = std::abs(geometry::cross(before, after)) <= tolerance_m * geometry::norm(after) && geometry::dot(before, after) >= 0.0;
-    if (!is_straight) path[kept++] = path[i];
+    if (!is_straight(path[kept - 1], path[i], path[i + 1], tolerance_m) || must_stay(path[i])) path[kept++] = path[i];
   }
   path[kept++] = path.back();
   path.resize(kept);
+}
+
+}  // namespace
+
+void collinear(const Drivable& drivable, std::vector<Point2>& path) {
+  drop_straight(drivable, path, [](Point2) { return false; });
+}
+
+void collinear_away_from_obstacles(const Drivable& drivable, std::vector<Point2>& path) {
+  drop_straight(drivable, path, [&](Point2 p) {
+    const grid::Cell cell = drivable.geometry().cell_at(p);
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        if (!drivable.is_traversable(grid::Cell{cell.x + dx, cell.y + dy})) return true;
+      }
+    }
+    return false;
+  });
 }
 
 }  // namespace aisle::global_planner::passes

@@ -1,8 +1,6 @@
 // A* with the octile distance (Hart, Nilsson, Raphael 1968): optimal among 8-connected paths, and the baseline of the others.
-#include <cmath>
-#include <cstdlib>
-
 #include "services/global-planner/core/best_first.hpp"
+#include "services/global-planner/core/distances.hpp"
 #include "services/global-planner/core/variant.hpp"
 
 namespace aisle::global_planner {
@@ -11,11 +9,7 @@ namespace {
 class Octile {
  public:
   void begin(const Ends& ends) { goal_ = ends.goal; }
-  std::uint32_t operator()(std::uint32_t cost, grid::Cell cell) const {
-    const auto dx = static_cast<std::uint32_t>(std::abs(cell.x - goal_.x));
-    const auto dy = static_cast<std::uint32_t>(std::abs(cell.y - goal_.y));
-    return cost + kStraightCost * std::max(dx, dy) + (kDiagonalCost - kStraightCost) * std::min(dx, dy);
-  }
+  std::uint32_t operator()(std::uint32_t cost, grid::Cell cell) const { return cost + octile(cell, goal_); }
 
  private:
   grid::Cell goal_;

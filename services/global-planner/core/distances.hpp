@@ -1,0 +1,43 @@
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+
+#include "common/grid/occupancy_grid.hpp"
+#include "services/global-planner/core/search_memory.hpp"
+
+// Distances between cells in cost units (kStraightCost a cell), as heuristics use them. All but Manhattan's never overestimate.
+namespace aisle::global_planner {
+
+inline std::uint32_t octile(grid::Cell a, grid::Cell b) {
+  const auto dx = static_cast<std::uint32_t>(std::abs(a.x - b.x));
+  const auto dy = static_cast<std::uint32_t>(std::abs(a.y - b.y));
+  return kStraightCost * std::max(dx, dy) + (kDiagonalCost - kStraightCost) * std::min(dx, dy);
+}
+
+inline std::uint32_t chebyshev(grid::Cell a, grid::Cell b) {
+  return kStraightCost * static_cast<std::uint32_t>(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)));
+}
+
+inline float euclidean_cells(grid::Cell a, grid::Cell b) {
+  const auto dx = static_cast<float>(a.x - b.x);
+  const auto dy = static_cast<float>(a.y - b.y);
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+inline float manhattan_cells(grid::Cell a, grid::Cell b) { return static_cast<float>(std::abs(a.x - b.x) + std::abs(a.y - b.y)); }
+
+/// Euclidean, rounded down.
+inline std::uint32_t euclidean(grid::Cell a, grid::Cell b) {
+  const double dx = a.x - b.x;
+  const double dy = a.y - b.y;
+  return static_cast<std::uint32_t>(std::sqrt(dx * dx + dy * dy) * kStraightCost);
+}
+
+/// cost + a weighted heuristic in cells, as an evaluation: rounded down, at most 4e9.
+inline std::uint32_t evaluated(std::uint32_t cost, float weighted_cells) {
+  return static_cast<std::uint32_t>(std::min(static_cast<double>(cost) + static_cast<double>(weighted_cells) * kStraightCost, 4e9));
+}
+
+}  // namespace aisle::global_planner

@@ -1,0 +1,15 @@
+#pragma once
+#include <memory>
+
+#include "services/global-planner/core/planner.hpp"
+
+namespace aisle::global_planner {
+
+enum class Heuristic { kEuclidean, kChebyshev, kOctile };
+
+/// The A* that the five papers compare with, as they draw it (row G1): it steps diagonally through the corners of obstacles, so its
+/// paths are for comparison only and no vehicle may drive them. Not among all_variants(); a vehicle's baseline is `astar`.
+/// Euclidean: LI, WU, QU, YU; Chebyshev: WANG.
+std::unique_ptr<Planner> traditional_astar(Heuristic heuristic);
+
+}  // namespace aisle::global_planner

@@ -1,0 +1,52 @@
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "services/global-planner/core/drivable.hpp"
+
+namespace aisle::global_planner {
+
+/// One bit a cell, 1 where the vehicle may be, along parallel lines of cells (rows, or columns), with blocked cells all around. A jump
+/// along a line looks at 64 cells at once (Harabor, Grastien 2014, "Improving jump point search", block-based scanning).
+class BitLines {
+ public:
+  void resize(int lines, int length);
+  void set(int line, int at) { word(line, at) |= std::uint64_t{1} << bit(at); }
+  bool is_open(int line, int at) const { return ((words(line)[index(at)] >> bit(at)) & 1U) != 0; }
+
+  struct Stop {
+    int at;
+    bool is_jump_point;   // else a blocked cell
+  };
+  /// From `at` on to the first blocked cell, or the first open one that a cell beside it forces a turn at: open itself where the one
+  /// before it is blocked. @pre is_open(line, at)
+  Stop scan_up(int line, int at) const;
+  Stop scan_down(int line, int at) const;
+
+ private:
+  static constexpr int kMargin = 64;
+  static std::size_t index(int at) { return static_cast<std::size_t>(at + kMargin) >> 6; }
+  static unsigned bit(int at) { return static_cast<unsigned>(at + kMargin) & 63U; }
+  std::uint64_t& word(int line, int at) { return words_[static_cast<std::size_t>(line + 1) * per_line_ + index(at)]; }
+  const std::uint64_t* words(int line) const { return words_.data() + static_cast<std::size_t>(line + 1) * per_line_; }
+
+  std::size_t per_line_{0};
+  std::vector<std::uint64_t> words_;
+};
+
+/// The traversable cells of one problem, by rows and by columns. Made anew only when the field, the radius or a tight end differs.
+class TraversableBits {
+ public:
+  void make(const Drivable& drivable);
+
+  bool is_open(grid::Cell c) const { return rows_.is_open(c.y, c.x); }
+  const BitLines& rows() const { return rows_; }
+  const BitLines& columns() const { return columns_; }
+
+ private:
+  std::uint64_t field_revision_{0};
+  float least_m_{-1.0F};
+  BitLines rows_, columns_;
+};
+
+}  // namespace aisle::global_planner

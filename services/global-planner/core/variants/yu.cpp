@@ -1,0 +1,70 @@
+// YU: "weighted-average heuristic and obstacle rate" (eqs. 4, 5), row G6 with passes P1, P3 and P4: f = g + e^P (h_e + beta h_m) / 2,
+// P the share of obstacle cells in the rectangle between the cell and the goal, h_e Euclidean, h_m Manhattan.
+// P costs O(1) a cell by a summed-area table, which costs one pass over the map for each search.
+#include <cmath>
+#include <vector>
+
+#include "services/global-planner/core/best_first.hpp"
+#include "services/global-planner/core/distances.hpp"
+#include "services/global-planner/core/variant.hpp"
+
+namespace aisle::global_planner {
+namespace {
+
+constexpr float kBeta = 0.5F;   // YU: between 0, careful, and 1, quick
+
+/// Obstacle cells in the rectangle from (0, 0) to each cell.
+class ObstacleCounts {
+ public:
+  void count(const Drivable& drivable) {
+    const grid::Geometry& geometry = drivable.geometry();
+    row_ = static_cast<std::size_t>(geometry.width) + 1;
+    counts_.assign(row_ * (static_cast<std::size_t>(geometry.height) + 1), 0);
+    for (int y = 0; y < geometry.height; ++y) {
+      std::uint32_t in_row = 0;
+      for (int x = 0; x < geometry.width; ++x) {
+        in_row += drivable.is_obstacle({x, y}) ? 1U : 0U;
+        counts_[at(x + 1, y + 1)] = counts_[at(x + 1, y)] + in_row;
+      }
+    }
+  }
+  /// Share of obstacle cells among those from a to b, both included.
+  float rate(grid::Cell a, grid::Cell b) const {
+    const grid::Cell low{std::min(a.x, b.x), std::min(a.y, b.y)};
+    const grid::Cell high{std::max(a.x, b.x) + 1, std::max(a.y, b.y) + 1};
+    const std::uint32_t obstacles = counts_[at(high.x, high.y)] + counts_[at(low.x, low.y)] - counts_[at(low.x, high.y)] - counts_[at(high.x, low.y)];
+    return static_cast<float>(obstacles) / (static_cast<float>(high.x - low.x) * static_cast<float>(high.y - low.y));
+  }
+
+ private:
+  std::size_t at(int x, int y) const { return static_cast<std::size_t>(y) * row_ + static_cast<std::size_t>(x); }
+  std::size_t row_{1};
+  std::vector<std::uint32_t> counts_;
+};
+
+class ObstacleRate {
+ public:
+  void begin(const Ends& ends) {
+    goal_ = ends.goal;
+    obstacles_.count(ends.drivable);
+  }
+  std::uint32_t operator()(std::uint32_t cost, grid::Cell cell) const {
+    const float average = 0.5F * (euclidean_cells(cell, goal_) + kBeta * manhattan_cells(cell, goal_));
+    return evaluated(cost, std::exp(obstacles_.rate(cell, goal_)) * average);
+  }
+
+ private:
+  grid::Cell goal_;
+  ObstacleCounts obstacles_;
+};
+
+}  // namespace
+
+Variant yu() {
+  return {"yu", "YU: g + e^P (h_e + h_m/2) / 2, P the obstacle rate, then collinear points, lines of sight and safe lines of sight", false, [] {
+            return best_first<ObstacleRate>(Closed::kStay, kDrivableDiagonals,
+                                            {passes::collinear, passes::greedy_line_of_sight, passes::safe_distance});
+          }};
+}
+
+}  // namespace aisle::global_planner

@@ -1,0 +1,94 @@
+// Each pass on a path drawn by hand, and all of them on random paths: drivable before, drivable after, no longer, same ends.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "services/global-planner/core/passes/passes.hpp"
+#include "services/global-planner/core/path_checker.hpp"
+#include "services/global-planner/core/variant.hpp"
+#include "tests/support/ascii_grid.hpp"
+#include "tests/support/random_grid.hpp"
+
+namespace aisle::global_planner {
+namespace {
+
+using geometry::Point2;
+using Path = std::vector<Point2>;
+
+Path passed(Pass pass, const std::vector<std::string>& lines, Path path, double safe_distance_m = 0.0) {
+  const grid::ClearanceField clearance(test_support::grid_from_text(lines), 10.0);
+  Problem problem{clearance, path.front(), path.back()};
+  problem.safe_distance_m = safe_distance_m;
+  pass(Drivable(problem), path);
+  EXPECT_EQ(why_not_drivable(problem, path), "");
+  return path;
+}
+
+const std::vector<std::string> kOpen{".......", ".......", ".......", ".......", ".......", ".......", "......."};
+const std::vector<std::string> kBlock{".......", ".......", ".......", "..##...", "..##...", ".......", "......."};
+
+TEST(CollinearAwayFromObstacles, KeepsAPointBesideAnObstacle) {
+  const Path straight{{1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}, {4.5, 1.5}, {5.5, 1.5}};
+  EXPECT_EQ(passed(passes::collinear_away_from_obstacles, kOpen, straight), (Path{{1.5, 1.5}, {5.5, 1.5}}));
+  EXPECT_EQ(passed(passes::collinear_away_from_obstacles, kBlock, straight), (Path{{1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}, {4.5, 1.5}, {5.5, 1.5}}));
+}
+
+TEST(RightAngle, IsCutWhereTheCornerIsFreeAndStaysWhereItIsNot) {
+  EXPECT_EQ(passed(passes::right_angle, kOpen, {{1.5, 1.5}, {2.5, 1.5}, {2.5, 2.5}}), (Path{{1.5, 1.5}, {2.5, 2.5}}));
+  const Path around{{1.5, 2.5}, {1.5, 1.5}, {2.5, 1.5}};
+  EXPECT_EQ(passed(passes::right_angle, kBlock, around), around);
+  const Path far{{0.5, 0.5}, {5.5, 0.5}, {5.5, 5.5}};
+  EXPECT_EQ(passed(passes::right_angle, kOpen, far), far) << "only neighbouring cells";
+}
+
+TEST(SafeDistance, JoinsOnlyWhatKeepsIt) {
+  const Path around{{1.5, 1.5}, {3.5, 1.5}, {5.5, 1.5}, {5.5, 3.5}};
+  EXPECT_EQ(passed(passes::safe_distance, kBlock, around), (Path{{1.5, 1.5}, {5.5, 1.5}, {5.5, 3.5}}));
+  EXPECT_EQ(passed(passes::safe_distance, kBlock, around, 0.8).size(), 4U);
+}
+
+TEST(Interpolated, PullsACornerAlongItsSegment) {
+  const Path around{{0.5, 4.5}, {0.5, 0.5}, {6.5, 0.5}};
+  const Path forward = passed(passes::interpolated_forward, kBlock, around);
+  ASSERT_EQ(forward.size(), 3U);
+  EXPECT_EQ(forward[1].y, 0.5);
+  EXPECT_GT(forward[1].x, 1.4);
+  const Path backward = passed(passes::interpolated_backward, kBlock, around);
+  ASSERT_EQ(backward.size(), 3U);
+  EXPECT_EQ(backward[1].x, 0.5);
+  EXPECT_GT(backward[1].y, 0.9);
+  EXPECT_EQ(passed(passes::interpolated_forward, kOpen, around), (Path{{0.5, 4.5}, {6.5, 0.5}}));
+}
+
+struct Named {
+  const char* name;
+  Pass pass;
+};
+
+TEST(EveryPass, LeavesADrivablePathDrivableAndNoLonger) {
+  const std::vector<Named> all{{"P1", passes::collinear},           {"P1a", passes::collinear_away_from_obstacles},
+                               {"P2", passes::right_angle},         {"P3", passes::greedy_line_of_sight},
+                               {"P4", passes::safe_distance},       {"P5", passes::interpolated_forward},
+                               {"P6", passes::interpolated_backward}};
+  const std::unique_ptr<Planner> greedy = find_variant("greedy")->make();
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    std::mt19937 random(seed);
+    const grid::ClearanceField clearance(test_support::random_blocks(random, 40, 25, 8, 0.1), 3.0);
+    Problem problem{clearance, {0.03, 0.04}, {3.96, 3.92}, seed % 2 == 0 ? 0.2 : 0.0, 0.02};
+    problem.safe_distance_m = seed % 3 == 0 ? 0.25 : 0.0;
+    const Plan plan = greedy->plan(problem, nullptr);
+    if (plan.outcome != Outcome::kFound) continue;
+    for (const Named& named : all) {
+      Path path = plan.waypoints_in_map;
+      named.pass(Drivable(problem), path);
+      EXPECT_EQ(why_not_drivable(problem, path), "") << named.name << ", seed " << seed;
+      EXPECT_LE(path_length_m(path), plan.length_m + 1e-9) << named.name << ", seed " << seed;
+      EXPECT_LE(path.size(), plan.waypoints_in_map.size()) << named.name << ", seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace aisle::global_planner
