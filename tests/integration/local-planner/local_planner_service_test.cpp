@@ -1,0 +1,250 @@
+// The service on a bus of its own domain; the test plays the map, the vehicle, the tracker and the global planner.
+#include "services/local-planner/local_planner_service.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/grid/tiles.hpp"
+#include "common/kinematics/vehicle_model.hpp"
+#include "common/wire/geometry.hpp"
+#include "common/wire/map.hpp"
+#include "tests/integration/bus/two_buses.hpp"
+
+namespace aisle::local_planner {
+namespace {
+
+using namespace std::chrono_literals;
+using bus::Bus;
+using bus::SampleInfo;
+using bus::SampleKind;
+
+bus::Settings site(int domain, const std::string& name) {
+  bus::Settings settings = bus_test::loopback(domain, name);
+  settings.partition = "local-planner-test-" + std::to_string(getpid());
+  return settings;
+}
+
+struct PlannerProcess {
+  PlannerProcess(int domain, std::uint64_t boot_id)
+      : bus(site(domain, "local-planner")), service(bus, "agv-1", service::OriginStamper("local-planner-agv-1", boot_id), health, "local-planner-agv-1", {}) {}
+  Bus bus;
+  service::Health health;
+  LocalPlannerService service;
+};
+
+/// A hall of 20 x 10 m and an obedient vehicle in it.
+class Site {
+ public:
+  explicit Site(int domain)
+      : bus(site(domain, "site")),
+        infos_(bus.writer<topics::MapInfo>()),
+        tiles_(bus.writer<topics::MapTile>()),
+        vehicles_(bus.writer<topics::VehicleInfo>()),
+        states_(bus.writer<topics::VehicleState>()),
+        plans_(bus.writer<topics::Plan>()),
+        tracking_(bus.writer<topics::TrackingStatus>()) {
+    bus.on<topics::VelocityCommand>([this](const aisle::VelocityCommand& sample, const SampleInfo& info) {
+      if (info.kind != SampleKind::kData) return;
+      commands.push_back(sample);
+      accepted_epoch = std::max(accepted_epoch, sample.by().epoch());
+      if (sample.by().epoch() == accepted_epoch) wanted = {sample.twist().linear_mps(), sample.twist().angular_radps(), 0.0};
+    });
+    bus.on<topics::NavigationStatus>([this](const aisle::NavigationStatus& sample, const SampleInfo& info) {
+      if (info.kind == SampleKind::kData) statuses.push_back(sample);
+    });
+    bus.every(20ms, [this] { move(); });
+  }
+
+  void publish_map() {
+    const grid::OccupancyGrid grid(grid::Geometry{200, 100, 0.1, {}});
+    grid::MapSummary summary;
+    summary.map_id = "hall";
+    summary.revision = 1;
+    summary.tiling = {64, grid.geometry()};
+    for (int tile = 0; tile < summary.tiling.count(); ++tile) {
+      grid::Tile t;
+      t.map_id = summary.map_id;
+      t.tile_x = tile % summary.tiling.tiles_x();
+      t.tile_y = tile / summary.tiling.tiles_x();
+      t.revision = 1;
+      t.cells = grid::tile_cells(grid, summary.tiling, tile);
+      t.hash = grid::tile_hash(t.cells);
+      summary.tile_hashes.push_back(t.hash);
+      aisle::MapTile sample = wire::encode(t);
+      tiles_.write(sample);
+    }
+    summary.hash = grid::map_hash(summary.tile_hashes);
+    aisle::MapInfo sample = wire::encode(summary);
+    sample.by(origin(sequence_++));
+    infos_.write(sample);
+  }
+
+  void publish_vehicle() {
+    aisle::VehicleInfo info;
+    const kinematics::Limits limits;
+    info.agv_id("agv-1");
+    info.by(origin(1));
+    info.radius_m(0.35);
+    info.max_speed_mps(limits.max_speed_mps);
+    info.max_reverse_mps(limits.max_reverse_mps);
+    info.max_turn_radps(limits.max_turn_radps);
+    info.max_acceleration_mps2(limits.max_acceleration_mps2);
+    info.max_deceleration_mps2(limits.max_deceleration_mps2);
+    info.max_turn_acceleration_radps2(limits.max_turn_acceleration_radps2);
+    vehicles_.write(info);
+    vehicle_lives = true;
+  }
+
+  void publish_plan(const std::string& goal_id, double x, double y) {
+    aisle::Plan plan;
+    plan.agv_id("agv-1");
+    plan.by(origin(1));
+    plan.plan_id(7);
+    plan.goal_id(goal_id);
+    plan.map_id("hall");
+    plan.map_revision(1);
+    plan.outcome(PlanOutcome::PLAN_FOUND);
+    plan.goal_in_map(wire::encode(geometry::Pose2{x, y, 0.0}));
+    plan.position_tolerance_m(0.15);
+    plan.waypoints_in_map().push_back(wire::encode(base.position()));
+    plan.waypoints_in_map().push_back(wire::encode(geometry::Point2{x, y}));
+    plans_.write(plan);
+  }
+
+  const aisle::NavigationStatus* status() const { return statuses.empty() ? nullptr : &statuses.back(); }
+  bool says(NavigationPhase phase, NavigationReason reason) const { return status() != nullptr && status()->phase() == phase && status()->reason() == reason; }
+
+  Bus bus;
+  geometry::Pose2 base{3.0, 5.0, 0.0};
+  geometry::Twist2 twist, wanted;
+  std::uint32_t accepted_epoch{4};                  // of a planner of before
+  bool vehicle_lives{false};
+  bool tracker_lives{true};
+  std::vector<aisle::VelocityCommand> commands;
+  std::vector<aisle::NavigationStatus> statuses;
+
+ private:
+  static aisle::Origin origin(std::uint64_t sequence_number) { return wire::encode(wire::SampleOrigin{"site", 1, 1, sequence_number, 1}); }
+
+  void move() {
+    if (vehicle_lives) {
+      twist = kinematics::limit_change(twist, wanted, {}, 0.02);
+      base = kinematics::advance(base, twist, 0.02);
+      aisle::VehicleState state;
+      state.agv_id("agv-1");
+      state.by(origin(sequence_++));
+      state.base_in_map(wire::encode(base));
+      state.twist(wire::encode(twist));
+      state.accepted_epoch(accepted_epoch);
+      states_.write(state);
+    }
+    if (tracker_lives) {
+      aisle::TrackingStatus status;
+      status.source_id("obstacle-tracker");
+      status.by(origin(sequence_++));
+      aisle::ScanUse use;
+      use.agv_id("agv-1");
+      use.scan_stamp_ns(1234);
+      status.newest_scans().push_back(use);
+      tracking_.write(status);
+    }
+  }
+
+  bus::Writer<topics::MapInfo> infos_;
+  bus::Writer<topics::MapTile> tiles_;
+  bus::Writer<topics::VehicleInfo> vehicles_;
+  bus::Writer<topics::VehicleState> states_;
+  bus::Writer<topics::Plan> plans_;
+  bus::Writer<topics::TrackingStatus> tracking_;
+  std::uint64_t sequence_{1};
+};
+
+TEST(LocalPlannerService, DrivesToTheGoalWithTheNextEpochAndTellsWhy) {
+  Site site(180);
+  PlannerProcess planner(180, 1);
+  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&planner.bus, &site.bus}, done, 20s); };
+  ASSERT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_WAITING, NavigationReason::REASON_NO_STATE); }));
+  EXPECT_TRUE(site.commands.empty()) << "no command before the vehicle's epoch is known";
+  site.publish_vehicle();
+  ASSERT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_WAITING, NavigationReason::REASON_NO_MAP); }));
+  site.publish_map();
+  ASSERT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_WAITING, NavigationReason::REASON_NO_GOAL); }));
+  site.publish_plan("goal-1", 7.0, 5.0);
+  ASSERT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_ARRIVED, NavigationReason::REASON_NONE); }));
+  EXPECT_LT(geometry::distance(site.base.position(), {7.0, 5.0}), 0.16);
+
+  const aisle::VelocityCommand& command = site.commands.back();
+  EXPECT_EQ(command.by().epoch(), 5U);
+  EXPECT_EQ(command.goal_id().to_string(), "goal-1");
+  EXPECT_EQ(command.plan_id(), 7U);
+  EXPECT_EQ(command.map_revision(), 1U);
+  EXPECT_EQ(command.scan_stamp_ns(), 1234);
+  for (std::size_t i = 1; i < site.commands.size(); ++i) EXPECT_GT(site.commands[i].by().sequence_number(), site.commands[i - 1].by().sequence_number());
+  EXPECT_EQ(site.status()->goal_id().to_string(), "goal-1");
+  EXPECT_EQ(site.status()->plan_id(), 7U);
+}
+
+TEST(LocalPlannerService, StopsWhenTheTrackerFallsSilent) {
+  Site site(181);
+  PlannerProcess planner(181, 1);
+  site.publish_vehicle();
+  site.publish_map();
+  site.publish_plan("goal-1", 18.0, 5.0);
+  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&planner.bus, &site.bus}, done, 20s); };
+  ASSERT_TRUE(until([&] { return site.twist.linear_mps > 0.8; }));
+  site.tracker_lives = false;
+  ASSERT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_HELD, NavigationReason::REASON_STALE_TRACKER); }));
+  ASSERT_TRUE(until([&] { return site.twist.linear_mps == 0.0; }));
+  site.tracker_lives = true;
+  EXPECT_TRUE(until([&] { return site.twist.linear_mps > 0.3; }));
+}
+
+TEST(LocalPlannerService, FallsSilentWhenTheVehicleObeysALaterEpoch) {
+  Site site(182);
+  PlannerProcess planner(182, 1);
+  site.publish_vehicle();
+  site.publish_map();
+  site.publish_plan("goal-1", 18.0, 5.0);
+  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&planner.bus, &site.bus}, done, 20s); };
+  ASSERT_TRUE(until([&] { return site.twist.linear_mps > 0.3; }));
+  site.accepted_epoch = 9;
+  site.wanted = {};
+  ASSERT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_HELD, NavigationReason::REASON_AUTHORITY); }));
+  const std::size_t commands = site.commands.size();
+  const std::size_t statuses = site.statuses.size();
+  int later = 0;
+  planner.bus.every(50ms, [&] { ++later; });
+  ASSERT_TRUE(until([&] { return later >= 10; }));
+  EXPECT_EQ(site.commands.size(), commands);
+  EXPECT_EQ(site.statuses.size(), statuses);
+}
+
+TEST(LocalPlannerService, ARestartedOneTakesOver) {
+  Site site(183);
+  auto planner = std::make_unique<PlannerProcess>(183, 1);
+  site.publish_vehicle();
+  site.publish_map();
+  site.publish_plan("goal-1", 18.0, 5.0);
+  ASSERT_TRUE(bus_test::run_until({&planner->bus, &site.bus}, [&] { return site.twist.linear_mps > 0.3; }, 20s));
+  const std::uint32_t epoch = site.accepted_epoch;
+  planner = std::make_unique<PlannerProcess>(183, 2);
+  ASSERT_TRUE(bus_test::run_until({&planner->bus, &site.bus}, [&] { return site.accepted_epoch == epoch + 1 && site.twist.linear_mps > 0.3; }, 20s));
+}
+
+TEST(LocalPlannerService, DropsAndCountsWhatCannotBeTrue) {
+  Site site(184);
+  PlannerProcess planner(184, 1);
+  site.publish_vehicle();
+  site.publish_map();
+  site.publish_plan("goal-1", std::nan(""), 5.0);
+  ASSERT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return planner.health.counters["dropped_plan"] == 1; }, 20s));
+  EXPECT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return site.says(NavigationPhase::PHASE_WAITING, NavigationReason::REASON_NO_GOAL); }, 20s));
+}
+
+}  // namespace
+}  // namespace aisle::local_planner

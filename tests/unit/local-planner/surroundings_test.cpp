@@ -1,0 +1,103 @@
+#include "services/local-planner/core/surroundings.hpp"
+
+#include <gtest/gtest.h>
+
+namespace aisle::local_planner {
+namespace {
+
+using geometry::Point2;
+using time::from_seconds;
+
+constexpr time::Stamp kNow = std::chrono::seconds(100);
+
+SeenTrack track(Point2 position, Point2 velocity, bool is_static = false) {
+  SeenTrack seen;
+  seen.track.position_in_map = position;
+  seen.track.velocity_in_map = velocity;
+  seen.track.is_static = is_static;
+  seen.arrived = kNow;
+  return seen;
+}
+
+Peer peer(const std::string& id, geometry::Pose2 base, double speed_mps) {
+  Peer p;
+  p.id = id;
+  p.state = {base, {speed_mps, 0.0, 0.0}};
+  p.state_arrived = kNow;
+  p.phase = Phase::kDriving;
+  p.intent = {{0.0, base}, {1.0, {base.x + speed_mps, base.y, base.yaw}}, {2.0, {base.x + 2.0 * speed_mps, base.y, base.yaw}}};
+  p.intent_arrived = kNow;
+  return p;
+}
+
+Surroundings observe(Observer& observer, const Inputs& inputs, double later_s = 0.0) {
+  return observer.observe(inputs, "agv-1", 0.1, 20, kNow + from_seconds(later_s));
+}
+
+TEST(Surroundings, CarryPeopleOnToWhenTheCommandActs) {
+  Observer observer{SurroundingsSettings{}};
+  Inputs inputs;
+  inputs.tracks = {track({2.0, 3.0}, {1.0, 0.0})};
+  const Surroundings around = observe(observer, inputs, 0.1);       // 0.1 s old, 0.05 s on the way, 0.1 s of dead time
+  ASSERT_EQ(around.movers.size(), 1U);
+  EXPECT_NEAR(around.movers[0].position_in_map.x, 2.25, 1e-9);
+  EXPECT_TRUE(around.standing.empty());
+}
+
+TEST(Surroundings, PeopleAreLessCertainThanThings) {
+  Observer observer{SurroundingsSettings{}};
+  Inputs inputs;
+  inputs.tracks = {track({2.0, 3.0}, {1.0, 0.0}), track({4.0, 3.0}, {}, true)};
+  const Surroundings around = observe(observer, inputs);
+  EXPECT_GT(around.movers[0].margin_m, around.movers[1].margin_m);
+  EXPECT_GT(around.movers[0].growth_mps, around.movers[1].growth_mps);
+  ASSERT_EQ(around.standing.size(), 1U);
+  EXPECT_DOUBLE_EQ(around.standing[0].disc.position.x, 4.0);
+}
+
+TEST(Surroundings, KnowWhereAPeerCanStop) {
+  Observer observer{SurroundingsSettings{}};
+  Inputs inputs;
+  inputs.peers = {peer("agv-2", {5.0, 5.0, 0.0}, 1.2)};
+  const Surroundings around = observe(observer, inputs);
+  const auto& stopping = around.peer_motions[0].stopping_in_map;
+  EXPECT_EQ(stopping.front(), (Point2{5.0, 5.0}));
+  EXPECT_GT(stopping.back().x, 5.0 + 0.6);                           // v^2 / 2a, and what it drives before it reacts
+  EXPECT_LT(stopping.back().x, 5.0 + 1.3);
+}
+
+TEST(Surroundings, ASilentPeerStandsAndClaimsNothing) {
+  Observer observer{SurroundingsSettings{}};
+  Inputs inputs;
+  inputs.peers = {peer("agv-2", {5.0, 5.0, 0.0}, 1.2)};
+  const Surroundings around = observe(observer, inputs, 1.0);
+  EXPECT_FALSE(around.peers[0].has_goal);
+  EXPECT_EQ(around.peers[0].claim.size(), 1U);
+  ASSERT_EQ(around.standing.size(), 1U);
+  EXPECT_EQ(around.standing[0].vehicle_id, "agv-2");
+}
+
+TEST(Surroundings, APeerWithAGoalIsDrivenAroundOnlyWhenItStandsForLong) {
+  Observer observer{SurroundingsSettings{}};
+  Inputs inputs;
+  for (int i = 0; i <= 50; ++i) {
+    Peer standing = peer("agv-2", {5.0, 5.0, 0.0}, 0.0);
+    standing.state_arrived = standing.intent_arrived = kNow + from_seconds(0.1 * i);
+    inputs.peers = {standing};
+    const Surroundings around = observe(observer, inputs, 0.1 * i);
+    EXPECT_EQ(around.standing.empty(), 0.1 * i <= SurroundingsSettings{}.peer_patience_s + 1e-6) << i;
+  }
+}
+
+TEST(Surroundings, AClaimBeginsWhereThePeerIsNow) {
+  Observer observer{SurroundingsSettings{}};
+  Inputs inputs;
+  inputs.peers = {peer("agv-2", {5.0, 5.0, 0.0}, 1.0)};
+  inputs.peers[0].state.base_in_map.x = 5.9;                           // the intent is from 0.9 s before
+  const Surroundings around = observe(observer, inputs);
+  EXPECT_DOUBLE_EQ(around.peers[0].claim.front().base_in_map.x, 5.9);
+  for (std::size_t i = 1; i < around.peers[0].claim.size(); ++i) EXPECT_GT(around.peers[0].claim[i].base_in_map.x, 5.9);
+}
+
+}  // namespace
+}  // namespace aisle::local_planner
