@@ -1,5 +1,6 @@
 #include "services/local-planner/local_planner_service.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -42,8 +43,7 @@ LocalPlannerService::LocalPlannerService(bus::Bus& bus, const std::string& agv_i
   listen_to_vehicles();
   listen_to_tracks();
   bus_.on<topics::Plan>([this](const aisle::Plan& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData || sample.agv_id().to_string() != agv_id_) return;   // a plan outlives its planner
-    if (auto plan = accepted("plan", decode(sample))) inputs_.plan = *std::move(plan);
+    if (info.kind == SampleKind::kData) take(sample);   // a plan outlives its planner
   });
   bus_.every(kPeriod, [this] { cycle(); });
 }
@@ -113,6 +113,21 @@ void LocalPlannerService::take_own_state(const aisle::VehicleState& sample, time
   }
 }
 
+void LocalPlannerService::take(const aisle::Plan& sample) {
+  if (sample.agv_id().to_string() != agv_id_) return plan_authority_.hear(sample.by().epoch());
+  auto plan = accepted("plan", decode(sample));
+  if (!plan) return;
+  const PlanVerdict verdict = plan_authority_.judge(sample.by().epoch(), sample.by().boot_id(), sample.by().sequence_number());
+  if (verdict == PlanVerdict::kAccepted) {
+    inputs_.plan = *std::move(plan);
+    return;
+  }
+  health_.count(std::string("refused_plan_") + name(verdict));
+  warnings_.warn(std::string("plan ") + name(verdict),
+                 fmt::format("plan refused: {} (plan {} of {}, epoch {}; newest epoch heard {})", name(verdict), sample.plan_id(),
+                             sample.by().source_id().to_string(), sample.by().epoch(), plan_authority_.epoch()));
+}
+
 void LocalPlannerService::listen_to_tracks() {
   bus_.on<topics::Track>([this](const aisle::Track& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) {
@@ -128,11 +143,16 @@ void LocalPlannerService::listen_to_tracks() {
 }
 
 void LocalPlannerService::take_status(const aisle::TrackingStatus& sample, time::Stamp arrived) {
-  inputs_.tracker_alive = arrived;
-  for (const aisle::ScanUse& use : sample.newest_scans())
-    if (use.agv_id().to_string() == agv_id_) scan_stamp_ns_ = std::max<std::int64_t>(scan_stamp_ns_, use.scan_stamp_ns());
+  inputs_.tracker_heard = arrived;
   const auto& live = sample.live_track_ids();
   const std::string source = sample.by().source_id().to_string();
+  for (const aisle::ScanUse& use : sample.newest_scans()) {
+    if (use.agv_id().to_string() != agv_id_) continue;
+    scan_stamp_ns_ = std::max<std::int64_t>(scan_stamp_ns_, use.scan_stamp_ns());
+    // Another number is another scan, also the 1 of a vehicle that was restarted. The first one heard may be of long ago.
+    const auto [known, is_first] = own_scans_.try_emplace(source, use.scan_sequence());
+    if (!is_first && std::exchange(known->second, use.scan_sequence()) != use.scan_sequence()) inputs_.tracker_alive = arrived;
+  }
   for (auto entry = tracks_.begin(); entry != tracks_.end();) {
     const bool listed = std::find(live.begin(), live.end(), entry->first) != live.end();
     const bool lost = !listed && entry->second.source_id == source && arrived - entry->second.seen.arrived > kTrackGrace;
@@ -195,10 +215,11 @@ void LocalPlannerService::report(const Output& output) {
   health_.map_hash = map_.hash();
   health_.counters["cycles"] = cycles_;
   health_.counters["epoch"] = epoch_.value_or(0);
+  health_.counters["plan_epoch"] = plan_authority_.epoch();
   switch (output.reason) {
     case Reason::kNoState: health_.waits_for = inputs_.vehicle ? "vehicle_state of " + agv_id_ : "vehicle_info of " + agv_id_; break;
     case Reason::kNoMap: health_.waits_for = "map_info and map_tile"; break;
-    case Reason::kNoTracker: health_.waits_for = "tracking_status"; break;
+    case Reason::kNoTracker: health_.waits_for = "tracking_status with scans of " + agv_id_; break;
     default: health_.waits_for.clear();
   }
   const bool degraded = output.phase == Phase::kHeld && output.reason != Reason::kCancelled;

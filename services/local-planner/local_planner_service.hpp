@@ -11,6 +11,7 @@
 #include "common/service/shell.hpp"
 #include "common/wire/checks.hpp"
 #include "services/local-planner/core/local_planner.hpp"
+#include "services/local-planner/core/plan_authority.hpp"
 
 namespace aisle::local_planner {
 
@@ -41,6 +42,7 @@ class LocalPlannerService {
 
   void listen_to_vehicles();
   void listen_to_tracks();
+  void take(const aisle::Plan& sample);
   void take_own_state(const aisle::VehicleState& sample, time::Stamp arrived);
   void take_status(const aisle::TrackingStatus& sample, time::Stamp arrived);
   void cycle();
@@ -58,11 +60,13 @@ class LocalPlannerService {
   service::MapClient map_;
   LocalPlanner planner_;
   Inputs inputs_;
+  PlanAuthority plan_authority_;
   std::map<std::string, Peer> peers_;
   std::map<std::uint64_t, TrackEntry> tracks_;
   bus::Writer<topics::VelocityCommand> commands_;
   bus::Writer<topics::NavigationStatus> statuses_;
   std::optional<std::uint32_t> epoch_;          // of our commands, once the vehicle was heard
+  std::map<std::string, std::uint64_t> own_scans_;      // the newest in each tracker's tracks, by sequence number
   std::int64_t scan_stamp_ns_{0};
   double control_ms_{0.0};
   std::uint64_t cycles_{0};

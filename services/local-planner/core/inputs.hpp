@@ -81,7 +81,8 @@ struct Inputs {
   std::optional<Vehicle> vehicle;
   time::Latest<VehicleState> state;
   std::optional<Plan> plan;
-  time::Stamp tracker_alive{};                         // arrival of the newest sign of life; 0: never
+  time::Stamp tracker_heard{};                         // arrival of its newest status, whoever's scan it tells of; 0: never
+  time::Stamp tracker_alive{};                         // the newest that told of a new scan of this vehicle's own lidar; 0: never
   std::vector<SeenTrack> tracks;
   std::vector<Peer> peers;
   bool authority_lost{false};                          // the vehicle obeys a higher epoch than ours

@@ -66,9 +66,10 @@ Output LocalPlanner::step(const Inputs& inputs, Stamp now) {
     cycle.base_now = kinematics::advance(state->base_in_map, state->twist, age);
     cycle.base_then = kinematics::advance(cycle.base_now, last_command_, settings_.surroundings.dead_time_s);
     cycle.measured_mps = state->twist.linear_mps;
-    // The command before is where the wheels are going, unless the vehicle does something else.
+    // The command before is where the wheels are going, unless the vehicle does something else; an old state says nothing of that.
     const double slack = 0.1 + 0.35 * cycle.vehicle.limits.max_acceleration_mps2;
-    last_command_.linear_mps = std::clamp(last_command_.linear_mps, cycle.measured_mps - slack - 0.1, cycle.measured_mps + slack);
+    if (inputs.state.fresh(now, time::from_seconds(settings_.stale_state_s)))
+      last_command_.linear_mps = std::clamp(last_command_.linear_mps, cycle.measured_mps - slack - 0.1, cycle.measured_mps + slack);
   }
   if (const auto held = guard(inputs, now)) {
     hold(cycle, held->first, held->second);
@@ -119,6 +120,9 @@ void LocalPlanner::hold(Cycle& cycle, Phase phase, Reason reason) {
   cycle.out.phase = phase;
   cycle.out.reason = reason;
   if (reason == Reason::kUnreachable) cycle.out.detail = cycle.inputs.plan->detail;
+  const bool about_tracker = reason == Reason::kNoTracker || reason == Reason::kStaleTracker;
+  const bool tracker_lives = cycle.inputs.tracker_heard != Stamp{} && seconds(cycle.now - cycle.inputs.tracker_heard) <= settings_.stale_tracker_s;
+  if (about_tracker && tracker_lives) cycle.out.detail = "the tracker works, but has no fresh scan of " + cycle.vehicle.id;
   moved_ = cycle.now;
   progressed_ = cycle.now;
   turning_ = false;
@@ -134,11 +138,13 @@ void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
     way_.drop_aside();
     recoveries_ = 0;
   }
-  if (!other_goal && plan.id == plan_id_ && lane_revision_ == inputs.map_revision && !way_.empty()) return;
-  const bool same_plan = !other_goal && plan.id == plan_id_ && !way_.empty();
+  // By what it says: ids begin again with each planner, and whoever takes over keeps the plans that it finds.
+  const bool same_plan = !other_goal && plan.waypoints_in_map == plan_waypoints_ && !way_.empty();
+  if (same_plan && plan.id == plan_id_ && lane_revision_ == inputs.map_revision) return;
   goal_id_ = plan.goal_id;
   goal_in_map_ = plan.goal_in_map;
   plan_id_ = plan.id;
+  plan_waypoints_ = plan.waypoints_in_map;
   lane_revision_ = inputs.map_revision;
   way_.adopt(make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.radius_m, settings_.lane), cycle.here(), same_plan);
   blocked_.reset();
@@ -277,7 +283,8 @@ void LocalPlanner::recover(Cycle& cycle) {
   const double left = way_.lane().length_m() - way_.lane_s_m();
   if (left < least_left_m_ - 0.5) least_left_m_ = left, progressed_ = cycle.now, recoveries_ = 0;
   const bool waits = !cycle.advice.yields_to.empty() && !cycle.advice.follows;
-  if (waits || way_.is_aside()) return;
+  const bool asks_for_a_plan = blocked_ && blocked_by_vehicle_.empty();      // backing off does not move what stands there
+  if (waits || way_.is_aside() || asks_for_a_plan) return;
   const double none_s = seconds(cycle.now - progressed_);
   const double patience_s = 6.0 + 4.0 * std::min(recoveries_, 5);
   if (none_s < patience_s) return;
@@ -326,6 +333,8 @@ void LocalPlanner::drive(Cycle& cycle) {
   const bool near_end = way_.left_m() < 0.6;
   if (std::abs(error) > (near_end ? 0.45 : kTurnBeginRad) && !near_target) turning_ = true;
   if (std::abs(error) < kTurnEndRad || near_target) turning_ = false;
+  const bool waits_before_it = blocked_ && !way_.is_aside() && cycle.stands() && way_.s_m() > blocked_->begin_m - 0.2;
+  if (waits_before_it) turning_ = false;
   cycle.out.phase = way_.is_on_detour() || way_.is_aside() ? Phase::kAvoiding : Phase::kDriving;
   if (turning_) {
     cycle.out.phase = Phase::kTurning;
@@ -337,7 +346,8 @@ void LocalPlanner::drive(Cycle& cycle) {
   const Scene scene{*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.vehicle.radius_m, cycle.vehicle.limits,
                     speed_cap(cycle), cycle.around.movers, cycle.around.peer_motions};
   const Choice choice = choose(scene, {cycle.target, 0.2, 0.6, last_command_}, variant_, settings_.dwa);
-  if (choice.found) command(cycle, choice.twist);
+  if (waits_before_it) command(cycle, {});
+  else if (choice.found) command(cycle, choice.twist);
   else {
     const double v = last_command_.linear_mps;
     const double next = std::max(0.0, v - cycle.vehicle.limits.max_deceleration_mps2 * settings_.control_period_s);

@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "services/local-planner/core/inputs.hpp"
 #include "services/local-planner/core/settings.hpp"
@@ -49,6 +50,7 @@ class LocalPlanner {
   time::Stamp last_step_{};
   time::Stamp late_{};                              // when a cycle last came too late
   std::uint64_t plan_id_{0};                        // of the lane
+  std::vector<geometry::Point2> plan_waypoints_;    // as the plan had them
   std::string goal_id_;
   geometry::Pose2 goal_in_map_;
   std::uint64_t lane_revision_{0};

@@ -102,9 +102,8 @@ Obstruction touched(const Scene& scene, const Needed& needed, Point2 p, double t
   constexpr double kTiny = 1e-6;
   for (const auto& [peer, gap] : needed.peers)
     if (peer_gap(scene, *peer, p) < gap - kTiny) return Obstruction::kPeer;
-  if (!moving) return Obstruction::kNone;
   for (const auto& [mover, gap] : needed.movers)
-    if (mover_gap(scene, *mover, p, t_s) < gap - kTiny) return Obstruction::kMover;
+    if ((moving || mover->velocity_in_map == Point2{}) && mover_gap(scene, *mover, p, t_s) < gap - kTiny) return Obstruction::kMover;
   return Obstruction::kNone;
 }
 

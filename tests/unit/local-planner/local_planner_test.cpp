@@ -38,7 +38,8 @@ class Drive {
   Output cycle() {
     now += std::chrono::milliseconds(20);
     if (state_comes) inputs.state.set({base, twist}, now);
-    if (tracker_lives) inputs.tracker_alive = now;
+    if (tracker_lives) inputs.tracker_heard = now;
+    if (tracker_lives && lidar_lives) inputs.tracker_alive = now;
     output = planner.step(inputs, now);
     pipe_.push_back(output.twist);
     twist = kinematics::limit_change(twist, pipe_.size() > 5 ? pipe_.front() : Twist2{}, inputs.vehicle->limits, 0.02);
@@ -67,6 +68,7 @@ class Drive {
     SeenTrack seen;
     seen.track.position_in_map = position;
     seen.track.velocity_in_map = velocity;
+    seen.track.radius_m = 0.25;
     seen.track.is_static = is_static;
     seen.arrived = now;
     return seen;
@@ -80,6 +82,7 @@ class Drive {
   time::Stamp now{std::chrono::seconds(100)};
   bool state_comes{true};
   bool tracker_lives{true};
+  bool lidar_lives{true};
 
  private:
   grid::ClearanceField clearance_;
@@ -219,10 +222,21 @@ TEST_P(LocalPlannerFault, BrakesAtOnceAndNamesIt) {
 INSTANTIATE_TEST_SUITE_P(Faults, LocalPlannerFault,
                          testing::Values(Fault{"StaleState", [](Drive& d) { d.state_comes = false; }, Phase::kHeld, Reason::kStaleState, 0.22},
                                          Fault{"StaleTracker", [](Drive& d) { d.tracker_lives = false; }, Phase::kHeld, Reason::kStaleTracker, 0.52},
+                                         Fault{"BlindOnThisVehicle", [](Drive& d) { d.lidar_lives = false; }, Phase::kHeld, Reason::kStaleTracker, 0.52},
                                          Fault{"Cancelled", [](Drive& d) { d.inputs.plan->outcome = Plan::Outcome::kCancelled; }, Phase::kHeld, Reason::kCancelled, 0.02},
                                          Fault{"Authority", [](Drive& d) { d.inputs.authority_lost = true; }, Phase::kHeld, Reason::kAuthority, 0.02},
                                          Fault{"PlanOutdated", [](Drive& d) { d.inputs.map_revision = 2; }, Phase::kHeld, Reason::kPlanOutdated, 0.54}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& fault) { return fault.param.name; });
+
+TEST(LocalPlannerGuard, TellsABlindVehicleFromADeadTracker) {
+  Drive blind(hall(20.0, 10.0)), alone(hall(20.0, 10.0));
+  for (Drive* drive : {&blind, &alone}) drive->give_plan({{3.0, 5.0}, {16.0, 5.0}}), drive->run(1.0);
+  blind.lidar_lives = false;
+  alone.tracker_lives = false;
+  for (Drive* drive : {&blind, &alone}) drive->run(1.0);
+  EXPECT_EQ(blind.output.detail, "the tracker works, but has no fresh scan of agv-1");
+  EXPECT_EQ(alone.output.detail, "");
+}
 
 TEST(LocalPlannerGuard, GoesOnSlowlyWhileTheMapIsNewerThanThePlan) {
   Drive drive(hall(40.0, 10.0));
@@ -262,6 +276,51 @@ TEST(LocalPlanner, GoesOnAlongAPlanThatWasKept) {
     return drive.output.phase == Phase::kArrived;
   }));
   EXPECT_GT(least, 19.9);
+}
+
+/// Down the hall and back 1.2 m beside: the nearest point of the plan's beginning is not where the vehicle is.
+const std::vector<Point2> kThereAndBack{{3.0, 4.4}, {30.0, 4.4}, {30.0, 5.6}, {3.0, 5.6}};
+
+void expect_to_go_on(Drive& drive) {
+  const double left_m = drive.output.distance_left_m;
+  drive.cycle();
+  EXPECT_NEAR(drive.output.distance_left_m, left_m, 0.5);
+  EXPECT_NE(drive.output.phase, Phase::kTurning);
+  double most_x = drive.base.x;
+  EXPECT_TRUE(drive.until(40.0, [&] {
+    most_x = std::max(most_x, drive.base.x);
+    return drive.output.phase == Phase::kArrived;
+  }));
+  EXPECT_LT(most_x, 8.0) << "began the plan anew";
+}
+
+TEST(LocalPlanner, GoesOnAlongAPlanThatLeadsBackWhenTheMapIsEdited) {
+  Drive drive(hall(40.0, 10.0), {3.0, 4.4, 0.0});
+  drive.give_plan(kThereAndBack);
+  ASSERT_TRUE(drive.until(120.0, [&] { return drive.base.y > 5.0 && drive.base.x < 7.5; }));
+  drive.inputs.map_revision = drive.inputs.plan->map_revision = 2;
+  expect_to_go_on(drive);
+}
+
+TEST(LocalPlanner, GoesOnAlongAPlanThatAnotherPlannerTookOver) {
+  Drive drive(hall(40.0, 10.0), {3.0, 4.4, 0.0});
+  drive.give_plan(kThereAndBack);
+  ASSERT_TRUE(drive.until(120.0, [&] { return drive.base.y > 5.0 && drive.base.x < 7.5; }));
+  drive.give_plan(kThereAndBack);                   // the same under another id
+  expect_to_go_on(drive);
+}
+
+TEST(LocalPlanner, TakesANewPathUnderAnOldId) {
+  Drive drive(hall(40.0, 10.0));
+  drive.give_plan({{3.0, 5.0}, {37.0, 5.0}});
+  drive.run(2.0);
+  drive.inputs.plan->waypoints_in_map = {{3.0, 5.0}, {20.0, 8.5}, {37.0, 5.0}};   // ids of a planner that was restarted begin again
+  double most_y = 0.0;
+  ASSERT_TRUE(drive.until(60.0, [&] {
+    most_y = std::max(most_y, drive.base.y);
+    return drive.output.phase == Phase::kArrived;
+  }));
+  EXPECT_GT(most_y, 7.0);
 }
 
 TEST(LocalPlanner, FindsItsPlaceOnAPlanAfterARestart) {

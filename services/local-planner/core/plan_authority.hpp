@@ -1,0 +1,32 @@
+#pragma once
+#include <cstdint>
+
+namespace aisle::local_planner {
+
+enum class PlanVerdict {
+  kAccepted,
+  kOldEpoch,       // of a planner that was replaced
+  kOldSequence,    // overtaken by a later plan of the same planner
+};
+
+/// One word for logs and counters.
+const char* name(PlanVerdict verdict);
+
+/// Whose plans are followed: those of the newest planner epoch heard, for whichever vehicle it planned, and of one planner in its order.
+/// A plan that is already followed stays when a newer epoch is heard: whoever took over looks at it, and says it again or replaces it.
+class PlanAuthority {
+ public:
+  /// A plan for another vehicle was heard.
+  void hear(std::uint32_t epoch);
+  /// A plan for this vehicle: may it be followed?
+  PlanVerdict judge(std::uint32_t epoch, std::uint64_t boot_id, std::uint64_t sequence_number);
+  /// The newest heard; 0: none.
+  std::uint32_t epoch() const { return epoch_; }
+
+ private:
+  std::uint32_t epoch_{0};
+  std::uint64_t boot_id_{0};
+  std::uint64_t sequence_number_{0};
+};
+
+}  // namespace aisle::local_planner
