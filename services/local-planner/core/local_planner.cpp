@@ -151,7 +151,7 @@ void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
   searched_ = {};
   moved_ = cycle.now;
   progressed_ = cycle.now;
-  least_left_m_ = 1e18;
+  least_left_m_ = best_left_m_ = 1e18;
 }
 
 /// At the goal: turns to the goal's heading if that matters, and stays. Returns true when nothing is left to drive.
@@ -281,15 +281,19 @@ bool LocalPlanner::find_spot(Cycle& cycle, const std::vector<std::string>& for_w
 /// Grades of recovery while the vehicle wants to move and cannot: a new look for a detour, a place a metre away, another plan.
 void LocalPlanner::recover(Cycle& cycle) {
   const double left = way_.lane().length_m() - way_.lane_s_m();
-  if (left < least_left_m_ - 0.5) least_left_m_ = left, progressed_ = cycle.now, recoveries_ = 0;
+  if (left < least_left_m_ - 0.5) least_left_m_ = left, progressed_ = cycle.now;
+  if (left < best_left_m_ - 0.5) best_left_m_ = left, recoveries_ = 0;
   const bool waits = !cycle.advice.yields_to.empty() && !cycle.advice.follows;
   const bool asks_for_a_plan = blocked_ && blocked_by_vehicle_.empty();      // backing off does not move what stands there
-  if (waits || way_.is_aside() || asks_for_a_plan) return;
+  if (way_.is_aside()) least_left_m_ = left;
+  if (waits || way_.is_aside() || asks_for_a_plan) {
+    progressed_ = cycle.now;      // patience is for trying
+    return;
+  }
   const double none_s = seconds(cycle.now - progressed_);
   const double patience_s = 6.0 + 4.0 * std::min(recoveries_, 5);
   if (none_s < patience_s) return;
   progressed_ = cycle.now;
-  least_left_m_ = 1e18;
   ++recoveries_;
   std::vector<std::string> stuck_with;
   for (const PeerView& peer : cycle.around.peers)

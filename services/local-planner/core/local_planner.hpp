@@ -62,7 +62,8 @@ class LocalPlanner {
   time::Stamp searched_{};                          // when detours were last looked for
   time::Stamp stepped_aside_{};
   time::Stamp progressed_{};                        // when the distance left last shrank by a good piece
-  double least_left_m_{1e18};
+  double least_left_m_{1e18};   // of the lane, since the last recovery
+  double best_left_m_{1e18};    // ... since the plan came
   int recoveries_{0};
   std::optional<Obstructed> blocked_;               // the way is obstructed here and no detour was found
   std::string blocked_by_vehicle_;
