@@ -21,6 +21,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kTurn{20};
 constexpr milliseconds kAssert{50};          // of a lease of 200 ms
 constexpr std::uint32_t kMostEpochs = 2'000'000;
+constexpr const char* kPlanEpoch = "plan_epoch";   // counter in service_health: of the plans that a service follows
 
 std::unique_ptr<Planner> make_planner(const std::string& name) {
   if (const Variant* variant = find_variant(name)) return variant->make();
@@ -94,6 +95,13 @@ void GlobalPlannerService::listen() {
     }
   });
   bus_.on<topics::Plan>([this](const aisle::Plan& sample, const SampleInfo& info) { hear(sample, info); });
+  bus_.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const SampleInfo& info) {
+    if (info.kind != SampleKind::kData || sample.by().boot_id() == boot_id_) return;
+    for (const aisle::Counter& counter : sample.counters()) {
+      if (counter.name().to_string() != kPlanEpoch) continue;
+      leadership_.hear_of(static_cast<std::uint32_t>(std::min<std::uint64_t>(counter.value(), kMostEpochs)));
+    }
+  });
 }
 
 void GlobalPlannerService::hear(const aisle::Plan& sample, const SampleInfo& info) {
@@ -175,6 +183,7 @@ void GlobalPlannerService::report() {
   health_.map_hash = map_.hash();
   health_.counters["leads"] = leadership_.role() == Leadership::Role::kLeading ? 1 : 0;
   health_.counters["epoch"] = leadership_.epoch();
+  health_.counters[kPlanEpoch] = leadership_.highest_epoch();
   health_.counters["searches"] = fleet_.searches();
   health_.waits_for = fleet_.waits_for(monotonic_now());
   health_.state = health_.waits_for.empty() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;

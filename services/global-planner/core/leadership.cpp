@@ -7,6 +7,7 @@ namespace {
 
 constexpr time::Stamp kListens = std::chrono::milliseconds(500);
 constexpr time::Stamp kAlone = std::chrono::seconds(3);
+constexpr time::Stamp kOutdone = std::chrono::seconds(1);   // whoever leads with a later epoch is heard within this
 
 }  // namespace
 
@@ -19,6 +20,8 @@ void Leadership::hear(std::uint32_t epoch, std::uint64_t boot_id) {
   has_heard_ = true;
   is_leader_lost_ = false;
 }
+
+void Leadership::hear_of(std::uint32_t epoch) { highest_heard_ = std::max(highest_heard_, epoch); }
 
 bool Leadership::step(time::Stamp now, int others) {
   if (!is_started_) {
@@ -48,16 +51,29 @@ bool Leadership::step(time::Stamp now, int others) {
         has_heard_ = true;
         is_leader_lost_ = false;
         alone_since_ = now;
+      } else if (is_outdone(now, others)) {
+        lead();
+        return true;
       }
       break;
   }
   return role_ != before;
 }
 
+bool Leadership::is_outdone(time::Stamp now, int others) {
+  if (highest_heard_ <= epoch_ || others > 0) {
+    outdone_since_.reset();
+    return false;
+  }
+  if (!outdone_since_) outdone_since_ = now;
+  return now - *outdone_since_ >= kOutdone;
+}
+
 void Leadership::lead() {
   role_ = Role::kLeading;
   epoch_ = std::max(epoch_, highest_heard_) + 1;
   must_yield_ = has_heard_ = is_leader_lost_ = false;
+  outdone_since_.reset();
 }
 
 }  // namespace aisle::global_planner

@@ -1,5 +1,7 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "common/time/stamp.hpp"
 
@@ -10,6 +12,9 @@ namespace aisle::global_planner {
 ///
 ///   listening ──0.5 s without a plan of another──► leading ──hears a higher epoch──► standby
 ///       └──── hears a plan, or was told to ────► standby ──leader lost, or nobody for 3 s──► leading, epoch + 1
+///
+/// Those who follow plans say which epoch they follow. So a planner that finds no other one still begins above the epoch of those
+/// that died, and one that learns of a later epoch, whose planner is not there, raises its own above it after a second.
 class Leadership {
  public:
   enum class Role { kListening, kStandby, kLeading };
@@ -19,18 +24,23 @@ class Leadership {
 
   /// A plan of another planner came.
   void hear(std::uint32_t epoch, std::uint64_t boot_id);
+  /// Somebody follows plans of this epoch, or did.
+  void hear_of(std::uint32_t epoch);
   /// A plan of another planner has no live writer any more.
   void lose_leader() { is_leader_lost_ = true; }
 
-  /// Looks at the time; `others` is the number of other planners' writers. True when the role changed.
+  /// Looks at the time; `others` is the number of other planners' writers. True when the role or the epoch of this leader changed.
   bool step(time::Stamp now, int others);
 
   Role role() const { return role_; }
   /// In force while leading; at least 1.
   std::uint32_t epoch() const { return epoch_; }
+  /// The highest of ours and of those heard of.
+  std::uint32_t highest_epoch() const { return std::max(epoch_, highest_heard_); }
 
  private:
   void lead();
+  bool is_outdone(time::Stamp now, int others);
 
   bool starts_as_standby_;
   std::uint64_t boot_id_;
@@ -40,6 +50,7 @@ class Leadership {
   bool has_heard_{false};         // of another planner, since the role changed
   bool must_yield_{false};
   bool is_leader_lost_{false};
+  std::optional<time::Stamp> outdone_since_;   // a later epoch than ours is followed, and nobody leads with it
   bool is_started_{false};
   time::Stamp started_{};
   time::Stamp alone_since_{};

@@ -107,6 +107,18 @@ TEST(GlobalPlannerService, IsFollowedByItsStandbyWithTheNextEpoch) {
   EXPECT_EQ(site.plans[1].waypoints_in_map(), before.waypoints_in_map());
 }
 
+TEST(GlobalPlannerService, BeginsAboveTheEpochThatVehiclesFollowedBeforeAllPlannersWereGone) {
+  Site site(147);
+  site.publish_map();
+  site.add_vehicle("agv-1", {1.0, 5.0, 0.0});
+  site.send_goal("agv-1", "goal-1", 19.0, 5.0);
+  site.say_followed(7);
+  PlannerProcess planner(147, "global-planner", 20);
+  // Heard before it leads or a little later: then it raises its epoch.
+  ASSERT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return !site.plans.empty() && site.plans.back().by().epoch() == 8; }));
+  EXPECT_EQ(site.plans.back().goal_id().to_string(), "goal-1");
+}
+
 TEST(GlobalPlannerService, GivesWayWhenItComesBackAfterATakeover) {
   Site site(144);
   site.publish_map();

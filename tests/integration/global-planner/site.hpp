@@ -42,7 +42,8 @@ class Site {
         tiles_(bus.writer<topics::MapTile>()),
         vehicles_(bus.writer<topics::VehicleInfo>()),
         states_(bus.writer<topics::VehicleState>()),
-        goals_(bus.writer<topics::Goal>()) {
+        goals_(bus.writer<topics::Goal>()),
+        healths_(bus.writer<topics::ServiceHealth>()) {
     block(100, 0, 101, 99);
     block(100, 40, 101, 60, grid::Occupancy::kFree);
     block(100, 80, 101, 97, grid::Occupancy::kFree);
@@ -101,6 +102,18 @@ class Site {
     goals_.write(goal);
   }
 
+  /// As a local planner that follows plans of this epoch.
+  void say_followed(std::uint32_t epoch) {
+    aisle::ServiceHealth health;
+    health.instance_id(std::string("local-planner-agv-1"));
+    stamp(health.by());
+    aisle::Counter counter;
+    counter.name(std::string("plan_epoch"));
+    counter.value(epoch);
+    health.counters().push_back(counter);
+    healths_.write(health);
+  }
+
   bool is_drivable_now(const aisle::Plan& sample) const {
     const auto plan = decode(sample);
     if (!plan || plan->waypoints_in_map.empty()) return false;
@@ -131,6 +144,7 @@ class Site {
   bus::Writer<topics::VehicleInfo> vehicles_;
   bus::Writer<topics::VehicleState> states_;
   bus::Writer<topics::Goal> goals_;
+  bus::Writer<topics::ServiceHealth> healths_;
   std::map<std::string, geometry::Pose2> poses_;
 };
 

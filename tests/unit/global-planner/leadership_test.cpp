@@ -72,5 +72,42 @@ TEST(Leadership, SettlesTwoLeadersOfOneEpochByWhoStartedFirst) {
   EXPECT_EQ(second.role(), Role::kStandby);
 }
 
+TEST(Leadership, BeginsAboveTheEpochOfPlannersThatAreAllGone) {
+  Leadership lead(false, 10);
+  lead.step(kStart, 0);
+  lead.hear_of(7);     // a vehicle followed it
+  EXPECT_FALSE(lead.step(kStart + milliseconds(400), 0)) << "that is nobody to stand by for";
+  EXPECT_TRUE(lead.step(kStart + milliseconds(500), 0));
+  EXPECT_EQ(lead.role(), Role::kLeading);
+  EXPECT_EQ(lead.epoch(), 8U);
+}
+
+TEST(Leadership, RaisesItsEpochWhenALaterOneIsFollowedAndItsPlannerIsNotThere) {
+  Leadership lead(false, 10);
+  lead.step(kStart, 0);
+  lead.step(kStart + milliseconds(500), 0);
+  lead.hear_of(1);     // ours
+  EXPECT_FALSE(lead.step(kStart + milliseconds(5000), 0));
+  lead.hear_of(7);
+  EXPECT_FALSE(lead.step(kStart + milliseconds(6000), 0));
+  EXPECT_FALSE(lead.step(kStart + milliseconds(6999), 0));
+  EXPECT_TRUE(lead.step(kStart + milliseconds(7000), 0));
+  EXPECT_EQ(lead.role(), Role::kLeading);
+  EXPECT_EQ(lead.epoch(), 8U);
+}
+
+TEST(Leadership, NeverRaisesItsEpochOverALeaderThatIsThere) {
+  Leadership hung(false, 10);
+  hung.step(kStart, 0);
+  hung.step(kStart + milliseconds(500), 0);
+  hung.hear_of(2);     // back from a hang: vehicles follow whoever took over
+  EXPECT_FALSE(hung.step(kStart + milliseconds(600), 0));
+  EXPECT_FALSE(hung.step(kStart + milliseconds(700), 1));
+  EXPECT_FALSE(hung.step(kStart + milliseconds(9000), 1));
+  hung.hear(2, 11);
+  EXPECT_TRUE(hung.step(kStart + milliseconds(9100), 1));
+  EXPECT_EQ(hung.role(), Role::kStandby);
+}
+
 }  // namespace
 }  // namespace aisle::global_planner
