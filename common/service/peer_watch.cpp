@@ -17,8 +17,17 @@ std::string name_of(const PeerHealth& peer) { return fmt::format("process {} on 
 
 }  // namespace
 
-PeerWatch::PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std::uint32_t own_idl_version)
-    : own_instance_id_(std::move(own_instance_id)), own_boot_id_(own_boot_id), own_idl_version_(own_idl_version) {}
+PeerWatch::PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std::uint32_t own_idl_version, std::string own_service,
+                     std::string own_agv_id)
+    : own_instance_id_(std::move(own_instance_id)),
+      own_boot_id_(own_boot_id),
+      own_idl_version_(own_idl_version),
+      own_service_(std::move(own_service)),
+      own_agv_id_(std::move(own_agv_id)) {}
+
+bool PeerWatch::is_twin(const PeerHealth& peer) const {
+  return !peer.is_stopping && !own_agv_id_.empty() && peer.agv_id == own_agv_id_ && peer.service == own_service_ && peer.instance_id != own_instance_id_;
+}
 
 bool PeerWatch::is_duplicate(const PeerHealth& peer, const Seen* seen, time::Stamp now) const {
   if (peer.is_stopping) return false;
@@ -50,6 +59,12 @@ std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, st
                                     name_of(peer), is_ours ? "" : " beside " + name_of(seen.newest))});
   }
   if (peer.boot_id < seen.newest.boot_id) return findings;
+  if (is_twin(peer) && !seen.said_twin) {
+    seen.said_twin = true;
+    findings.push_back({Finding::Kind::kDuplicateVehicle, peer.instance_id,
+                        fmt::format("'{}' has two processes of the service {}: '{}' ({}) beside this one; stop one of them, or give it another vehicle's id",
+                                    own_agv_id_, own_service_, peer.instance_id, name_of(peer))});
+  }
   if (peer.idl_version != own_idl_version_ && !seen.said_version) {
     seen.said_version = true;
     findings.push_back({Finding::Kind::kOtherIdlVersion, peer.instance_id,

@@ -133,6 +133,8 @@ PeerHealth peer_of(const aisle::ServiceHealth& sample) {
   peer.software_version = sample.software_version().to_string();
   peer.wall_clock_ns = sample.wall_clock_ns();
   peer.is_stopping = sample.state() == ServiceState::SERVICE_STOPPING;
+  peer.service = sample.service().to_string();
+  peer.agv_id = sample.agv_id().to_string();
   return peer;
 }
 
@@ -155,7 +157,7 @@ struct Shell::State {
         bus(common.settings),
         writer(bus.writer<topics::ServiceHealth>()),
         stamper(common.instance_id, boot_id),
-        peers(common.instance_id, boot_id, kIdlVersion),
+        peers(common.instance_id, boot_id, kIdlVersion, service, common.agv_id),
         warnings(kWarningPeriod) {
     bus.on_incident([this](const bus::Incident& incident) { take(incident); });
     bus.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) { take(sample, info); });

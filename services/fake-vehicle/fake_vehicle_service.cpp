@@ -116,7 +116,10 @@ bool FakeVehicleService::may_act(time::Stamp now) {
 
 void FakeVehicleService::tick() {
   const time::Stamp now = monotonic_now();
-  if (!may_act(now)) return;
+  if (!may_act(now)) {
+    if (introduced_ && map_.has_map()) vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});   // brakes: nobody commands it any more
+    return;
+  }
   if (!introduced_) {
     aisle::VehicleInfo info = encode(agv_id_, config_.vehicle);
     info.by(info_stamper_.next());

@@ -31,6 +31,27 @@ TEST(PeerWatch, IgnoresItselfAndNamesAnotherProcessWithItsIdOnce) {
   EXPECT_THAT(watch.take(peer("map", 200), seconds(3), kWallNs), IsEmpty());
 }
 
+TEST(PeerWatch, NamesAnotherProcessForItsVehicleOnce) {
+  PeerWatch watch("driver-a", 100, 1, "fake-vehicle", "agv-1");
+  PeerHealth other = peer("driver-b", 200);
+  other.service = "fake-vehicle";
+  other.agv_id = "agv-2";
+  EXPECT_THAT(watch.take(other, seconds(1), kWallNs), IsEmpty());
+  other = peer("driver-c", 201);
+  other.service = "local-planner";
+  other.agv_id = "agv-1";
+  EXPECT_THAT(watch.take(other, seconds(1), kWallNs), IsEmpty());
+  other = peer("driver-d", 202);
+  other.service = "fake-vehicle";
+  other.agv_id = "agv-1";
+  const std::vector<Finding> findings = watch.take(other, seconds(1), kWallNs);
+  ASSERT_THAT(findings, SizeIs(1));
+  EXPECT_EQ(findings[0].kind, Finding::Kind::kDuplicateVehicle);
+  EXPECT_EQ(findings[0].text, "'agv-1' has two processes of the service fake-vehicle: 'driver-d' (process 42 on host host-b) beside this one; "
+                              "stop one of them, or give it another vehicle's id");
+  EXPECT_THAT(watch.take(other, seconds(2), kWallNs), IsEmpty());
+}
+
 TEST(PeerWatch, TheGoodbyeOfAProcessThatWasReplacedIsNoDuplicate) {
   PeerWatch watch("map", 100, 1);
   PeerHealth goodbye = peer("map", 50);
