@@ -15,7 +15,6 @@ namespace aisle::bus {
 namespace {
 
 constexpr std::uint32_t kSocketBufferBytes = 4 * 1024 * 1024;
-constexpr std::uint32_t kSharedSegmentBytes = 16 * 1024 * 1024;
 constexpr std::uint32_t kLoopbackMessageBytes = 65500;
 constexpr std::uint32_t kNetworkMessageBytes = 1400;
 constexpr std::uint32_t kParticipantsPerHost = 250;
@@ -76,7 +75,7 @@ void use_transports(const Settings& settings, fast::dds::DomainParticipantQos& q
   qos.transport().user_transports.push_back(udp);
   if (!settings.shared_memory) return;
   auto shared = std::make_shared<fast::SharedMemoryTransport>();
-  shared->segment_size(kSharedSegmentBytes);
+  shared->segment_size(kSharedMemoryBytes);
   shared->max_message_size(kLoopbackMessageBytes);
   qos.transport().user_transports.push_back(shared);
 }

@@ -5,6 +5,9 @@
 
 namespace aisle::bus {
 
+/// What a process with shared memory takes of /dev/shm, nearly all of it for its segment.
+inline constexpr std::uint32_t kSharedMemoryBytes = 16U << 20;
+
 /// PKI files of a secured site; all empty: no security.
 struct Security {
   std::string identity_ca, certificate, private_key, permissions_ca, governance, permissions;

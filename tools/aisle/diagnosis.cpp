@@ -24,6 +24,8 @@ bool is_in(const std::string& partition, const std::vector<std::string>& partiti
   return std::find(partitions.begin(), partitions.end(), partition) != partitions.end();
 }
 
+constexpr std::uint64_t kProcessesWithRoom = 4;   // less is soon too little
+
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
 }  // namespace
@@ -62,6 +64,27 @@ std::vector<Problem> judge_network(const bus::Settings& settings, const std::vec
                                                  "or --discovery-server ADDRESS:PORT",
                                                  interface.address, interface.name)});
     }
+  }
+  return problems;
+}
+
+std::vector<Problem> judge_shared_memory(const bus::Settings& settings, const SharedMemory& memory) {
+  if (!settings.shared_memory) return {};
+  const std::string remedy = "or leave --shared-memory away: UDP works without it";
+  const auto problem = [](const std::string& text) { return std::vector<Problem>{{"shared memory", text}}; };
+  if (!memory.exists) return problem("there is no " + memory.folder + " on this host; mount a tmpfs there, " + remedy);
+  if (!memory.is_writable) return problem(memory.folder + " cannot be written by this user; correct its mode (1777), " + remedy);
+  std::vector<Problem> problems;
+  const auto mb = [](std::uint64_t bytes) { return fmt::format("{:.0f} MB", static_cast<double>(bytes) / 1048576.0); };
+  if (memory.available_bytes < kProcessesWithRoom * bus::kSharedMemoryBytes) {
+    problems.push_back({"shared memory", fmt::format("{} has {} of {} left; each process takes {}, and a process that finds less dies at its start: "
+                                                     "enlarge it (docker: --shm-size 1g; else mount -o remount,size=1g {}), {}",
+                                                     memory.folder, mb(memory.available_bytes), mb(memory.capacity_bytes), mb(bus::kSharedMemoryBytes),
+                                                     memory.folder, remedy)});
+  }
+  if (memory.left_over_files > 0) {
+    problems.push_back({"shared memory", fmt::format("{} holds {} segments ({}) of processes that were killed; remove them with: fastdds shm clean",
+                                                     memory.folder, memory.left_over_files, mb(memory.left_over_bytes))});
   }
   return problems;
 }

@@ -13,7 +13,7 @@ namespace aisle::cli {
 
 /// One thing that is wrong, in words that say what to do.
 struct Problem {
-  std::string about;      // "discovery", "qos", "type", "partition", "network", "clock", "version", "service", "vehicle"
+  std::string about;      // "discovery", "qos", "type", "partition", "network", "clock", "version", "service", "vehicle", "shared memory"
   std::string text;
   bool is_past{false};    // worth to know, but over
 };
@@ -26,10 +26,24 @@ struct NetworkInterface {
   bool multicast_works{false};   // a datagram sent to a group came back
 };
 
+/// Where shared-memory transport keeps its segments.
+struct SharedMemory {
+  std::string folder;
+  bool exists{false};
+  bool is_writable{false};
+  std::uint64_t capacity_bytes{0};
+  std::uint64_t available_bytes{0};
+  int left_over_files{0};        // segments of Fast DDS that no live process has
+  std::uint64_t left_over_bytes{0};
+};
+
 /// Other processes seen; `other_domains` holds those where somebody was seen, when nobody was in ours.
 std::vector<Problem> judge_discovery(const bus::Settings& settings, std::size_t participants, const std::set<int>& other_domains);
 
 std::vector<Problem> judge_network(const bus::Settings& settings, const std::vector<NetworkInterface>& interfaces);
+
+/// Nothing unless the settings ask for shared memory: room for segments, and what processes that were killed left behind.
+std::vector<Problem> judge_shared_memory(const bus::Settings& settings, const SharedMemory& memory);
 
 /// Types and QoS against the table; partitions in which Aisle's topics are used against ours.
 std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::vector<bus::Endpoint>& endpoints);

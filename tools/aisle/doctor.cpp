@@ -18,6 +18,7 @@
 #include "tools/aisle/diagnosis.hpp"
 #include "tools/aisle/json/json.hpp"
 #include "tools/aisle/network_probe.hpp"
+#include "tools/aisle/shared_memory_probe.hpp"
 #include "tools/aisle/text.hpp"
 
 namespace aisle::cli {
@@ -115,6 +116,9 @@ std::set<int> scan_domains(const Cli& cli) {
 
 int doctor(const Cli& cli, double wait_s) {
   std::vector<Problem> problems = judge_network(cli.settings, probe_interfaces());
+  if (cli.settings.shared_memory) {
+    for (Problem& problem : judge_shared_memory(cli.settings, probe_shared_memory())) problems.push_back(std::move(problem));
+  }
   Examination examination(cli);
   examination.look(Seconds(wait_s));
   const std::set<int> other_domains =

@@ -2,10 +2,15 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
+
+#include "tools/aisle/shared_memory_probe.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -107,6 +112,43 @@ TEST(Diagnosis, OfVehiclesFindsTwoWithOneIdButNotARestart) {
   watch.take(held);
   EXPECT_THAT(watch.judge(), SizeIs(2));
 }
+
+TEST(Diagnosis, OfSharedMemoryAsksForRoomOnlyWhenItIsUsed) {
+  SharedMemory memory{"/dev/shm", true, true, 64U << 20, 20U << 20, 0, 0};
+  bus::Settings settings = site();
+  EXPECT_THAT(judge_shared_memory(settings, memory), IsEmpty());
+  settings.shared_memory = true;
+  const auto small = judge_shared_memory(settings, memory);
+  ASSERT_THAT(small, SizeIs(1));
+  EXPECT_THAT(small[0].text, AllOf(HasSubstr("/dev/shm has 20 MB of 64 MB left; each process takes 16 MB"), HasSubstr("--shm-size 1g")));
+  memory.available_bytes = memory.capacity_bytes = 1U << 30;
+  EXPECT_THAT(judge_shared_memory(settings, memory), IsEmpty());
+  memory.is_writable = false;
+  EXPECT_THAT(judge_shared_memory(settings, memory)[0].text, HasSubstr("cannot be written"));
+  memory.exists = false;
+  EXPECT_THAT(judge_shared_memory(settings, memory)[0].text, HasSubstr("there is no /dev/shm"));
+}
+
+TEST(Diagnosis, OfSharedMemoryNamesWhatWasLeftBehind) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("aisle-doctor-" + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder / "fastrtps_0123456789abcdef") << std::string(3 << 20, 'x');
+  std::ofstream(folder / "fastrtps_0123456789abcdef_el");
+  std::ofstream(folder / "somebody-elses") << "x";
+  const SharedMemory memory = probe_shared_memory(folder);
+  std::filesystem::remove_all(folder);
+  EXPECT_TRUE(memory.exists);
+  EXPECT_GT(memory.capacity_bytes, 0U);
+  EXPECT_EQ(memory.left_over_files, 1);
+  EXPECT_EQ(memory.left_over_bytes, 3U << 20);
+  bus::Settings settings = site();
+  settings.shared_memory = true;
+  const auto problems = judge_shared_memory(settings, {"/dev/shm", true, true, 1U << 30, 1U << 30, memory.left_over_files, memory.left_over_bytes});
+  ASSERT_THAT(problems, SizeIs(1));
+  EXPECT_THAT(problems[0].text, AllOf(HasSubstr("1 segments (3 MB)"), HasSubstr("fastdds shm clean")));
+}
+
+TEST(Diagnosis, OfSharedMemoryFindsAFolderThatIsNotThere) { EXPECT_FALSE(probe_shared_memory("/nonexistent/shm").exists); }
 
 }  // namespace
 }  // namespace aisle::cli
