@@ -35,6 +35,9 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_map_block(map, cli);
   add_map_unblock(map, cli);
   add_map_save(map, cli);
+  add_plan(app, cli);
+  CLI::App& experiment = *add_group("experiment", "compare with what is published; write docs/experiments.md anew");
+  add_experiment_global(experiment, cli);
   add_doctor(app, cli);
   add_health(app, cli);
 }

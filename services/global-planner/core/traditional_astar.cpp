@@ -6,12 +6,13 @@
 namespace aisle::global_planner {
 namespace {
 
-constexpr NeighbourRule any_neighbour() {
+constexpr NeighbourRule any_of(unsigned moves) {
   NeighbourRule rule{};
-  for (unsigned mask = 0; mask < 256; ++mask) rule[mask] = static_cast<std::uint8_t>(mask);
+  for (unsigned mask = 0; mask < 256; ++mask) rule[mask] = static_cast<std::uint8_t>(mask & moves);
   return rule;
 }
-constexpr NeighbourRule kAnyNeighbour = any_neighbour();
+constexpr NeighbourRule kEight = any_of(0xFF);
+constexpr NeighbourRule kFour = any_of(0x0F);
 
 template <std::uint32_t (*distance)(grid::Cell, grid::Cell)>
 class CostAndDistance {
@@ -25,13 +26,14 @@ class CostAndDistance {
 
 }  // namespace
 
-std::unique_ptr<Planner> traditional_astar(Heuristic heuristic) {
+std::unique_ptr<Planner> traditional_astar(Heuristic heuristic, Moves moves) {
+  const NeighbourRule& rule = moves == Moves::kFour ? kFour : kEight;
   switch (heuristic) {
-    case Heuristic::kEuclidean: return best_first<CostAndDistance<euclidean>>(Closed::kReopen, kAnyNeighbour, {});
-    case Heuristic::kChebyshev: return best_first<CostAndDistance<chebyshev>>(Closed::kReopen, kAnyNeighbour, {});
+    case Heuristic::kEuclidean: return best_first<CostAndDistance<euclidean>>(Closed::kReopen, rule, {});
+    case Heuristic::kChebyshev: return best_first<CostAndDistance<chebyshev>>(Closed::kReopen, rule, {});
     case Heuristic::kOctile: break;
   }
-  return best_first<CostAndDistance<octile>>(Closed::kReopen, kAnyNeighbour, {});
+  return best_first<CostAndDistance<octile>>(Closed::kReopen, rule, {});
 }
 
 }  // namespace aisle::global_planner

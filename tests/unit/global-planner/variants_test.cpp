@@ -10,6 +10,7 @@
 #include <random>
 #include <vector>
 
+#include "services/global-planner/core/nearest_reachable.hpp"
 #include "services/global-planner/core/path_checker.hpp"
 #include "services/global-planner/core/planner.hpp"
 #include "services/global-planner/core/traditional_astar.hpp"
@@ -114,6 +115,20 @@ TEST_P(EveryVariant, KeepsARadiusOf30CentimetresBetweenRandomBlocks) {
     }
   }
   EXPECT_GT(found, 20);
+}
+
+TEST_P(EveryVariant, GoesToTheNearestReachablePointWhenAsked) {
+  const std::vector<std::string> text{"S.....", "...###", "...#G#", "...###"};
+  const grid::ClearanceField clearance(grid_from_text(text), 10.0);
+  const Problem problem{clearance, find_letter(text, 'S'), find_letter(text, 'G')};
+  const Plan plan = plan_to_nearest(*planner_, problem, never);
+  ASSERT_EQ(plan.outcome, Outcome::kFound);
+  const Point2 end = plan.waypoints_in_map.back();
+  EXPECT_EQ(end, (Point2{2.5, 1.5}));
+  const Problem reached{clearance, problem.start_in_map, end};
+  EXPECT_EQ(why_not_drivable(reached, plan.waypoints_in_map), "");
+  const Problem lost{clearance, {3.5, 2.5}, problem.goal_in_map};
+  EXPECT_EQ(plan_to_nearest(*planner_, lost, never).outcome, Outcome::kStartBlocked);
 }
 
 TEST_P(EveryVariant, SaysThatAWalledInGoalHasNoPath) {

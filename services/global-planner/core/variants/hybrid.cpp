@@ -1,0 +1,226 @@
+// Hybrid A* (Dolgov, Thrun, Montemerlo, Diebel 2010), for vehicles that cannot turn on the spot: arcs of the turning radius to either
+// side and straights, forwards and, dearer, backwards, over cells of place and heading. The heuristic is the way's length for a point,
+// flooded from the goal; every now and then a Dubins path is tried that ends at the goal, heading included. Resolution-complete, not
+// optimal. A vehicle that turns on the spot gets a Theta* path, which knows no headings.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+#include <vector>
+
+#include "services/global-planner/core/dubins.hpp"
+#include "services/global-planner/core/open_steps.hpp"
+#include "services/global-planner/core/variant.hpp"
+
+namespace aisle::global_planner {
+
+Variant theta();
+
+namespace {
+
+using geometry::Point2;
+using geometry::Pose2;
+
+constexpr int kHeadings = 72;
+constexpr double kReverseFactor = 2.0;         // a metre backwards costs as much as two forwards
+constexpr double kTurnBackRadii = 1.0;         // and changing between them as much as this many turning radii
+constexpr std::size_t kMostExpanded = 1000000;
+constexpr std::uint32_t kNoParent = std::numeric_limits<std::uint32_t>::max();
+
+/// Way to the goal for a point, in metres, for every cell; infinite where there is none.
+std::vector<float> distances_to_goal(const Drivable& drivable, grid::Cell goal) {
+  const grid::Geometry& geometry = drivable.geometry();
+  std::vector<float> distance_m(geometry.cells(), std::numeric_limits<float>::infinity());
+  using Entry = std::pair<float, grid::Cell>;
+  const auto is_later = [](const Entry& a, const Entry& b) { return a.first > b.first; };
+  std::priority_queue<Entry, std::vector<Entry>, decltype(is_later)> open(is_later);
+  distance_m[geometry.index(goal)] = 0.0F;
+  open.push({0.0F, goal});
+  while (!open.empty()) {
+    const auto [here_m, cell] = open.top();
+    open.pop();
+    if (here_m > distance_m[geometry.index(cell)]) continue;
+    for (unsigned left = open_steps(drivable, cell); left != 0; left &= left - 1) {
+      const Step& step = kSteps[static_cast<std::size_t>(__builtin_ctz(left))];
+      const grid::Cell next{cell.x + step.dx, cell.y + step.dy};
+      const float there_m = here_m + static_cast<float>(geometry.resolution_m * step.cost / kStraightCost);
+      if (there_m >= distance_m[geometry.index(next)]) continue;
+      distance_m[geometry.index(next)] = there_m;
+      open.push({there_m, next});
+    }
+  }
+  return distance_m;
+}
+
+class Hybrid final : public Planner {
+ public:
+  void rest() override { on_the_spot_->rest(); }
+
+ private:
+  struct Node {
+    Pose2 pose_in_map;
+    double cost_m;
+    std::uint32_t parent;
+    double turn;          // of the arc that led here
+    double length_m;      // of that arc; negative: backwards
+  };
+  struct Open {
+    double through_m;
+    std::uint32_t node;
+    bool operator<(const Open& other) const { return through_m > other.through_m; }
+  };
+
+  Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
+    if (!(problem.steering.turning_radius_m > 0.0)) return on_the_spot_->plan(problem, out_of_time);
+    drivable_ = &drivable;
+    steering_ = problem.steering;
+    goal_in_map_ = problem.goal_in_map;
+    const double cell_m = drivable.geometry().resolution_m;
+    // A step leaves its cell of place and heading: it turns by more than one of the headings, and is longer than a diagonal.
+    lattice_m_ = std::max(cell_m, 0.15 * steering_.turning_radius_m);
+    step_m_ = std::max(1.5 * lattice_m_, 1.1 * 2.0 * geometry::kPi / kHeadings * steering_.turning_radius_m);
+    sample_m_ = 0.5 * cell_m;
+    to_goal_m_ = distances_to_goal(drivable, drivable.geometry().cell_at(goal_in_map_));
+    Plan plan;
+    plan.outcome = run({problem.start_in_map.x, problem.start_in_map.y, geometry::wrap(steering_.start_yaw_rad)}, out_of_time, plan);
+    return plan;
+  }
+
+  Outcome run(const Pose2& start, const OutOfTime& out_of_time, Plan& plan) {
+    nodes_.assign(1, {start, 0.0, kNoParent, 0.0, 0.0});
+    best_.clear();
+    best_[key(start)] = 0.0;
+    std::priority_queue<Open> open;
+    open.push({heuristic_m(start), 0});
+    std::size_t next_shot = 0;
+    while (!open.empty() && plan.expanded < kMostExpanded) {
+      const std::uint32_t at = open.top().node;
+      open.pop();
+      const Node node = nodes_[at];
+      if (node.cost_m > best_[key(node.pose_in_map)]) continue;   // stale
+      if (plan.expanded % 256 == 0 && out_of_time && out_of_time()) return Outcome::kOutOfTime;
+      if (plan.expanded++ >= next_shot) {
+        if (shoot(at, plan)) return Outcome::kFound;
+        next_shot = plan.expanded + 1 + static_cast<std::size_t>(heuristic_m(node.pose_in_map) / steering_.turning_radius_m);
+      }
+      for (const double turn : {0.0, 1.0 / steering_.turning_radius_m, -1.0 / steering_.turning_radius_m}) {
+        for (const double length_m : {step_m_, -step_m_}) {
+          if (const std::uint32_t next = drive(at, turn, length_m); next != kNoParent) {
+            open.push({nodes_[next].cost_m + heuristic_m(nodes_[next].pose_in_map), next});
+          }
+        }
+      }
+    }
+    return Outcome::kNoPath;
+  }
+
+  /// The node at the end of the arc, kNoParent when it leads nowhere new.
+  std::uint32_t drive(std::uint32_t at, double turn, double length_m) {
+    const Node from = nodes_[at];
+    const Pose2 end = along_arc(from.pose_in_map, turn, length_m);
+    if (!std::isfinite(heuristic_m(end))) return kNoParent;
+    const bool turns_back = from.parent != kNoParent && (from.length_m < 0.0) != (length_m < 0.0);
+    const double cost_m = from.cost_m + std::abs(length_m) * (length_m < 0.0 ? kReverseFactor : 1.0) + (turns_back ? kTurnBackRadii * steering_.turning_radius_m : 0.0);
+    const auto [known, is_new] = best_.try_emplace(key(end), std::numeric_limits<double>::infinity());
+    if (cost_m >= known->second || !is_arc_free(from.pose_in_map, turn, length_m)) return kNoParent;
+    known->second = cost_m;
+    nodes_.push_back({end, cost_m, at, turn, length_m});
+    return static_cast<std::uint32_t>(nodes_.size() - 1);
+  }
+
+  /// Ends the plan with a Dubins path from this node to the goal, when one is free.
+  bool shoot(std::uint32_t at, Plan& plan) {
+    std::vector<DubinsPath> shots;
+    const int headings = steering_.goal_yaw_rad ? 1 : 16;
+    for (int i = 0; i < headings; ++i) {
+      const double yaw_rad = steering_.goal_yaw_rad.value_or(2.0 * geometry::kPi * i / headings);
+      shots.push_back(shortest_dubins(nodes_[at].pose_in_map, {goal_in_map_.x, goal_in_map_.y, geometry::wrap(yaw_rad)}, steering_.turning_radius_m));
+    }
+    std::sort(shots.begin(), shots.end(), [](const DubinsPath& a, const DubinsPath& b) { return a.length_m < b.length_m; });
+    for (const DubinsPath& shot : shots) {
+      if (!std::isfinite(shot.length_m) || !is_shot_free(shot)) continue;
+      write(at, shot, plan);
+      return true;
+    }
+    return false;
+  }
+
+  bool is_shot_free(const DubinsPath& shot) const {
+    Pose2 from = shot.from_in_map;
+    for (const DubinsPath::Piece& piece : shot.pieces) {
+      if (!is_arc_free(from, piece.turn, piece.length_m)) return false;
+      from = along_arc(from, piece.turn, piece.length_m);
+    }
+    return true;
+  }
+
+  int samples(double length_m) const { return std::max(1, static_cast<int>(std::ceil(std::abs(length_m) / sample_m_))); }
+
+  bool is_arc_free(const Pose2& from, double turn, double length_m) const {
+    Pose2 before = from;
+    for (int i = 1, n = samples(length_m); i <= n; ++i) {
+      const Pose2 here = along_arc(from, turn, length_m * i / n);
+      if (!is_in_map(drivable_->geometry(), here.position()) || !drivable_->is_line_free(before.position(), here.position())) return false;
+      before = here;
+    }
+    return true;
+  }
+
+  void write(std::uint32_t at, const DubinsPath& shot, Plan& plan) const {
+    std::vector<std::uint32_t> chain;
+    for (std::uint32_t i = at; nodes_[i].parent != kNoParent; i = nodes_[i].parent) chain.push_back(i);
+    append(nodes_.front().pose_in_map, plan);
+    for (auto i = chain.rbegin(); i != chain.rend(); ++i) {
+      append_arc(nodes_[nodes_[*i].parent].pose_in_map, nodes_[*i].turn, nodes_[*i].length_m, plan);
+    }
+    Pose2 from = shot.from_in_map;
+    for (const DubinsPath::Piece& piece : shot.pieces) {
+      if (piece.length_m > 1e-9) append_arc(from, piece.turn, piece.length_m, plan);
+      from = along_arc(from, piece.turn, piece.length_m);
+    }
+    if (plan.waypoints_in_map.size() < 2) append(from, plan);
+    plan.waypoints_in_map.back() = goal_in_map_;   // but for rounding it is there
+  }
+
+  void append_arc(const Pose2& from, double turn, double length_m, Plan& plan) const {
+    for (int i = 1, n = samples(length_m); i <= n; ++i) append(along_arc(from, turn, length_m * i / n), plan);
+  }
+  static void append(const Pose2& pose, Plan& plan) {
+    plan.waypoints_in_map.push_back(pose.position());
+    plan.headings_rad.push_back(pose.yaw);
+  }
+
+  double heuristic_m(const Pose2& pose) const {
+    if (!is_in_map(drivable_->geometry(), pose.position())) return std::numeric_limits<double>::infinity();
+    return static_cast<double>(to_goal_m_[drivable_->geometry().index(drivable_->geometry().cell_at(pose.position()))]);
+  }
+
+  /// Cell of place and heading.
+  std::uint64_t key(const Pose2& pose) const {
+    const Point2 d = pose.position() - drivable_->geometry().origin_in_map;
+    const auto x = static_cast<std::uint64_t>(d.x / lattice_m_);
+    const auto y = static_cast<std::uint64_t>(d.y / lattice_m_);
+    const auto heading = static_cast<std::uint64_t>((pose.yaw + geometry::kPi) / (2.0 * geometry::kPi) * kHeadings) % kHeadings;
+    return (x << 40U) | (y << 12U) | heading;
+  }
+
+  std::unique_ptr<Planner> on_the_spot_{theta().make()};
+  const Drivable* drivable_{nullptr};   // of the search under way
+  Steering steering_;
+  Point2 goal_in_map_;
+  double lattice_m_{0.0}, step_m_{0.0}, sample_m_{0.0};
+  std::vector<float> to_goal_m_;
+  std::vector<Node> nodes_;
+  std::unordered_map<std::uint64_t, double> best_;   // least cost of each cell of place and heading
+};
+
+}  // namespace
+
+Variant hybrid() {
+  return {"hybrid", "hybrid A* with a turning radius and headings at start and goal; without one as theta", false,
+          []() -> std::unique_ptr<Planner> { return std::make_unique<Hybrid>(); }, true};
+}
+
+}  // namespace aisle::global_planner

@@ -1,0 +1,69 @@
+// aisle experiment: writes its section of docs/experiments.md anew.
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include "common/config/reader.hpp"
+#include "common/process/exit_code.hpp"
+#include "common/scenario/data_path.hpp"
+#include "tools/aisle/cli.hpp"
+#include "tools/aisle/planning/global_experiment.hpp"
+#include "tools/aisle/planning/markdown.hpp"
+
+namespace aisle::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ExperimentOrders {
+  std::string page{"docs/experiments.md"};
+  std::string maps{"deploy/experiments"};
+  int random_maps{1000};
+  int queries{50};
+};
+
+/// Empty when the reference data is not there.
+fs::path reference_data(const std::string& maps) {
+  try {
+    return scenario::find_named_file("data:queries/den520d.q", fs::path(maps) / "any.yaml").parent_path().parent_path();
+  } catch (const config::BadInput&) {
+    return {};
+  }
+}
+
+int run_global(const ExperimentOrders& orders) {
+  const fs::path page(orders.page);
+  GlobalExperiment experiment;
+  experiment.maps = orders.maps;
+  experiment.pictures = page.parent_path() / "experiments";
+  experiment.pictures_from_page = "experiments";
+  experiment.data = reference_data(orders.maps);
+  experiment.random_maps = orders.random_maps;
+  experiment.queries = orders.queries;
+  fs::create_directories(experiment.pictures);
+  const std::string section = global_section(experiment, [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); });
+  std::ifstream in(page);
+  const std::string before{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  in.close();
+  std::ofstream out(page);
+  out << with_section(before, "global planning", section);
+  if (!out.flush()) throw config::BadEnvironment(orders.page + ": cannot be written");
+  std::printf("%s\n", orders.page.c_str());
+  return process::kDone;
+}
+
+}  // namespace
+
+void add_experiment_global(CLI::App& parent, Cli& cli) {
+  auto orders = std::make_shared<ExperimentOrders>();
+  Verb(parent, cli, "global", "global planners: the papers' tables, random maps, real maps")
+      .option("--page", orders->page, "the page whose section is written anew; pictures go to experiments/ beside it")
+      .option("--maps", orders->maps, "folder of the papers' maps")
+      .option("--random-maps", orders->random_maps, 1, 100000, "a density")
+      .option("--queries", orders->queries, 1, 200, "a real map")
+      .runs([orders] { return run_global(*orders); });
+}
+
+}  // namespace aisle::cli
