@@ -133,8 +133,7 @@ void edit_and_plan(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, c
   const grid::Geometry& geometry = grid.geometry();
   const Problem problem{clearance, query.start_in_map, query.goal_in_map};
   const Plan before = astar->plan(problem, nullptr);
-  jps->plan(problem, nullptr);
-  if (before.outcome != Outcome::kFound || before.waypoints_in_map.size() < 20) return;
+  if (jps->plan(problem, nullptr).outcome != Outcome::kFound || before.waypoints_in_map.size() < 20) return;
   const Drivable drivable(problem);
   LifelongPlanning lifelong(drivable, geometry.cell_at(query.start_in_map), geometry.cell_at(query.goal_in_map));
   times.first.push_back(microseconds([&] { lifelong.search(); }));
@@ -152,17 +151,17 @@ void edit_and_plan(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, c
   for (const bool block : {true, false}) {
     for (const grid::Cell c : blocked) grid.set(c, block ? grid::Occupancy::kOccupied : grid::Occupancy::kFree);
     clearance.update(grid, low, high);
-    Plan fresh;
+    Plan fresh, jumped;
     std::uint32_t repaired = kNever;
     const Drivable edited(problem);
     times.astar.push_back(microseconds([&] { fresh = astar->plan(problem, nullptr); }));
-    times.jps.push_back(microseconds([&] { jps->plan(problem, nullptr); }));
+    times.jps.push_back(microseconds([&] { jumped = jps->plan(problem, nullptr); }));
     times.repair.push_back(microseconds([&] {
       lifelong.cells_changed(edited, low, high);
       repaired = lifelong.search();
     }));
     const double repaired_m = repaired >= kNever ? 0.0 : repaired * geometry.resolution_m / kStraightCost;
-    if (std::abs(repaired_m - fresh.length_m) > 1e-5 * fresh.length_m + 1e-6) throw std::runtime_error("the repaired search is not optimal");
+    if (std::abs(repaired_m - fresh.length_m) + std::abs(jumped.length_m - fresh.length_m) > 1e-5 * fresh.length_m + 1e-6) throw std::runtime_error("the repaired search is not optimal");
   }
 }
 
