@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
   }
   const grid::OccupancyGrid map = grid::read_map_file(std::filesystem::path(argv[1]) / "ros" / "nav2_warehouse.yaml");
   std::vector<std::string> planners(argv + 2, argv + argc);
-  if (planners.empty()) planners = {"wang", "astar", "jps"};
+  if (planners.empty()) planners = {"direct", "jps", "wang", "astar"};
   for (const std::string& planner : planners) {
     if (find_variant(planner) == nullptr) {
       std::fprintf(stderr, "fleet_plans: no planner '%s'\n", planner.c_str());

@@ -1,5 +1,8 @@
 #include "services/global-planner/core/traversable_bits.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace aisle::global_planner {
 
 void BitLines::resize(int lines, int length) {
@@ -40,17 +43,49 @@ BitLines::Stop BitLines::scan_down(int line, int at) const {
   return {static_cast<int>(i << 6) + first - kMargin, ((here[i] >> first) & 1U) != 0};
 }
 
+namespace {
+
+using Block = std::array<std::uint64_t, 64>;
+
+/// Bit x of word y becomes bit y of word x (Warren, "Hacker's Delight", 7-3).
+void transpose(Block& block) {
+  std::uint64_t mask = 0x00000000FFFFFFFFU;
+  for (unsigned shift = 32; shift != 0; shift >>= 1U, mask ^= mask << shift) {
+    for (unsigned k = 0; k < 64; k = ((k | shift) + 1U) & ~shift) {
+      const std::uint64_t swapped = ((block[k] >> shift) ^ block[k | shift]) & mask;
+      block[k] ^= swapped << shift;
+      block[k | shift] ^= swapped;
+    }
+  }
+}
+
+std::uint64_t cells_from(const Drivable& drivable, grid::Cell first, int count) {
+  const std::size_t index = drivable.geometry().index(first);
+  std::uint64_t word = 0;
+  for (int i = 0; i < count; ++i) {
+    word |= static_cast<std::uint64_t>(drivable.is_traversable(index + static_cast<std::size_t>(i), {first.x + i, first.y})) << static_cast<unsigned>(i);
+  }
+  return word;
+}
+
+}  // namespace
+
 void TraversableBits::make(const Drivable& drivable) {
   if (!drivable.has_tight_end() && field_revision_ == drivable.field_revision() && least_m_ == drivable.least_m()) return;
   const grid::Geometry& geometry = drivable.geometry();
   rows_.resize(geometry.height, geometry.width);
   columns_.resize(geometry.width, geometry.height);
-  std::size_t index = 0;
-  for (int y = 0; y < geometry.height; ++y) {
-    for (int x = 0; x < geometry.width; ++x, ++index) {
-      if (!drivable.is_traversable(index, {x, y})) continue;
-      rows_.set(y, x);
-      columns_.set(x, y);
+  for (int y0 = 0; y0 < geometry.height; y0 += 64) {
+    for (int x0 = 0; x0 < geometry.width; x0 += 64) {
+      const int width = std::min(64, geometry.width - x0);
+      const int height = std::min(64, geometry.height - y0);
+      Block block{};
+      for (int y = 0; y < height; ++y) {
+        block[static_cast<std::size_t>(y)] = cells_from(drivable, {x0, y0 + y}, width);
+        rows_.set(y0 + y, x0, block[static_cast<std::size_t>(y)]);
+      }
+      transpose(block);
+      for (int x = 0; x < width; ++x) columns_.set(x0 + x, y0, block[static_cast<std::size_t>(x)]);
     }
   }
   field_revision_ = drivable.has_tight_end() ? 0 : drivable.field_revision();

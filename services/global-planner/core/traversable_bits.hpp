@@ -11,7 +11,8 @@ namespace aisle::global_planner {
 class BitLines {
  public:
   void resize(int lines, int length);
-  void set(int line, int at) { word(line, at) |= std::uint64_t{1} << bit(at); }
+  /// 64 cells from `at` on, a multiple of 64; those beyond the line's end must be 0.
+  void set(int line, int at, std::uint64_t cells) { words_[static_cast<std::size_t>(line + 1) * per_line_ + index(at)] = cells; }
   bool is_open(int line, int at) const { return ((words(line)[index(at)] >> bit(at)) & 1U) != 0; }
 
   struct Stop {
@@ -27,7 +28,6 @@ class BitLines {
   static constexpr int kMargin = 64;
   static std::size_t index(int at) { return static_cast<std::size_t>(at + kMargin) >> 6; }
   static unsigned bit(int at) { return static_cast<unsigned>(at + kMargin) & 63U; }
-  std::uint64_t& word(int line, int at) { return words_[static_cast<std::size_t>(line + 1) * per_line_ + index(at)]; }
   const std::uint64_t* words(int line) const { return words_.data() + static_cast<std::size_t>(line + 1) * per_line_; }
 
   std::size_t per_line_{0};

@@ -80,7 +80,7 @@ TEST_P(Optimum, HoldsOnTheReferenceScenarios) {
 INSTANTIATE_TEST_SUITE_P(Planners, Optimum,
                          testing::Values(Promise{"astar", 100000, 1.0 - 1e-5, 1.0 + 1e-5}, Promise{"jps", 100000, 1.0 - 1e-5, 1.0 + 1e-5},
                                          Promise{"dijkstra", 100, 1.0 - 1e-5, 1.0 + 1e-5}, Promise{"theta", 40, 0.7, 1.0 + 1e-5},
-                                         Promise{"wu", 100, 0.7, 1.0 + 1e-5}, Promise{"qu", 100, 0.7, 1.0 + 1e-5},
+                                         Promise{"direct", 100, 0.7, 1.0 + 1e-5}, Promise{"wu", 100, 0.7, 1.0 + 1e-5}, Promise{"qu", 100, 0.7, 1.0 + 1e-5},
                                          Promise{"li", 100, 0.7, 10.0}, Promise{"yu", 100, 0.7, 10.0}, Promise{"wang", 100, 0.7, 10.0},
                                          Promise{"greedy", 100, 0.99, 100.0}, Promise{"modified-astar", 100, 0.99, 10.0}),
                          [](const auto& promise) {
