@@ -4,7 +4,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "bench/micro/textbook_astar.hpp"
+#include "bench/peers/textbook_astar.hpp"
 #include "common/grid/map_file.hpp"
 #include "services/global-planner/core/variant.hpp"
 
@@ -29,7 +29,7 @@ struct Queries {
     while (list.size() < 100) {
       const Query query{{x(random), y(random)}, {x(random), y(random)}};
       if (!grid.is_free(query.start) || !grid.is_free(query.goal)) continue;
-      if (bench::textbook_astar(grid, query.start, query.goal)) list.push_back(query);
+      if (bench::textbook_astar(grid, query.start, query.goal).is_found) list.push_back(query);
     }
   }
 };

@@ -1,16 +1,17 @@
 #pragma once
+#include <algorithm>
 #include <cmath>
-#include <optional>
 #include <queue>
 #include <vector>
 
+#include "bench/peers/peer.hpp"
 #include "common/grid/occupancy_grid.hpp"
 
 namespace aisle::bench {
 
 /// A* as a textbook prints it, to measure ours against in the same run: std::priority_queue, doubles, fresh arrays for each query,
-/// octile heuristic, no corner cut. Length in cells; nothing when there is no path.
-inline std::optional<double> textbook_astar(const grid::OccupancyGrid& grid, grid::Cell start, grid::Cell goal) {
+/// octile heuristic, no corner cut, and the path from goal to start at the end.
+inline PeerAnswer textbook_astar(const grid::OccupancyGrid& grid, grid::Cell start, grid::Cell goal) {
   struct Open {
     double f;
     std::size_t index;
@@ -23,6 +24,7 @@ inline std::optional<double> textbook_astar(const grid::OccupancyGrid& grid, gri
     const double dy = std::abs(c.y - goal.y);
     return std::max(dx, dy) + (diagonal - 1.0) * std::min(dx, dy);
   };
+  PeerAnswer answer;
   std::vector<double> g(geometry.cells(), INFINITY);
   std::vector<bool> closed(geometry.cells(), false);
   std::vector<std::size_t> parent(geometry.cells());
@@ -36,7 +38,14 @@ inline std::optional<double> textbook_astar(const grid::OccupancyGrid& grid, gri
     closed[index] = true;
     const grid::Cell at{static_cast<int>(index % static_cast<std::size_t>(geometry.width)),
                         static_cast<int>(index / static_cast<std::size_t>(geometry.width))};
-    if (at == goal) return g[index];
+    if (at == goal) {
+      std::vector<std::size_t> path;
+      for (std::size_t cell = index; cell != geometry.index(start); cell = parent[cell]) path.push_back(cell);
+      answer.is_found = !path.empty() || start == goal;
+      answer.length_cells = g[index];
+      return answer;
+    }
+    ++answer.expanded;
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
         const grid::Cell to{at.x + dx, at.y + dy};
@@ -51,7 +60,7 @@ inline std::optional<double> textbook_astar(const grid::OccupancyGrid& grid, gri
       }
     }
   }
-  return std::nullopt;
+  return answer;
 }
 
 }  // namespace aisle::bench

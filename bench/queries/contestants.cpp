@@ -1,0 +1,77 @@
+#include "bench/queries/contestants.hpp"
+
+#include <utility>
+
+#include "bench/peers/textbook_astar.hpp"
+#ifdef AISLE_BENCH_BOOST
+#include "bench/peers/boost_astar.hpp"
+#endif
+#ifdef AISLE_BENCH_OMPL
+#include "bench/peers/ompl_planners.hpp"
+#endif
+#include "services/global-planner/core/drivable.hpp"
+#include "services/global-planner/core/passes/passes.hpp"
+#include "services/global-planner/core/variant.hpp"
+
+namespace aisle::bench {
+namespace {
+
+namespace planning = global_planner;
+using Pass = void (*)(const planning::Drivable&, std::vector<geometry::Point2>&);
+
+struct Ours {
+  std::unique_ptr<planning::Planner> planner;
+  planning::Plan plan;
+};
+
+Contestant ours(const Site& site, const planning::Variant& variant, const std::string& name, std::vector<Pass> then) {
+  auto state = std::make_shared<Ours>();
+  state->planner = variant.make();
+  const auto answer = [&site, state, then = std::move(then)](const cli::Query& query) {
+    const planning::Problem problem{site.clearance, query.start_in_map, query.goal_in_map};
+    state->plan = state->planner->plan(problem, nullptr);
+    if (!then.empty() && state->plan.outcome == planning::Outcome::kFound) {
+      const planning::Drivable drivable(problem);
+      for (const Pass pass : then) pass(drivable, state->plan.waypoints_in_map);
+      state->plan.length_m = planning::path_length_m(state->plan.waypoints_in_map);
+    }
+    return Reply{state->plan.outcome == planning::Outcome::kFound, state->plan.length_m, state->plan.expanded, &state->plan.waypoints_in_map};
+  };
+  return {name, true, true, answer};
+}
+
+Reply reply_of(const PeerAnswer& answer, const Site& site) {
+  return {answer.is_found, answer.length_cells * site.grid.geometry().resolution_m, answer.expanded, nullptr};
+}
+
+}  // namespace
+
+std::vector<Contestant> contestants(const Site& site) {
+  std::vector<Contestant> all;
+  const auto cell = [&site](geometry::Point2 p) { return site.grid.geometry().cell_at(p); };
+  all.push_back({"textbook", false, true, [&site, cell](const cli::Query& query) {
+                   return reply_of(textbook_astar(site.grid, cell(query.start_in_map), cell(query.goal_in_map)), site);
+                 }});
+#ifdef AISLE_BENCH_BOOST
+  const auto boost = std::make_shared<BoostAstar>(site.grid);
+  all.push_back({"boost", false, true, [&site, cell, boost](const cli::Query& query) {
+                   return reply_of(boost->plan(cell(query.start_in_map), cell(query.goal_in_map)), site);
+                 }});
+#endif
+  for (const planning::Variant& variant : planning::all_variants()) {
+    all.push_back(ours(site, variant, variant.name, {}));
+    if (variant.name == "astar") {
+      all.push_back(ours(site, variant, "astar+removal", {planning::passes::collinear, planning::passes::greedy_line_of_sight}));
+    }
+  }
+#ifdef AISLE_BENCH_OMPL
+  for (const char* name : {"RRTConnect", "BITstar"}) {
+    all.push_back({std::string("ompl ") + name, false, false, [&site, name](const cli::Query& query) {
+                     return reply_of(ompl_plan(name, site.clearance, query.start_in_map, query.goal_in_map, 0.5), site);
+                   }});
+  }
+#endif
+  return all;
+}
+
+}  // namespace aisle::bench
