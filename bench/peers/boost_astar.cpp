@@ -8,6 +8,7 @@
 #include <boost/range/irange.hpp>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -60,6 +61,10 @@ class OutEdges : public boost::iterator_facade<OutEdges, Edge, boost::forward_tr
 struct Traversal : public virtual boost::vertex_list_graph_tag, public virtual boost::incidence_graph_tag {};
 
 std::pair<OutEdges, OutEdges> out_edges(Vertex v, const Grid& grid) { return {OutEdges(grid, v, 0), OutEdges(grid, v, kSteps.size())}; }
+std::size_t out_degree(Vertex v, const Grid& grid) {
+  const auto [begin, end] = out_edges(v, grid);
+  return static_cast<std::size_t>(std::distance(begin, end));
+}
 Vertex source(const Edge& edge, const Grid&) { return edge.first; }
 Vertex target(const Edge& edge, const Grid&) { return edge.second; }
 Vertex num_vertices(const Grid& grid) { return grid.cells->geometry().cells(); }

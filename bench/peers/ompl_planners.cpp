@@ -1,6 +1,7 @@
 #include "bench/peers/ompl_planners.hpp"
 
 #include <ompl/base/MotionValidator.h>
+#include <ompl/base/objectives/PathLengthOptimizationObjective.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/SimpleSetup.h>
@@ -79,8 +80,10 @@ PeerAnswer ompl_plan(const std::string& planner, const grid::ClearanceField& cle
   goal[0] = goal_in_map.x;
   goal[1] = goal_in_map.y;
   setup.setStartAndGoalStates(start, goal);
-  // Any length will do: BIT* would go on improving until the limit.
-  setup.getProblemDefinition()->setOptimizationObjective(ob::OptimizationObjectivePtr());
+  // Any length will do: else BIT* would go on improving until the limit.
+  const auto shortest = std::make_shared<ob::PathLengthOptimizationObjective>(setup.getSpaceInformation());
+  shortest->setCostThreshold(shortest->infiniteCost());
+  setup.setOptimizationObjective(shortest);
   setup.setPlanner(made(planner, setup.getSpaceInformation()));
   PeerAnswer answer;
   const auto solved = setup.solve(ob::plannerOrTerminationCondition(ob::timedPlannerTerminationCondition(limit_s),

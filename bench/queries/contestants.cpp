@@ -29,7 +29,7 @@ Contestant ours(const Site& site, const planning::Variant& variant, const std::s
   state->planner = variant.make();
   const auto answer = [&site, state, then = std::move(then)](const cli::Query& query) {
     const planning::Problem problem{site.clearance, query.start_in_map, query.goal_in_map};
-    state->plan = state->planner->plan(problem, nullptr);
+    state->planner->plan(problem, nullptr, state->plan);
     if (!then.empty() && state->plan.outcome == planning::Outcome::kFound) {
       const planning::Drivable drivable(problem);
       for (const Pass pass : then) pass(drivable, state->plan.waypoints_in_map);

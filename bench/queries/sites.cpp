@@ -1,5 +1,6 @@
 #include "bench/queries/sites.hpp"
 
+#include <algorithm>
 #include <random>
 #include <utility>
 
@@ -11,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr double kReach_m = 2.0;
+constexpr std::size_t kCellsOfFullLimit = 320000;   // on larger maps fewer queries, so that the slowest peers answer them all
 
 struct Known {
   const char* name;
@@ -31,7 +33,9 @@ constexpr Known kMaps[] = {{"warehouse-10-20-10-2-1", "movingai/warehouse-10-20-
 Site read_site(const fs::path& data, const Known& known, std::size_t limit) {
   Site site{known.name, grid::read_map_file(data / known.file), {}, {}, known.is_from_ros, known.any_angle_bound};
   site.clearance = grid::ClearanceField(site.grid, kReach_m);
-  site.queries = cli::read_queries(data / "queries" / (std::string(known.name) + ".q"), site.grid.geometry(), limit);
+  const std::size_t cells = site.grid.geometry().cells();
+  const std::size_t fewer = std::max<std::size_t>(std::min<std::size_t>(limit, 10), limit * std::min(cells, kCellsOfFullLimit) / cells);
+  site.queries = cli::read_queries(data / "queries" / (std::string(known.name) + ".q"), site.grid.geometry(), fewer);
   return site;
 }
 

@@ -19,7 +19,7 @@ struct Site {
 };
 
 /// The nine maps of `data` (folders movingai, ros and queries) that performance.md measures, as far as `only` (a part of the name,
-/// empty: all) lets them, with at most `limit` queries each; then the largest with starts and goals three cells apart.
+/// empty: all) lets them, with at most `limit` queries each (fewer on large maps); then the largest with starts and goals three cells apart.
 /// Without such a folder the shipped warehouse, with random pairs of seed 11.
 std::vector<Site> read_sites(const std::filesystem::path& data, const std::string& only, std::size_t limit);
 

@@ -1,5 +1,7 @@
 #pragma once
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "services/global-planner/core/passes/passes.hpp"
 #include "services/global-planner/core/planner.hpp"
 #include "services/global-planner/core/search_memory.hpp"
+#include "services/global-planner/core/surroundings.hpp"
 
 namespace aisle::global_planner {
 
@@ -34,7 +37,7 @@ template <class Evaluation>
 class BestFirst final : public Planner {
  public:
   BestFirst(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes)
-      : closed_(closed), rule_(rule), passes_(std::move(passes)) {}
+      : closed_(closed), steps_(rule, !(closed == Closed::kReopen && rule == kDrivableDiagonals)), passes_(std::move(passes)) {}
 
   void rest() override {
     nodes_.release();
@@ -45,10 +48,10 @@ class BestFirst final : public Planner {
   Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
     const grid::Geometry& geometry = drivable.geometry();
     const Ends ends{geometry, geometry.cell_at(problem.start_in_map), geometry.cell_at(problem.goal_in_map), drivable};
-    Plan plan;
+    Plan plan = blank();
     plan.outcome = run(drivable, ends, out_of_time, plan.expanded);
     if (plan.outcome != Outcome::kFound) return plan;
-    plan.waypoints_in_map = path(ends);
+    trace(ends, plan.waypoints_in_map);
     plan.waypoints_in_map.front() = problem.start_in_map;
     plan.waypoints_in_map.back() = problem.goal_in_map;
     for (const Pass pass : passes_) pass(drivable, plan.waypoints_in_map);
@@ -62,71 +65,62 @@ class BestFirst final : public Planner {
     const auto start = static_cast<std::uint32_t>(ends.geometry.index(ends.start));
     const auto goal = static_cast<std::uint32_t>(ends.geometry.index(ends.goal));
     const auto width = static_cast<std::uint32_t>(ends.geometry.width);
+    const Surroundings around(drivable);
     nodes_.reach(start, 0, 0);
     open_.push(evaluation_(0, ends.start), start, 0);
-    bool found = false;
+    std::uint32_t found_cost = kNotFound;   // of the goal, once it was expanded
+    std::uint32_t found_rank = found_cost;
     BucketQueue::Entry entry;
     while (open_.pop(entry)) {
-      if (found && open_.rank() > BucketQueue::rank_of(nodes_.cost(goal))) break;
+      if (open_.rank() > found_rank) break;
       if (nodes_.is_closed(entry.cell) || nodes_.cost(entry.cell) != entry.cost) continue;   // stale
-      if (expanded % 256 == 0 && out_of_time && out_of_time()) return found ? Outcome::kFound : Outcome::kOutOfTime;
+      if (expanded % 256 == 0 && out_of_time && out_of_time()) return found_rank != kNotFound ? Outcome::kFound : Outcome::kOutOfTime;
       nodes_.close(entry.cell);
-      const grid::Cell cell{static_cast<int>(entry.cell % width), static_cast<int>(entry.cell / width)};
       if (entry.cell == goal) {
         if (closed_ == Closed::kStay) return Outcome::kFound;
-        found = true;   // and the rest of this bucket might lead there at a lower cost
+        found_cost = entry.cost;   // and the rest of this bucket might lead there at a lower cost
+        found_rank = BucketQueue::rank_of(found_cost);
         continue;
       }
-      if (found && evaluation_(entry.cost, cell) >= nodes_.cost(goal)) continue;
+      const std::uint32_t y = entry.cell / width;
+      const grid::Cell cell{static_cast<int>(entry.cell - y * width), static_cast<int>(y)};
+      if (found_rank != kNotFound && evaluation_(entry.cost, cell) >= found_cost) continue;
       ++expanded;
-      expand(drivable, ends.geometry, entry, cell);
+      const std::size_t led_here = entry.cell == start ? StepTable::kStart : static_cast<std::size_t>(nodes_.direction(entry.cell));
+      expand(width, entry, cell, steps_.steps(led_here, around.nine(entry.cell, cell)));
     }
-    return found ? Outcome::kFound : Outcome::kNoPath;
+    return found_rank != kNotFound ? Outcome::kFound : Outcome::kNoPath;
   }
 
-  void expand(const Drivable& drivable, const grid::Geometry& geometry, const BucketQueue::Entry& entry, grid::Cell cell) {
-    const unsigned allowed = rule_[traversable_neighbours(drivable, geometry, entry.cell, cell)];
-    for (unsigned left = allowed; left != 0; left &= left - 1) {
+  void expand(std::uint32_t width, const BucketQueue::Entry& entry, grid::Cell cell, unsigned steps) {
+    for (unsigned left = steps; left != 0; left &= left - 1) {
       const int direction = __builtin_ctz(left);
       const Step& step = kSteps[static_cast<std::size_t>(direction)];
-      const auto next = static_cast<std::uint32_t>(static_cast<std::int64_t>(entry.cell) + step.dy * static_cast<std::int64_t>(geometry.width) + step.dx);
+      const std::uint32_t next = entry.cell + static_cast<std::uint32_t>(step.dy) * width + static_cast<std::uint32_t>(step.dx);   // modulo 2^32
       const std::uint32_t cost = entry.cost + step.cost;
-      if (nodes_.is_known(next)) {
-        if (cost >= nodes_.cost(next)) continue;
-        if (closed_ == Closed::kStay && nodes_.is_closed(next)) continue;
-      }
+      if (cost >= nodes_.known_cost(next)) continue;
+      if (closed_ == Closed::kStay && nodes_.is_known(next) && nodes_.is_closed(next)) continue;
       nodes_.reach(next, cost, direction);
       open_.push(evaluation_(cost, {cell.x + step.dx, cell.y + step.dy}), next, cost);
     }
   }
 
-  static unsigned traversable_neighbours(const Drivable& drivable, const grid::Geometry& geometry, std::size_t index, grid::Cell cell) {
-    const bool is_inner = cell.x > 0 && cell.y > 0 && cell.x + 1 < geometry.width && cell.y + 1 < geometry.height;
-    unsigned mask = 0;
-    for (unsigned i = 0; i < kSteps.size(); ++i) {
-      const grid::Cell next{cell.x + kSteps[i].dx, cell.y + kSteps[i].dy};
-      const std::ptrdiff_t offset = kSteps[i].dy * static_cast<std::ptrdiff_t>(geometry.width) + kSteps[i].dx;
-      const bool is_traversable = is_inner ? drivable.is_traversable(index + static_cast<std::size_t>(offset), next)
-                                           : drivable.is_traversable(next);
-      mask |= static_cast<unsigned>(is_traversable) << i;
-    }
-    return mask;
-  }
-
   /// Centres of the cells from start to goal.
-  std::vector<geometry::Point2> path(const Ends& ends) const {
-    std::vector<geometry::Point2> points{ends.geometry.center_in_map(ends.goal)};
+  void trace(const Ends& ends, std::vector<geometry::Point2>& points) const {
+    points.clear();
+    points.push_back(ends.geometry.center_in_map(ends.goal));
     for (grid::Cell cell = ends.goal; cell != ends.start;) {
       const Step& step = kSteps[static_cast<std::size_t>(nodes_.direction(ends.geometry.index(cell)))];
       cell = {cell.x - step.dx, cell.y - step.dy};
       points.push_back(ends.geometry.center_in_map(cell));
     }
     std::reverse(points.begin(), points.end());
-    return points;
   }
 
+  static constexpr std::uint32_t kNotFound = std::numeric_limits<std::uint32_t>::max();
+
   Closed closed_;
-  const NeighbourRule& rule_;
+  StepTable steps_;
   std::vector<Pass> passes_;
   Evaluation evaluation_;
   SearchNodes nodes_;

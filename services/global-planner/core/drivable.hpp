@@ -32,6 +32,7 @@ class Drivable {
   /// What decides is_traversable: the field, the least clearance, and whether an end is an exception from it.
   std::uint64_t field_revision() const { return clearance_.revision(); }
   float least_m() const { return least_m_; }
+  const float* clearances_m() const { return clearances_m_; }   // of every cell
   bool has_tight_end() const { return has_tight_end_; }
 
   /// Is the cell itself not free, whatever the vehicle's size? Outside the grid everything is.

@@ -1,6 +1,7 @@
 #include "services/global-planner/core/planner.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "services/global-planner/core/drivable.hpp"
 
@@ -18,12 +19,26 @@ double path_length_m(const std::vector<geometry::Point2>& path) {
   return length_m;
 }
 
-Plan Planner::plan(const Problem& problem, const OutOfTime& out_of_time) {
-  const grid::Geometry& geometry = problem.clearance.geometry();
+Plan Planner::blank() {
   Plan plan;
+  plan.waypoints_in_map = std::move(spare_);
+  plan.waypoints_in_map.clear();
+  return plan;
+}
+
+Plan Planner::plan(const Problem& problem, const OutOfTime& out_of_time) {
+  Plan answer;
+  plan(problem, out_of_time, answer);
+  return answer;
+}
+
+void Planner::plan(const Problem& problem, const OutOfTime& out_of_time, Plan& plan) {
+  const grid::Geometry& geometry = problem.clearance.geometry();
+  if (plan.waypoints_in_map.capacity() > spare_.capacity()) spare_.swap(plan.waypoints_in_map);
+  plan = Plan{};
   if (!is_in_map(geometry, problem.start_in_map) || !is_in_map(geometry, problem.goal_in_map) || !std::isfinite(problem.radius_m) || problem.radius_m < 0.0) {
     plan.outcome = Outcome::kOutOfMap;
-    return plan;
+    return;
   }
   const Drivable drivable(problem);
   const grid::Cell start = geometry.cell_at(problem.start_in_map);
@@ -39,7 +54,6 @@ Plan Planner::plan(const Problem& problem, const OutOfTime& out_of_time) {
     plan = search(problem, drivable, out_of_time);
   }
   plan.length_m = path_length_m(plan.waypoints_in_map);
-  return plan;
 }
 
 }  // namespace aisle::global_planner

@@ -55,12 +55,20 @@ class Planner {
   virtual ~Planner() = default;
   /// Checks the problem (in the map, start and goal traversable), then searches.
   [[nodiscard]] Plan plan(const Problem& problem, const OutOfTime& out_of_time);
+  /// The same into `plan`, whose memory is used again: planners that take a blank() plan allocate nothing once it is large enough.
+  void plan(const Problem& problem, const OutOfTime& out_of_time, Plan& plan);
   /// Gives the search's memory back, until the next search.
   virtual void rest() {}
+
+ protected:
+  /// A plan to fill, with the memory of one that is no longer needed.
+  Plan blank();
 
  private:
   /// Both ends are in the map and drivable, and lie in different cells; the answer needs no length.
   virtual Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) = 0;
+
+  std::vector<geometry::Point2> spare_;   // empty, with room
 };
 
 /// False also for points that are not finite.

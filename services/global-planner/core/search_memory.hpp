@@ -37,6 +37,10 @@ class SearchNodes {
   bool is_known(std::size_t index) const { return nodes_[index].mark >> kShift == generation_; }
   bool is_closed(std::size_t index) const { return (nodes_[index].mark & kClosed) != 0; }   // @pre is_known(index)
   std::uint32_t cost(std::size_t index) const { return nodes_[index].cost; }                // @pre is_known(index)
+  std::uint32_t known_cost(std::size_t index) const {   // the greatest number when it is not known
+    const Node& node = nodes_[index];
+    return node.mark >> kShift == generation_ ? node.cost : std::numeric_limits<std::uint32_t>::max();
+  }
   int direction(std::size_t index) const { return static_cast<int>(nodes_[index].mark & kDirection); }
 
   void reach(std::size_t index, std::uint32_t cost, int direction) {

@@ -1,0 +1,75 @@
+// What a search allocates: counted by replacing this program's operator new.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <memory>
+#include <new>
+#include <random>
+#include <string>
+
+#include "services/global-planner/core/variant.hpp"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+}  // namespace
+
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"   // GCC inlines one of the pair and not the other
+void* operator new(std::size_t bytes) {
+  ++allocations;
+  if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace aisle::global_planner {
+namespace {
+
+grid::OccupancyGrid scattered(unsigned seed) {
+  grid::OccupancyGrid grid({120, 90, 0.1, {}});
+  std::mt19937 random(seed);
+  for (int i = 0; i < 1500; ++i) {
+    grid.set({std::uniform_int_distribution<int>(1, 118)(random), std::uniform_int_distribution<int>(1, 88)(random)}, grid::Occupancy::kOccupied);
+  }
+  return grid;
+}
+
+class Memory : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Memory, OfAQueryIsAllocatedByTheFirstOne) {
+  const grid::OccupancyGrid grid = scattered(5);
+  const grid::ClearanceField clearance(grid, 2.0);
+  const auto planner = find_variant(GetParam())->make();
+  const grid::Geometry& g = grid.geometry();
+  const Problem there{clearance, g.center_in_map({0, 0}), g.center_in_map({119, 89})};
+  const Problem back{clearance, g.center_in_map({119, 89}), g.center_in_map({0, 0})};
+  Plan plan;
+  for (const Problem& problem : {there, back}) {
+    planner->plan(problem, nullptr, plan);
+    ASSERT_EQ(plan.outcome, Outcome::kFound);
+  }
+  const std::size_t before = allocations;
+  for (const Problem& problem : {there, back, there}) planner->plan(problem, nullptr, plan);
+  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(plan.outcome, Outcome::kFound);
+}
+
+TEST_P(Memory, IsGivenBackAtRestAndTheNextAnswerIsTheSame) {
+  const grid::OccupancyGrid grid = scattered(6);
+  const grid::ClearanceField clearance(grid, 2.0);
+  const auto planner = find_variant(GetParam())->make();
+  const grid::Geometry& g = grid.geometry();
+  const Problem problem{clearance, g.center_in_map({0, 0}), g.center_in_map({119, 89})};
+  const Plan before = planner->plan(problem, nullptr);
+  planner->rest();
+  const Plan after = planner->plan(problem, nullptr);
+  EXPECT_EQ(after.outcome, Outcome::kFound);
+  EXPECT_EQ(after.waypoints_in_map, before.waypoints_in_map);
+  EXPECT_EQ(after.expanded, before.expanded);
+}
+
+INSTANTIATE_TEST_SUITE_P(Searches, Memory, ::testing::Values("astar", "dijkstra", "greedy", "wang"), [](const auto& tested) { return tested.param; });
+
+}  // namespace
+}  // namespace aisle::global_planner
