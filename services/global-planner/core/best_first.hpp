@@ -29,6 +29,12 @@ enum class Closed {
   kStay,     // left as it is, as the papers do: fewer expansions, paths that may be longer
 };
 
+/// Which steps are tried from a cell.
+enum class Looks {
+  kAround,   // all that the neighbour rule allows, as the papers do
+  kAhead,    // without those that a cell's parent covers, see StepTable: for exact searches with kReopen and kDrivableDiagonals
+};
+
 /// The one search loop (Hart, Nilsson, Raphael 1968). A variant is an evaluation, a neighbour rule and a list of passes.
 ///
 /// `Evaluation` offers `begin(const Ends&)`, called before each search, and `operator()(cost, cell)`: the rank of a cell reached
@@ -36,8 +42,8 @@ enum class Closed {
 template <class Evaluation>
 class BestFirst final : public Planner {
  public:
-  BestFirst(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes)
-      : closed_(closed), steps_(rule, !(closed == Closed::kReopen && rule == kDrivableDiagonals)), passes_(std::move(passes)) {}
+  BestFirst(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes, Looks looks)
+      : closed_(closed), steps_(rule, looks == Looks::kAround), passes_(std::move(passes)) {}
 
   void rest() override {
     nodes_.release();
@@ -128,8 +134,8 @@ class BestFirst final : public Planner {
 };
 
 template <class Evaluation>
-std::unique_ptr<Planner> best_first(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes) {
-  return std::make_unique<BestFirst<Evaluation>>(closed, rule, std::move(passes));
+std::unique_ptr<Planner> best_first(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes, Looks looks = Looks::kAround) {
+  return std::make_unique<BestFirst<Evaluation>>(closed, rule, std::move(passes), looks);
 }
 
 }  // namespace aisle::global_planner
