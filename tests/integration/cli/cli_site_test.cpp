@@ -360,7 +360,7 @@ TEST_F(CliSite, HealthIsOneServicesExitCode) {
   play_service("map", ServiceState::SERVICE_READY);
   play_service("global-planner", ServiceState::SERVICE_WAITING, "map_info");
   EXPECT_EQ(run({"health", "map"}).code, 0);
-  const Outcome waiting = run({"health", "global-planner", "--timeout", "1"});
+  const Outcome waiting = run({"health", "global-planner", "--timeout", "4"});
   EXPECT_EQ(waiting.code, 1);
   EXPECT_EQ(waiting.out, "global-planner: waiting, waits for map_info\n");
   const Outcome unknown = run({"health", "mapp", "--timeout", "1"});
@@ -371,7 +371,7 @@ TEST_F(CliSite, HealthIsOneServicesExitCode) {
 TEST_F(CliSite, DoctorFindsNothingWhereAllIsWell) {
   play_vehicles();
   play_service("map", ServiceState::SERVICE_READY);
-  const Outcome outcome = run({"doctor", "--wait", "2"});
+  const Outcome outcome = run({"doctor", "--wait", "5"});
   EXPECT_EQ(outcome.code, 0) << outcome.out;
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("1 other processes, 1 services, 2 vehicles"), HasSubstr("nothing wrong")));
 }
@@ -387,7 +387,7 @@ TEST_F(CliSite, DoctorSaysWhatIsWrong) {
     state.by(other.next());
     states_.write(state);
   });
-  const Outcome outcome = run({"doctor", "--wait", "2", "--json"});
+  const Outcome outcome = run({"doctor", "--wait", "5", "--json"});
   EXPECT_EQ(outcome.code, 1);
   std::set<std::string> about;
   const json report = json::parse(outcome.out);
