@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/config/reader.hpp"
 #include "common/process/clock.hpp"
 #include "services/local-planner/codec.hpp"
 
@@ -23,6 +24,11 @@ constexpr milliseconds kTrackGrace{300};              // a new track may be hear
 constexpr std::uint32_t kMostStrength = 1'000'000'000;
 constexpr double kUnknownRadiusM = 0.6;               // of a peer whose vehicle_info has not come yet
 
+const Variant& variant_of(const std::string& name) {
+  if (const Variant* variant = find_variant(name)) return *variant;
+  throw config::BadInput("planner: '" + name + "' is unknown; there are " + variant_names());
+}
+
 }  // namespace
 
 LocalPlannerService::LocalPlannerService(bus::Bus& bus, const std::string& agv_id, const service::OriginStamper& stamper,
@@ -33,7 +39,7 @@ LocalPlannerService::LocalPlannerService(bus::Bus& bus, const std::string& agv_i
       status_stamper_(stamper),
       health_(health),
       map_(bus, instance_id, {}),
-      planner_(config.settings),
+      planner_(config.settings, variant_of(config.planner)),
       statuses_(bus.writer<topics::NavigationStatus>()),
       warnings_(std::chrono::seconds(10)) {
   map_.on_map([this](const grid::OccupancyGrid&, const grid::ClearanceField& clearance, grid::Cell, grid::Cell) {

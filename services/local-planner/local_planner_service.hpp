@@ -16,10 +16,12 @@
 namespace aisle::local_planner {
 
 struct ServiceConfig {
+  std::string planner{"wang"};      // a name in core/variants
   Settings settings;
 
   template <class Reader>
   void describe(Reader& r) {
+    r.field("planner", planner);
     settings.describe(r);
   }
 };
@@ -29,6 +31,7 @@ struct ServiceConfig {
 /// when the vehicle obeys a later one, this planner falls silent for good (a person decides who drives on).
 class LocalPlannerService {
  public:
+  /// @throws config::BadInput for an unknown planner
   LocalPlannerService(bus::Bus& bus, const std::string& agv_id, const service::OriginStamper& stamper, service::Health& health,
                       const std::string& instance_id, const ServiceConfig& config);
   LocalPlannerService(const LocalPlannerService&) = delete;

@@ -19,6 +19,7 @@ constexpr double kLookForObstaclesM = 4.0;
 constexpr double kTurnBeginRad = 0.9;
 constexpr double kTurnEndRad = 0.2;
 constexpr double kIntentM = 24.0;
+constexpr double kSubTargetM = 0.6;       // LI's look-ahead on the path
 constexpr std::size_t kIntentPoints = 60;
 
 double bounded_by_braking(double distance_m, double braking_mps2) { return std::sqrt(2.0 * braking_mps2 * std::max(0.0, distance_m)); }
@@ -146,7 +147,9 @@ void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
   plan_id_ = plan.id;
   plan_waypoints_ = plan.waypoints_in_map;
   lane_revision_ = inputs.map_revision;
-  way_.adopt(make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.radius_m, settings_.lane), cycle.here(), same_plan);
+  Route lane = variant_.knows_path ? make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.radius_m, settings_.lane)
+                                   : Route(resample({cycle.here(), plan.waypoints_in_map.back()}, 0.2));
+  way_.adopt(std::move(lane), cycle.here(), same_plan);
   blocked_.reset();
   searched_ = {};
   moved_ = cycle.now;
@@ -183,7 +186,7 @@ bool LocalPlanner::finish(Cycle& cycle) {
 
 /// Splices a way around what stands on the lane, or back to the lane when the vehicle is off it.
 void LocalPlanner::find_detour(Cycle& cycle) {
-  if (way_.is_aside() || seconds(cycle.now - searched_) < kSearchPeriodS) return;
+  if (!variant_.knows_path || way_.is_aside() || seconds(cycle.now - searched_) < kSearchPeriodS) return;
   searched_ = cycle.now;
   const double s = way_.s_m();
   const Route& lane = way_.lane();
@@ -304,6 +307,7 @@ void LocalPlanner::recover(Cycle& cycle) {
 
 Point2 LocalPlanner::visible_target(const Cycle& cycle) const {
   const Route& route = way_.current();
+  if (!variant_.knows_path && !way_.is_aside()) return route.points().back();
   const double s = way_.s_m();
   const double wanted = std::clamp(0.6 + 0.9 * last_command_.linear_mps, 0.7, 1.8);
   const Room room = cycle.room(0.02, 0.02);
@@ -330,6 +334,19 @@ double LocalPlanner::speed_cap(const Cycle& cycle) const {
   return cap;
 }
 
+Aim LocalPlanner::aim(const Cycle& cycle) const {
+  Aim out{cycle.target, 0.2, 0.6, last_command_};
+  const Route& route = way_.current();
+  const double nearest = route.project(cycle.base_then.position(), way_.s_m(), way_.s_m() + 0.5);
+  out.sub_target_in_map = route.at(nearest + kSubTargetM);
+  out.radius_m = cycle.vehicle.radius_m;
+  out.step_s = settings_.dwa.step_s;
+  if (!variant_.asks_for(path_distance_critic)) return out;
+  const double end = std::min(route.length_m(), nearest + cycle.vehicle.limits.max_speed_mps * settings_.dwa.horizon_s);
+  for (double s = nearest; s <= end + 1e-9; s += 0.2) out.path_in_map.push_back(route.at(s));
+  return out;
+}
+
 void LocalPlanner::drive(Cycle& cycle) {
   cycle.target = visible_target(cycle);
   const double error = geometry::wrap(geometry::bearing(cycle.base_then.position(), cycle.target) - cycle.base_then.yaw);
@@ -349,7 +366,7 @@ void LocalPlanner::drive(Cycle& cycle) {
   }
   const Scene scene{*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.vehicle.radius_m, cycle.vehicle.limits,
                     speed_cap(cycle), cycle.around.movers, cycle.around.peer_motions};
-  const Choice choice = choose(scene, {cycle.target, 0.2, 0.6, last_command_}, variant_, settings_.dwa);
+  const Choice choice = choose(scene, aim(cycle), variant_, settings_.dwa);
   if (waits_before_it) command(cycle, {});
   else if (choice.found) command(cycle, choice.twist);
   else {

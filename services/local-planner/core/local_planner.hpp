@@ -37,6 +37,7 @@ class LocalPlanner {
   void recover(Cycle& cycle);
   void drive(Cycle& cycle);
   void turn(Cycle& cycle, double error_rad);
+  Aim aim(const Cycle& cycle) const;
   geometry::Point2 visible_target(const Cycle& cycle) const;
   double speed_cap(const Cycle& cycle) const;
   void describe(Cycle& cycle);

@@ -12,6 +12,7 @@ using geometry::Pose2;
 using geometry::Twist2;
 
 constexpr double kStandingMps = 0.05;
+constexpr int kPathEvery = 4;             // steps; of a smooth trajectory that is enough
 
 /// A pose with its heading as a unit vector: stepping it costs no call of libm.
 struct Motion {
@@ -38,6 +39,13 @@ struct Motion {
 };
 
 double length(Point2 p) { return std::sqrt(geometry::dot(p, p)); }
+
+/// To the nearest of the points, which lie close together.
+double distance_to(const std::vector<Point2>& points, Point2 p) {
+  double least2 = 1e18;
+  for (const Point2 q : points) least2 = std::min(least2, geometry::dot(p - q, p - q));
+  return std::sqrt(least2);
+}
 
 double wall_gap(const Scene& scene, Point2 p) { return scene.clearance.clearance_m(p) - scene.radius_m; }
 
@@ -136,12 +144,14 @@ Obstruction obstruction(const Scene& scene, const Needed& needed, const Twist2& 
 
 Rollout roll_out(const Scene& scene, const Needed& needed, const Twist2& wanted, const Aim& aim, const DwaSettings& settings) {
   Rollout out;
-  out.sample = {wanted, scene.base_in_map, scene.base_in_map, aim.wall_cap_m, aim.mover_cap_m};
+  out.sample = {wanted, scene.base_in_map, scene.base_in_map, aim.wall_cap_m, aim.mover_cap_m, aim.mover_cap_m, aim.mover_cap_m};
   const double dt = settings.step_s;
   const int steps = static_cast<int>(std::lround(settings.horizon_s / dt));
   const int look = static_cast<int>(std::lround(settings.heading_s / dt));
   Twist2 twist = scene.twist;
   Motion motion(scene.base_in_map);
+  double path_sum_m = 0.0;
+  int path_looks = 0;
   WallWatch walls(scene, aim.wall_cap_m);
   const double allowed = std::min(0.0, wall_gap(scene, motion.position));
   for (int k = 1; k <= steps; ++k) {
@@ -159,6 +169,8 @@ Rollout roll_out(const Scene& scene, const Needed& needed, const Twist2& wanted,
       const Point2 there = mover->position_in_map + t * mover->velocity_in_map;
       const double distance = length(motion.position - there) - scene.radius_m - mover->radius_m;
       out.sample.mover_gap_m = std::min(out.sample.mover_gap_m, distance - mover->margin_m - mover->growth_mps * std::min(t, 1.0));
+      double& gap_of_kind = mover->velocity_in_map == Point2{} ? out.sample.standing_gap_m : out.sample.moving_gap_m;
+      gap_of_kind = std::min(gap_of_kind, distance);
       if (distance < 0.0) out.collides = Obstruction::kMover;
     }
     for (const PeerMotion* peer : needed.met) {
@@ -166,11 +178,14 @@ Rollout roll_out(const Scene& scene, const Needed& needed, const Twist2& wanted,
       const Point2 there = intended[std::min<std::size_t>(static_cast<std::size_t>(k), intended.size() - 1)];
       const double distance = length(motion.position - there) - scene.radius_m - peer->radius_m;
       out.sample.mover_gap_m = std::min(out.sample.mover_gap_m, distance);
+      out.sample.moving_gap_m = std::min(out.sample.moving_gap_m, distance);
       if (distance < 0.0) out.collides = Obstruction::kPeer;
     }
     if (k == look) out.sample.look_in_map = motion.pose();
+    if (!aim.path_in_map.empty() && k % kPathEvery == 0) path_sum_m += distance_to(aim.path_in_map, motion.position), ++path_looks;
   }
   out.sample.end_in_map = motion.pose();
+  if (path_looks > 0) out.sample.path_distance_m = path_sum_m / path_looks;
   return out;
 }
 

@@ -50,5 +50,62 @@ TEST(Critics, AreNeverNegative) {
   for (const WeightedCritic& critic : wang().critics) EXPECT_GE(critic.score(worst, {}), 0.0);
 }
 
+TEST(Critics, SubTargetHeadingLooksAtThePathAndNotAtTheTarget) {
+  Sample sample;
+  sample.look_in_map = {0.0, 0.0, 0.0};
+  Aim aim;
+  aim.target_in_map = {-1.0, 0.0};
+  aim.sub_target_in_map = {1.0, 0.0};
+  EXPECT_NEAR(sub_target_heading_critic(sample, aim), geometry::kPi, 1e-12);
+  aim.sub_target_in_map = {0.0, 1.0};
+  EXPECT_NEAR(sub_target_heading_critic(sample, aim), geometry::kPi / 2, 1e-12);
+}
+
+TEST(Critics, PathDistanceIsARewardForNearness) {
+  Sample on, off, far;
+  off.path_distance_m = 0.4;
+  far.path_distance_m = 7.0;
+  EXPECT_DOUBLE_EQ(path_distance_critic(on, {}), 1.0);
+  EXPECT_LT(path_distance_critic(off, {}), path_distance_critic(on, {}));
+  EXPECT_DOUBLE_EQ(path_distance_critic(far, {}), 0.0);
+}
+
+TEST(Critics, SubTargetDistanceFallsWithTheDistance) {
+  Sample near, far;
+  Aim aim;
+  aim.target_in_map = {1.0, 0.0};
+  near.look_in_map = {0.8, 0.0, 0.0};
+  far.look_in_map = {-5.0, 0.0, 0.0};
+  EXPECT_GT(sub_target_distance_critic(near, aim), 0.9);
+  EXPECT_DOUBLE_EQ(sub_target_distance_critic(far, aim), 0.0);
+}
+
+TEST(Critics, StaticClearanceGrowsFromOnePointTwoRadiiOn) {
+  Aim aim;
+  Sample close, mid, wide;
+  close.wall_gap_m = 0.05;                                  // 0.40 m < 1.2 * 0.35 m
+  close.standing_gap_m = mid.standing_gap_m = wide.standing_gap_m = 0.6;
+  mid.wall_gap_m = 0.12;
+  wide.wall_gap_m = 0.2;
+  EXPECT_DOUBLE_EQ(static_clearance_critic(close, aim), 0.0);
+  EXPECT_GT(static_clearance_critic(mid, aim), 0.0);
+  EXPECT_GT(static_clearance_critic(wide, aim), static_clearance_critic(mid, aim));
+  wide.standing_gap_m = 0.02;
+  EXPECT_DOUBLE_EQ(static_clearance_critic(wide, aim), 0.0) << "things that stand count as walls do";
+}
+
+TEST(Critics, DynamicClearanceGrowsFromOnePointTwoStepsOn) {
+  Aim aim;
+  Sample sample;
+  sample.twist.linear_mps = 1.0;
+  sample.moving_gap_m = 0.11;                               // < 1.2 * 1 m/s * 0.1 s
+  EXPECT_DOUBLE_EQ(dynamic_clearance_critic(sample, aim), 0.0);
+  sample.moving_gap_m = 0.3;
+  const double mid = dynamic_clearance_critic(sample, aim);
+  EXPECT_GT(mid, 0.0);
+  sample.moving_gap_m = 0.5;
+  EXPECT_GT(dynamic_clearance_critic(sample, aim), mid);
+}
+
 }  // namespace
 }  // namespace aisle::local_planner
