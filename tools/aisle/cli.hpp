@@ -80,5 +80,6 @@ void add_experiment_global(CLI::App& parent, Cli& cli);
 void add_plan(CLI::App& parent, Cli& cli);
 void add_doctor(CLI::App& parent, Cli& cli);
 void add_health(CLI::App& parent, Cli& cli);
+void add_drive(CLI::App& parent, Cli& cli);
 
 }  // namespace aisle::cli

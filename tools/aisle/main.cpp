@@ -40,6 +40,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_experiment_global(experiment, cli);
   add_doctor(app, cli);
   add_health(app, cli);
+  add_drive(app, cli);
 }
 
 }  // namespace

@@ -48,6 +48,8 @@ struct Agv {
   Output output;
   local_planner::Peer announced;                // as its last status said
   double last_turn{0.0};
+  double last_mps{0.0};
+  double last_mps2{0.0};
   bool is_done() const { return goal >= goals_in_map.size(); }
 };
 
@@ -100,8 +102,16 @@ class Run {
     fake_vehicle::Parameters parameters = setup_.vehicle;
     parameters.radius_m = vehicle.radius_m;
     parameters.limits.max_speed_mps = vehicle.max_speed_mps;
+    const local_planner::Variant& variant = *local_planner::find_variant(setup_.local);
+    local_planner::Settings settings = setup_.settings;
+    if (setup_.paper_limits) {
+      const local_planner::PaperLimits& paper = variant.paper;
+      parameters.limits = {paper.max_speed_mps, 0.0, paper.max_turn_radps, paper.max_acceleration_mps2, paper.max_deceleration_mps2, paper.max_turn_acceleration_radps2};
+      settings.dwa.horizon_s = paper.horizon_s;
+      settings.comfort_mps2 = std::min(settings.comfort_mps2, paper.max_deceleration_mps2);
+    }
     const Pose2 start = scenario::varied_start(vehicle, setup_.scenario.start_jitter_m, setup_.seed);
-    Agv agv{vehicle.id, parameters, fake_vehicle::SimulatedVehicle(parameters, start), local_planner::LocalPlanner(setup_.settings), {}, {}, 0, {}, {}, {}, 0.0};
+    Agv agv{vehicle.id, parameters, fake_vehicle::SimulatedVehicle(parameters, start), local_planner::LocalPlanner(settings, variant), {}, {}, 0, {}, {}, {}};
     for (const scenario::Mission& mission : setup_.scenario.missions)
       for (int loop = 0; mission.vehicle == vehicle.id && loop < mission.loops; ++loop)
         for (const Pose2& goal : mission.goals_in_map) {
@@ -161,6 +171,12 @@ class Run {
       agv.body.advance_to(now(), {grid_, others});
       result_.distance_m += geometry::distance(before.position(), agv.body.base_in_map().position());
       hash(agv.body.base_in_map());
+      const double mps2 = (agv.body.twist().linear_mps - agv.last_mps) / kDt;
+      const double jerk = (mps2 - agv.last_mps2) / kDt;
+      result_.jerk_squared_sum += jerk * jerk;
+      ++result_.jerk_samples;
+      agv.last_mps = agv.body.twist().linear_mps;
+      agv.last_mps2 = mps2;
       const double w = agv.body.twist().angular_radps;
       if (std::abs(w) > 0.05) {
         if (w * agv.last_turn < 0.0) ++result_.turn_sign_changes;

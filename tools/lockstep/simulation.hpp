@@ -23,6 +23,8 @@ struct Setup {
   fake_vehicle::Parameters vehicle;             // radius and top speed come from the scenario
   Perception perception{Perception::kScans};
   std::string planner{"wang"};                  // a variant of the global planner
+  std::string local{"wang"};                    // of the local planner
+  bool paper_limits{false};                     // vehicles and horizon as in the paper of `local`
   local_planner::Settings settings;
   std::uint64_t seed{1};
 };
@@ -36,7 +38,9 @@ struct Result {
   double distance_m{0.0};
   double time_s{0.0};
   int replans{0};
-  int turn_sign_changes{0};
+  int turn_sign_changes{0};                     // of turn rates beyond 0.05 rad/s: dithering
+  double jerk_squared_sum{0.0};                 // (m/s^3)^2 of each vehicle and control period, of true speeds
+  std::uint64_t jerk_samples{0};
   double step_us_mean{0.0}, step_us_max{0.0};   // CPU time of the local planner's cycles
   std::uint64_t trace_hash{0};
   std::vector<std::string> log;                 // contacts, goals missed and what the cores said, with time and vehicle

@@ -1,0 +1,145 @@
+// aisle drive: a scenario in lock-step, without DDS, with the services' own cores from scan to motion.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "common/config/nearest_name.hpp"
+#include "common/config/reader.hpp"
+#include "common/process/exit_code.hpp"
+#include "common/process/own_usage.hpp"
+#include "services/global-planner/core/variant.hpp"
+#include "services/local-planner/core/critic.hpp"
+#include "tools/aisle/cli.hpp"
+#include "tools/aisle/drive_picture.hpp"
+#include "tools/aisle/json/json.hpp"
+#include "tools/aisle/text.hpp"
+#include "tools/lockstep/families.hpp"
+#include "tools/lockstep/totals.hpp"
+
+namespace aisle::cli {
+namespace {
+
+struct Options {
+  std::string scenario;
+  std::string local{"wang"};
+  std::string global{"wang"};
+  int seed{1};
+  int runs{1};
+  std::string svg;
+  bool truth{false};
+  bool paper_limits{false};
+  bool verbose{false};
+};
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+void check_name(const char* flag, const std::string& name, const std::vector<std::string>& known) {
+  for (const std::string& candidate : known)
+    if (candidate == name) return;
+  const std::string nearest = config::nearest_name(name, known);
+  throw config::BadInput(fmt::format("{}: '{}' is unknown; {}there are {}", flag, name, nearest.empty() ? "" : "did you mean '" + nearest + "'? ", listed(known)));
+}
+
+template <class Variant>
+std::vector<std::string> names_of(const std::vector<Variant>& variants) {
+  std::vector<std::string> names;
+  for (const Variant& variant : variants) names.push_back(variant.name);
+  return names;
+}
+
+lockstep::Setup setup_of(const Options& options, int run) {
+  const auto seed = static_cast<std::uint64_t>(options.seed + run);
+  const bool is_file = std::filesystem::path(options.scenario).extension() == ".yaml";
+  lockstep::Setup setup = is_file ? lockstep::read_setup(options.scenario, seed) : lockstep::make_setup(options.scenario, seed);
+  setup.local = options.local;
+  setup.planner = options.global;
+  setup.paper_limits = options.paper_limits;
+  if (options.truth) setup.perception = lockstep::Perception::kTruth;
+  return setup;
+}
+
+void write_file(const std::string& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw config::BadEnvironment(file + ": cannot be written; check the folder and its permissions");
+}
+
+void print(const Cli& cli, const Options& options, const lockstep::Totals& totals, double realtime_factor) {
+  const std::string hash = fmt::format("{:016x}", totals.trace_hash);
+  if (cli.json) {
+    std::printf("%s\n", write_json(Json{{"local", options.local},
+                                        {"global", options.global},
+                                        {"runs", totals.runs},
+                                        {"goals_assigned", totals.goals_assigned},
+                                        {"goals_reached", totals.goals_reached},
+                                        {"contacts", totals.contacts},
+                                        {"contacts_moving_vehicle", totals.contacts_moving_vehicle},
+                                        {"least_clearance_m", totals.least_clearance_m},
+                                        {"distance_m", totals.distance_m},
+                                        {"time_s", totals.time_s},
+                                        {"replans", totals.replans},
+                                        {"omega_sign_changes", totals.omega_sign_changes},
+                                        {"jerk_rms", totals.jerk_rms},
+                                        {"realtime_factor", realtime_factor},
+                                        {"trace_hash", hash}})
+                            .c_str());
+    return;
+  }
+  std::printf("%d run%s, global %s, local %s\n", totals.runs, totals.runs == 1 ? "" : "s", options.global.c_str(), options.local.c_str());
+  std::printf("goals %d of %d, contacts %d (%d of a moving vehicle), least clearance %.3f m\n", totals.goals_reached, totals.goals_assigned, totals.contacts,
+              totals.contacts_moving_vehicle, totals.least_clearance_m);
+  std::printf("%.1f m in %.1f s, %d replans, %d changes of the turn's sign, jerk %.2f m/s^3\n", totals.distance_m, totals.time_s, totals.replans,
+              totals.omega_sign_changes, totals.jerk_rms);
+  std::printf("%.0f x real time by CPU time, trace %s\n", realtime_factor, hash.c_str());
+}
+
+int drive(const Cli& cli, const Options& options) {
+  check_name("--local", options.local, names_of(local_planner::all_variants()));
+  check_name("--global", options.global, names_of(global_planner::all_variants()));
+  if (options.scenario.empty()) throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(lockstep::families()));
+  if (std::filesystem::path(options.scenario).extension() != ".yaml") check_name("--scenario", options.scenario, lockstep::families());
+  lockstep::Totals totals;
+  double took_s = 0.0;           // of this process's CPU time: what else the machine does is no matter
+  for (int run = 0; run < options.runs && !is_interrupted(); ++run) {
+    const lockstep::Setup setup = setup_of(options, run);
+    DrivePicture picture(setup);
+    const bool draws = !options.svg.empty() && run == 0;
+    const std::chrono::nanoseconds begun = process::cpu_time();
+    const lockstep::Result result = lockstep::run(setup, draws ? picture.watch() : lockstep::Watch{});
+    took_s += Seconds(process::cpu_time() - begun).count();
+    totals.add(result);
+    if (draws) write_file(options.svg, picture.svg(result));
+    if (!options.verbose) continue;
+    for (const std::string& line : result.log) std::fprintf(stderr, "%s\n", printable(line).c_str());
+  }
+  print(cli, options, totals, took_s > 0.0 ? totals.time_s / took_s : 0.0);
+  return totals.is_good() ? process::kDone : process::kNegative;
+}
+
+}  // namespace
+
+void add_drive(CLI::App& parent, Cli& cli) {
+  auto options = std::make_shared<Options>();
+  Verb(parent, cli, "drive", "drive a scenario in lock-step, without DDS; exit code 1 when a goal was missed or a moving vehicle touched something")
+      .option("--scenario", options->scenario, "a scenario file (.yaml), or one of " + listed(lockstep::families()))
+      .option("--local", options->local, "local planner: " + local_planner::variant_names())
+      .option("--global", options->global, "global planner: " + listed(names_of(global_planner::all_variants())))
+      .option("--seed", options->seed, 0, 1'000'000'000, "of the first run; the next one has the next seed")
+      .option("--runs", options->runs, 1, 100'000, "how many")
+      .option("--svg", options->svg, "file for a picture of the first run")
+      .flag("--truth", options->truth, "tracks from the truth in sight, not from simulated scans")
+      .flag("--paper-limits", options->paper_limits, "vehicles as in the local planner's paper")
+      .flag("--verbose", options->verbose, "what happened, on stderr")
+      .runs([&cli, options] { return drive(cli, *options); });
+}
+
+}  // namespace aisle::cli

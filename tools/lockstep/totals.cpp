@@ -1,0 +1,25 @@
+#include "tools/lockstep/totals.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle::lockstep {
+
+void Totals::add(const Result& result) {
+  ++runs;
+  goals_assigned += result.goals_assigned;
+  goals_reached += result.goals_reached;
+  contacts += result.contacts;
+  contacts_moving_vehicle += result.contacts_moving_vehicle;
+  least_clearance_m = std::min(least_clearance_m, result.least_clearance_m);
+  distance_m += result.distance_m;
+  time_s += result.time_s;
+  replans += result.replans;
+  omega_sign_changes += result.turn_sign_changes;
+  jerk_squared_sum_ += result.jerk_squared_sum;
+  jerk_samples_ += result.jerk_samples;
+  jerk_rms = jerk_samples_ > 0 ? std::sqrt(jerk_squared_sum_ / static_cast<double>(jerk_samples_)) : 0.0;
+  trace_hash = (trace_hash ^ result.trace_hash) * 1099511628211ULL;
+}
+
+}  // namespace aisle::lockstep
