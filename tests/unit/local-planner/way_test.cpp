@@ -1,0 +1,63 @@
+#include "services/local-planner/core/way.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace aisle::local_planner {
+namespace {
+
+/// Down an aisle and back, 0.9 m beside: the nearest point of the beginning is not where the vehicle is.
+Route there_and_back() { return Route(resample({{0.0, 0.0}, {20.0, 0.0}, {20.0, 0.9}, {0.0, 0.9}}, 0.2)); }
+
+void drive_to(double s_m, Way& way) {
+  way.adopt(there_and_back(), {0.0, 0.0}, false);
+  for (double s = 0.0; s <= s_m; s += 0.1) way.progress(there_and_back().at(s));
+}
+
+TEST(Way, GoesOnAlongAPlanThatWasKept) {
+  Way way;
+  drive_to(38.0, way);
+  ASSERT_NEAR(way.lane_s_m(), 38.0, 0.2);
+  way.adopt(there_and_back(), there_and_back().at(38.0), true);       // made anew after a map edit
+  EXPECT_NEAR(way.lane_s_m(), 38.0, 0.2);
+}
+
+TEST(Way, BeginsAPlanThatIsNewWhereTheVehicleIs) {
+  Way way;
+  drive_to(38.0, way);
+  way.adopt(there_and_back(), there_and_back().at(38.0), false);
+  EXPECT_LT(way.lane_s_m(), 5.0);
+}
+
+TEST(Way, FindsItsPlaceFarAlongAPlanThatIsNew) {
+  Way way;
+  way.adopt(Route({{0.0, 0.0}, {30.0, 0.0}}), {20.0, 0.5}, false);    // a planner that was restarted gives the plan of before
+  EXPECT_NEAR(way.lane_s_m(), 20.0, 1e-9);
+}
+
+TEST(Way, CountsADetourAsTheWayUntilItRejoins) {
+  Way way;
+  way.adopt(Route(resample({{0.0, 0.0}, {20.0, 0.0}}, 0.2)), {0.0, 0.0}, false);
+  way.progress({1.0, 0.0});
+  way.detour({{1.0, 0.0}, {3.0, 1.0}, {5.0, 0.0}}, 5.0);
+  EXPECT_TRUE(way.is_on_detour());
+  EXPECT_NEAR(way.left_m(), 2.0 * std::hypot(2.0, 1.0) + 15.0, 0.1);
+  for (double x = 1.0; x <= 6.0; x += 0.2) way.progress({x, x < 3.0 ? 0.5 * (x - 1.0) : std::max(0.0, 0.5 * (5.0 - x))});
+  EXPECT_FALSE(way.is_on_detour());
+}
+
+TEST(Way, ComesBackFromAsideToWhereItWas) {
+  Way way;
+  drive_to(10.0, way);
+  way.step_aside({{10.0, 0.0}, {10.0, -1.0}});
+  EXPECT_TRUE(way.is_aside());
+  way.progress({10.0, -1.0});
+  EXPECT_NEAR(way.left_m(), 0.0, 1e-9);
+  way.come_back();
+  EXPECT_NEAR(way.lane_s_m(), 10.0, 0.2);
+}
+
+}  // namespace
+}  // namespace aisle::local_planner
