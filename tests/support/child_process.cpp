@@ -72,7 +72,7 @@ bool ChildProcess::has_ended() {
 bool ChildProcess::read_some(milliseconds limit) {
   pollfd fds[2] = {{out_fd_, POLLIN, 0}, {err_fd_, POLLIN, 0}};   // a negative fd is skipped
   if (out_fd_ < 0 && err_fd_ < 0) return false;
-  if (poll(fds, 2, static_cast<int>(limit.count())) <= 0) return true;
+  if (poll(fds, 2, static_cast<int>(std::max<milliseconds::rep>(limit.count(), 0))) <= 0) return true;   // a negative limit would be for ever
   if (fds[0].revents != 0 && !append(out_fd_, out_)) close(std::exchange(out_fd_, -1));
   if (fds[1].revents != 0 && !append(err_fd_, err_)) close(std::exchange(err_fd_, -1));
   return true;
