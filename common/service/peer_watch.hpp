@@ -30,12 +30,12 @@ struct Finding {
   std::string text;
 };
 
-/// Notices two processes with one instance id, two of one service for one vehicle, another IDL version, and clocks more than a second apart. Says each once for each
-/// start of the other process. Pure: times come in as arguments. Remembers at most 512 instances.
+/// Notices two processes with one instance id, two of one service for one vehicle, another IDL version, and clocks more than a second
+/// apart. Says each once for each start of the other process. Pure: times come in as arguments. Remembers at most 512 instances.
 class PeerWatch {
  public:
-  /// `own_service` and `own_agv_id`: of a process for one vehicle, which then is the only one of its kind.
   /// `own_instance_id` and `own_boot_id`: of the process that watches; empty and 0 for an observer without a health of its own.
+  /// `own_service` and `own_agv_id`: of a process for one vehicle, which then is the only one of its kind.
   PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std::uint32_t own_idl_version, std::string own_service = {},
             std::string own_agv_id = {});
 
