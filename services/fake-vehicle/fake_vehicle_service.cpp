@@ -111,6 +111,7 @@ bool FakeVehicleService::may_act(time::Stamp now) {
     }
   }
   yields_ = yields;
+  if (!introduced_ && duplicates_.is_taken(now)) return false;
   return !yields_ && now - started_ >= kListen;
 }
 

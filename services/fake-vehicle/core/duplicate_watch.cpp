@@ -14,4 +14,8 @@ bool DuplicateWatch::is_duplicate(time::Stamp now) const {
   return first_heard_ && last_heard_ - *first_heard_ >= kSpan && now - last_heard_ <= kSilence;
 }
 
+bool DuplicateWatch::is_taken(time::Stamp now) const {
+  return first_heard_ && other_boot_id_ < own_boot_id_ && now - last_heard_ <= kSilence;
+}
+
 }  // namespace aisle::fake_vehicle

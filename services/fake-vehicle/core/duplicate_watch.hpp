@@ -20,6 +20,9 @@ class DuplicateWatch {
   bool is_duplicate(time::Stamp now) const;
   /// ... and was first.
   bool must_yield(time::Stamp now) const { return is_duplicate(now) && other_boot_id_ < own_boot_id_; }
+  /// An earlier process has said within kSilence that it is this vehicle. Once is enough to keep a newcomer that has said nothing yet from
+  /// introducing itself.
+  bool is_taken(time::Stamp now) const;
   std::uint64_t other_boot_id() const { return other_boot_id_; }
 
   static constexpr std::chrono::milliseconds kSpan{200};

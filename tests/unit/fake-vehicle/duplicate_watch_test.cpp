@@ -29,6 +29,17 @@ TEST(DuplicateWatch, OwnEchoesAndLeftoversDoNotCount) {
   EXPECT_FALSE(watch.is_duplicate(milliseconds(1300)));
 }
 
+TEST(DuplicateWatch, OneSampleOfAnEarlierProcessTakesTheName) {
+  DuplicateWatch newcomer(20);
+  EXPECT_FALSE(newcomer.is_taken(milliseconds(0)));
+  newcomer.heard(10, milliseconds(0));
+  EXPECT_TRUE(newcomer.is_taken(milliseconds(900)));
+  EXPECT_FALSE(newcomer.is_taken(milliseconds(1100)));
+  DuplicateWatch first(10);
+  first.heard(20, milliseconds(0));
+  EXPECT_FALSE(first.is_taken(milliseconds(10)));
+}
+
 TEST(DuplicateWatch, EndsWhenTheOtherFallsSilent) {
   DuplicateWatch watch(20);
   hear(watch, 10, 0, 500);
