@@ -20,6 +20,7 @@
 #include "common/grid/map_file.hpp"
 #include "common/grid/tiles.hpp"
 #include "common/process/clock.hpp"
+#include "common/service/health_file.hpp"
 #include "common/service/origin_stamper.hpp"
 #include "common/service/versions.hpp"
 #include "common/wire/map.hpp"
@@ -367,6 +368,22 @@ TEST_F(CliSite, HealthIsOneServicesExitCode) {
   const Outcome unknown = run({"health", "mapp", "--timeout", "3"});
   EXPECT_EQ(unknown.code, 1);
   EXPECT_THAT(unknown.err, HasSubstr("did you mean 'map'?"));
+}
+
+TEST(CliHealth, ReadsWhatAServiceOfThisHostKeeps) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("aisle_kept_" + std::to_string(getpid()) + ".json");
+  const auto check = [&](const std::string& instance) { return run_alone({"health", instance, "--file", file.string()}); };
+  EXPECT_THAT(check("map").err, HasSubstr("is not a health file of 'map'"));
+  ASSERT_TRUE(service::keep(file, {"map", ServiceState::SERVICE_READY, "", "", process::wall_clock_ns()}));
+  EXPECT_EQ(check("map").code, 0);
+  EXPECT_EQ(check("global-planner").code, 1);
+  ASSERT_TRUE(service::keep(file, {"map", ServiceState::SERVICE_WAITING, "its disk", "", process::wall_clock_ns()}));
+  EXPECT_EQ(check("map").code, 1);
+  EXPECT_EQ(check("map").out, "map: waiting, waits for its disk\n");
+  ASSERT_TRUE(service::keep(file, {"map", ServiceState::SERVICE_READY, "", "", process::wall_clock_ns() - 10'000'000'000}));
+  EXPECT_EQ(check("map").code, 1);
+  EXPECT_THAT(check("map").out, HasSubstr("map: silent for 10."));
+  std::filesystem::remove(file);
 }
 
 TEST_F(CliSite, DoctorFindsNothingWhereAllIsWell) {

@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/service/health_file.hpp"
 #include "tests/support/child_process.hpp"
 
 namespace aisle {
@@ -87,6 +89,25 @@ TEST(Shell, SaysItsHealthAndStopsCleanlyOnSigterm) {
   EXPECT_EQ(service.wait(seconds(2)), 0);
   EXPECT_TRUE(observer.heard_state(ServiceState::SERVICE_STOPPING));
   EXPECT_THAT(service.err(), HasSubstr("level=info instance=idle-1 text=\"aisle-idle"));
+}
+
+TEST(Shell, KeepsItsLastWordForAHealthcheck) {
+  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("aisle_health_" + std::to_string(getpid()) + ".json");
+  const auto kept_state = [&] {
+    const auto note = service::recall_health(file);
+    return note ? std::optional(note->state) : std::nullopt;
+  };
+  Observer observer(kDomain + 4);
+  ChildProcess service(on_site({"--hold", "--health-file", file.string()}, kDomain + 4));
+  EXPECT_TRUE(observer.until([&] { return kept_state() == ServiceState::SERVICE_WAITING; })) << service.err();
+  EXPECT_EQ(service::recall_health(file)->instance_id, "idle");
+  EXPECT_EQ(service::recall_health(file)->waits_for, "radius 0.500000");
+  service.signal(SIGUSR1);
+  EXPECT_TRUE(observer.until([&] { return kept_state() == ServiceState::SERVICE_READY; }));
+  service.signal(SIGTERM);
+  EXPECT_EQ(service.wait(seconds(5)), 0);
+  EXPECT_EQ(kept_state(), ServiceState::SERVICE_STOPPING);
+  std::filesystem::remove(file);
 }
 
 TEST(Shell, AHangShowsWithinTheLease) {

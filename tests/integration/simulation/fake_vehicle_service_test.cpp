@@ -150,7 +150,9 @@ TEST(FakeVehicleService, IntroducesItselfDrivesAndStopsBySilence) {
   EXPECT_GT(site.truth->velocity_x_mps(), 0.3);
 
   site.speed_mps.reset();
-  ASSERT_TRUE(run([&] { return site.state->hold() == HoldReason::HOLD_LATE_COMMAND && site.state->twist().linear_mps() == 0.0; }));
+  ASSERT_TRUE(run([&] {
+    return site.state->hold() == HoldReason::HOLD_LATE_COMMAND && site.state->twist().linear_mps() == 0.0 && site.truth->velocity_x_mps() == 0.0;
+  }));
   EXPECT_NEAR(site.state->base_in_map().x_m(), site.truth->base_in_map().x_m(), 1e-6) << "no noise was asked for";
 }
 
@@ -178,7 +180,7 @@ TEST(FakeVehicleService, SeesAPersonAndStopsAtThem) {
     return site.scan->ranges_m()[0] < 1.5f;
   }));
   site.speed_mps = 0.8;
-  ASSERT_TRUE(run([&] { return site.state->hold() == HoldReason::HOLD_CONTACT; }));
+  ASSERT_TRUE(run([&] { return site.state->hold() == HoldReason::HOLD_CONTACT && site.truth->velocity_x_mps() == 0.0; }));
   EXPECT_NEAR(site.truth->base_in_map().x_m(), 4.5 - 0.25 - 0.35, 0.02);
 }
 

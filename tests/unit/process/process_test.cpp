@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <stdexcept>
 #include <string>
@@ -13,6 +15,7 @@
 #include "common/process/exit_code.hpp"
 #include "common/process/leaving.hpp"
 #include "common/process/log.hpp"
+#include "common/process/memory.hpp"
 #include "common/process/own_usage.hpp"
 #include "common/process/signals.hpp"
 
@@ -114,6 +117,22 @@ TEST(Leaving, AnAbortOfTheMiddlewareEndsTheProcessCleanly) {
         std::abort();
       },
       ::testing::ExitedWithCode(0), "aborted while this process was leaving");
+}
+
+alignas(4096) const std::array<char, 2'000'000> kConstants{{1}};   // not all zero: stands in the program's file
+
+int sum_of_constants() {
+  int sum = 0;
+  for (std::size_t i = 0; i < kConstants.size(); i += 1024) sum += static_cast<const volatile char&>(kConstants[i]);
+  return sum;
+}
+
+TEST(Memory, ConstantsThatAreNotInUseAreNotResidentAndComeBack) {
+  ASSERT_EQ(sum_of_constants(), 1);
+  const double before_mb = resident_mb();
+  give_back_unused_code();
+  EXPECT_LT(resident_mb(), before_mb - 1.5);
+  EXPECT_EQ(sum_of_constants(), 1);
 }
 
 }  // namespace
