@@ -21,6 +21,7 @@
 #include "common/process/signals.hpp"
 #include "common/process/version.hpp"
 #include "common/service/arguments.hpp"
+#include "common/service/health_file.hpp"
 #include "common/service/peer_watch.hpp"
 #include "common/service/site_options.hpp"
 #include "common/service/versions.hpp"
@@ -61,11 +62,12 @@ struct Common {
   std::string instance_id;
   std::string agv_id;
   std::string log_level{"info"};
+  std::string health_file;
 
   template <class Reader>
   void describe(Reader& r) {
     SiteConfig site{settings};
-    r.field("instance", instance_id).field("log_level", log_level).section("site", site);
+    r.field("instance", instance_id).field("log_level", log_level).field("health_file", health_file).section("site", site);
   }
 };
 
@@ -75,6 +77,8 @@ void add_common_options(CLI::App& app, const Shell::About& about, Common& common
   app.add_option("--config", common.config_file, "YAML file; flags and environment win over it")->envname("AISLE_CONFIG");
   app.add_option("--instance", common.instance_id, "name of this process, unique on the site")->envname("AISLE_INSTANCE");
   app.add_option("--log-level", common.log_level, "debug, info, warning, error or off")->envname("AISLE_LOG_LEVEL");
+  app.add_option("--health-file", common.health_file, "keeps the last word on service_health there, for `aisle health --file`")
+      ->envname("AISLE_HEALTH_FILE");
   if (!about.agv_id_flag.empty()) {
     app.add_option(about.agv_id_flag, common.agv_id, "id of the vehicle that this process works for")->envname("AISLE_AGV");
   }
@@ -163,7 +167,12 @@ struct Shell::State {
     bus.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) { take(sample, info); });
     bus.every(kHealthPeriod, [this] { publish(); });
     bus.every(kLivelinessPeriod, [this] { writer.assert_liveliness(); });
-    bus.every(kTidyPeriod, [] { process::give_back_free_memory(); });
+    bus.every(kTidyPeriod, tidy);
+  }
+
+  static void tidy() {
+    process::give_back_free_memory();
+    process::give_back_unused_code();
   }
 
   void take(const bus::Incident& incident) {
@@ -212,6 +221,14 @@ struct Shell::State {
     }
     writer.write(sample);
     said = health;
+    keep_health_file(sample.wall_clock_ns());
+  }
+
+  void keep_health_file(std::int64_t said_at_ns) {
+    if (common.health_file.empty()) return;
+    if (!keep(common.health_file, {common.instance_id, said.state, said.waits_for, said.last_error, said_at_ns})) {
+      warnings.warn("health_file", "cannot write " + common.health_file + "; a healthcheck that reads it will fail");
+    }
   }
 
   void add_usage(aisle::ServiceHealth& sample) {
@@ -225,6 +242,7 @@ struct Shell::State {
   }
 
   void run(const std::atomic<bool>& stop) {
+    tidy();   // of what only the start needed
     publish();
     while (!stop.load()) {
       bus.run_once(kLongestWait);

@@ -29,7 +29,7 @@ struct Health {
 };
 
 /// What every service process has in common: flags (--domain, --partition, --interface, --peer, --discovery-server,
-/// --shared-memory, --config, --instance, --log-level, --version, --help), environment, logging, signals, one Bus,
+/// --shared-memory, --config, --instance, --log-level, --health-file, --version, --help), environment, logging, signals, one Bus,
 /// `service_health` with its 2 s manual lease asserted every 500 ms from the loop (so a hang shows), exit codes
 /// (0 stopped by signal, 2 bad input, 3 environment), and naming of a second process with the same instance id.
 /// Everything happens on the thread that calls run().

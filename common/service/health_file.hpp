@@ -1,0 +1,27 @@
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "common/bus/topics.hpp"
+
+namespace aisle::service {
+
+/// The part of a service's last word on `service_health` that a healthcheck on the same host needs. Kept in a file, because a check
+/// that joins the site anew costs more than the service it asks after.
+struct HealthNote {
+  std::string instance_id;
+  aisle::ServiceState state{};
+  std::string waits_for;
+  std::string last_error;
+  std::int64_t wall_clock_ns{0};   // when it was said
+};
+
+/// False when the file cannot be written.
+bool keep(const std::filesystem::path& file, const HealthNote& note);
+
+/// None when there is no such file, or it is not one of ours.
+std::optional<HealthNote> recall_health(const std::filesystem::path& file);
+
+}  // namespace aisle::service
