@@ -61,7 +61,7 @@ DispatcherService::DispatcherService(bus::Bus& bus, const std::string& instance_
 }
 
 void DispatcherService::listen() {
-  bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
+  bus_.on<topics::VehicleInfo>([this](const aisle::VehicleInfo& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
     const std::string agv_id = sample.agv_id().to_string();
     clock_.vehicle_heard(agv_id, monotonic_now(), wall_clock_ns());

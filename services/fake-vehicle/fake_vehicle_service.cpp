@@ -68,9 +68,13 @@ FakeVehicleService::FakeVehicleService(bus::Bus& bus, const std::string& agv_id,
 void FakeVehicleService::listen() {
   bus_.on<topics::VelocityCommand>([this](const aisle::VelocityCommand& sample, const SampleInfo& info) { take(sample, info); });
   bus_.on<topics::WorldObstacle>([this](const aisle::WorldObstacle& sample, const SampleInfo& info) { take(sample, info); });
-  bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData && sample.agv_id().to_string() == agv_id_) duplicates_.heard(sample.by().boot_id(), monotonic_now());
+  bus_.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const SampleInfo& info) {
+    if (info.kind == SampleKind::kData && is_this_vehicle(sample)) duplicates_.heard(sample.by().boot_id(), monotonic_now());
   });
+}
+
+bool FakeVehicleService::is_this_vehicle(const aisle::ServiceHealth& sample) const {
+  return sample.service().to_string() == "fake-vehicle" && sample.agv_id().to_string() == agv_id_ && sample.state() != ServiceState::SERVICE_STOPPING;
 }
 
 void FakeVehicleService::take(const aisle::VelocityCommand& sample, const SampleInfo& info) {

@@ -45,6 +45,7 @@ class FakeVehicleService {
 
  private:
   void listen();
+  bool is_this_vehicle(const aisle::ServiceHealth& sample) const;
   void take(const aisle::VelocityCommand& sample, const bus::SampleInfo& info);
   void take(const aisle::WorldObstacle& sample, const bus::SampleInfo& info);
   void tick();

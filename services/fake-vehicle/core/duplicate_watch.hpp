@@ -13,7 +13,7 @@ class DuplicateWatch {
  public:
   explicit DuplicateWatch(std::uint64_t own_boot_id) : own_boot_id_(own_boot_id) {}
 
-  /// A state with our agv id.
+  /// A process said that it is alive and is this vehicle; it does so once a second.
   void heard(std::uint64_t boot_id, time::Stamp now);
 
   /// Somebody else is this vehicle as well.
@@ -26,7 +26,7 @@ class DuplicateWatch {
   std::uint64_t other_boot_id() const { return other_boot_id_; }
 
   static constexpr std::chrono::milliseconds kSpan{200};
-  static constexpr std::chrono::milliseconds kSilence{1000};
+  static constexpr std::chrono::milliseconds kSilence{2500};
 
  private:
   std::uint64_t own_boot_id_;

@@ -48,7 +48,7 @@ class Fleet {
  public:
   explicit Fleet(int domain)
       : bus(site(domain, "fleet")),
-        states_(bus.writer<topics::VehicleState>()),
+        vehicles_(bus.writer<topics::VehicleInfo>()),
         statuses_(bus.writer<topics::NavigationStatus>()),
         results_(bus.writer<topics::MapEditResult>()),
         infos_(bus.writer<topics::MapInfo>()) {
@@ -58,12 +58,10 @@ class Fleet {
     bus.on<topics::MapEdit>([this](const aisle::MapEdit& sample, const bus::SampleInfo& info) {
       if (info.kind == bus::SampleKind::kData) edits.push_back(sample.edit_id().to_string());
     });
-    bus.every(50ms, [this] {
-      aisle::VehicleState state;
-      state.agv_id(std::string("agv-1"));
-      state.by(origin());
-      states_.write(state);
-    });
+    aisle::VehicleInfo vehicle;
+    vehicle.agv_id(std::string("agv-1"));
+    vehicle.by(origin());
+    vehicles_.write(vehicle);
   }
   void say(const std::string& goal_id, NavigationPhase phase) {
     aisle::NavigationStatus status;
@@ -102,7 +100,7 @@ class Fleet {
  private:
   aisle::Origin origin() { return wire::encode(wire::SampleOrigin{"fleet", 1, 1, ++sequence_, 0}); }
   std::uint64_t sequence_{0};
-  bus::Writer<topics::VehicleState> states_;
+  bus::Writer<topics::VehicleInfo> vehicles_;
   bus::Writer<topics::NavigationStatus> statuses_;
   bus::Writer<topics::MapEditResult> results_;
   bus::Writer<topics::MapInfo> infos_;

@@ -33,8 +33,8 @@ TEST(DuplicateWatch, OneSampleOfAnEarlierProcessTakesTheName) {
   DuplicateWatch newcomer(20);
   EXPECT_FALSE(newcomer.is_taken(milliseconds(0)));
   newcomer.heard(10, milliseconds(0));
-  EXPECT_TRUE(newcomer.is_taken(milliseconds(900)));
-  EXPECT_FALSE(newcomer.is_taken(milliseconds(1100)));
+  EXPECT_TRUE(newcomer.is_taken(milliseconds(2400)));
+  EXPECT_FALSE(newcomer.is_taken(milliseconds(2600)));
   DuplicateWatch first(10);
   first.heard(20, milliseconds(0));
   EXPECT_FALSE(first.is_taken(milliseconds(10)));
@@ -43,8 +43,8 @@ TEST(DuplicateWatch, OneSampleOfAnEarlierProcessTakesTheName) {
 TEST(DuplicateWatch, EndsWhenTheOtherFallsSilent) {
   DuplicateWatch watch(20);
   hear(watch, 10, 0, 500);
-  EXPECT_TRUE(watch.must_yield(milliseconds(1400)));
-  EXPECT_FALSE(watch.must_yield(milliseconds(1600)));
+  EXPECT_TRUE(watch.must_yield(milliseconds(2900)));
+  EXPECT_FALSE(watch.must_yield(milliseconds(3100)));
 }
 
 }  // namespace
