@@ -120,7 +120,9 @@ Strings allowed_rooms(const std::string& file) {
     return rooms;
   }
   // `aisle drive` runs the lock-step simulator and draws its runs as the referee draws real ones; it judges nothing with either.
-  if (begins_with(file, "tools/aisle/")) return {"common/", "services/", "tools/lockstep/", "tools/referee/core/", "tools/referee/report/"};
+  if (begins_with(file, "tools/aisle/")) return {"common/", "services/", "tools/lockstep/", "tools/tracking/", "tools/referee/core/", "tools/referee/report/"};
+  // `aisle track --scenario` lets the lock-step simulator drive the vehicles whose scans it makes.
+  if (begins_with(file, "tools/tracking/")) return {"common/", "services/", "tools/lockstep/"};
   if (begins_with(file, "tools/")) return {"common/", "services/"};
   return {"common/", "services/obstacle-tracker/core/track.hpp"};   // a service; its own folder comes with it
 }

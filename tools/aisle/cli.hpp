@@ -81,5 +81,6 @@ void add_plan(CLI::App& parent, Cli& cli);
 void add_doctor(CLI::App& parent, Cli& cli);
 void add_health(CLI::App& parent, Cli& cli);
 void add_drive(CLI::App& parent, Cli& cli);
+void add_track(CLI::App& parent, Cli& cli);
 
 }  // namespace aisle::cli

@@ -41,6 +41,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_doctor(app, cli);
   add_health(app, cli);
   add_drive(app, cli);
+  add_track(app, cli);
 }
 
 }  // namespace

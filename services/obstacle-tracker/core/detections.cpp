@@ -59,18 +59,25 @@ double furthest_m(const std::vector<Hit>& hits, Point2 from) {
   return furthest_m;
 }
 
-/// Covariance of a detection's position: noise of the sensor and of the vehicle's pose, and what the view does not show.
-Eigen::Matrix2d doubt(const View& view, const Detection& detection, double ray_gap_m, const SensorNoise& noise, const Shape& shape) {
-  const double size_m = 0.015 + 0.25 * std::max(0.0, detection.radius_m - shape.usual_radius_m);
-  const double hidden_m = detection.is_partial ? 0.05 + 0.7 * std::max(0.0, detection.radius_m - 0.5 * (view.left_m - view.right_m)) : 0.0;
-  const double swing_m = noise.yaw_rad * view.range_m;
-  const double along_variance = noise.range_m * noise.range_m / std::max(1.0, static_cast<double>(detection.surface_in_map.size()) / 3.0) +
-                                noise.pose_m * noise.pose_m + size_m * size_m;
-  const double across_variance =
-      noise.pose_m * noise.pose_m + swing_m * swing_m + ray_gap_m * ray_gap_m / 24.0 + size_m * size_m + hidden_m * hidden_m;
+Eigen::Matrix2d covariance_of(const View& view, double along_variance, double across_variance) {
   Eigen::Matrix2d axes;
   axes << view.along.x, view.across.x, view.along.y, view.across.y;
   return axes * Eigen::Vector2d(along_variance, across_variance).asDiagonal() * axes.transpose();
+}
+
+/// Covariance of a detection's position: noise of the ranges, and what the view does not show.
+Eigen::Matrix2d doubt_of_view(const View& view, const Detection& detection, double ray_gap_m, const SensorNoise& noise, const Shape& shape) {
+  const double size_m = 0.015 + 0.25 * std::max(0.0, detection.radius_m - shape.usual_radius_m);
+  const double hidden_m = detection.is_partial ? 0.05 + 0.7 * std::max(0.0, detection.radius_m - 0.5 * (view.left_m - view.right_m)) : 0.0;
+  const double along_variance =
+      noise.range_m * noise.range_m / std::max(1.0, static_cast<double>(detection.surface_in_map.size()) / 3.0) + size_m * size_m;
+  return covariance_of(view, along_variance, ray_gap_m * ray_gap_m / 24.0 + size_m * size_m + hidden_m * hidden_m);
+}
+
+/// And of the pose that the scan was taken from.
+Eigen::Matrix2d doubt_of_pose(const View& view, const SensorNoise& noise) {
+  const double swing_m = noise.yaw_rad * view.range_m;
+  return covariance_of(view, noise.pose_m * noise.pose_m, noise.pose_m * noise.pose_m + swing_m * swing_m);
 }
 
 /// Centre of the least disc around the hits, within a centimetre or two (Badoiu, Clarkson 2003).
@@ -147,7 +154,8 @@ Detection fit_disc(const Cluster& cluster, const Scan& scan, Point2 sensor_in_ma
   }
   detection.is_partial = cluster.is_cut_left || cluster.is_cut_right;
   detection.offset_s = cluster.hits[cluster.hits.size() / 2].offset_s;
-  detection.covariance = doubt(view, detection, ray_gap_m, noise, shape);
+  detection.view_covariance = doubt_of_view(view, detection, ray_gap_m, noise, shape);
+  detection.covariance = detection.view_covariance + doubt_of_pose(view, noise);
   return detection;
 }
 

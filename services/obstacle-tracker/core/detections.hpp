@@ -9,7 +9,8 @@ namespace aisle::obstacle_tracker {
 /// A disc that one scan shows, in map.
 struct Detection {
   geometry::Point2 position_in_map;
-  Eigen::Matrix2d covariance{Eigen::Matrix2d::Zero()};  // of the position
+  Eigen::Matrix2d covariance{Eigen::Matrix2d::Zero()};       // of the position
+  Eigen::Matrix2d view_covariance{Eigen::Matrix2d::Zero()};  // the part of it that is not the vehicle's pose
   double radius_m{0.25};                                // covers every hit it was made from
   double offset_s{0.0};                                 // measured this long after the scan's stamp
   std::vector<geometry::Point2> surface_in_map;         // the hits it was made from

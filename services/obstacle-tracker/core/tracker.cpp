@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "services/obstacle-tracker/core/alignment.hpp"
 #include "services/obstacle-tracker/core/association.hpp"
 #include "services/obstacle-tracker/core/sight.hpp"
 
@@ -47,8 +48,9 @@ TakeResult Tracker::take(const Scan& scan, const std::vector<KnownVehicle>& vehi
   move_on(scan.stamp + time::from_seconds(scan.sweep_s));
   const SortedScan sorted = sort_rays(scan, *clearance, vehicles, params_.noise, params_.explained);
   const std::vector<Cluster> clusters = find_clusters(scan, sorted, params_.clustering);
-  const std::vector<Detection> detections = find_detections(scan, sorted, clusters, expected_at(scan.stamp), params_.noise, params_.shape);
+  std::vector<Detection> detections = find_detections(scan, sorted, clusters, expected_at(scan.stamp), params_.noise, params_.shape);
   Matching matching = match(detections, scan);
+  if (params_.lifecycle.mark_gate > 0.0) take_out_pose_error(detections, matching, scan, sorted);
   take_in(detections, scan, matching, result);
   look_for_unmatched(scan, sorted, matching);
   merge_doubles();
@@ -170,6 +172,21 @@ Tracker::Matching Tracker::match(const std::vector<Detection>& detections, const
     if (track >= 0) matching.is_matched[static_cast<std::size_t>(track)] = 1;
   }
   return matching;
+}
+
+void Tracker::take_out_pose_error(std::vector<Detection>& detections, const Matching& matching, const Scan& scan,
+                                  const SortedScan& sorted) const {
+  std::vector<std::optional<Prediction>> predictions(detections.size());
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    if (matching.track_of[d] < 0) continue;
+    const LiveTrack& track = live_[static_cast<std::size_t>(matching.track_of[d])];
+    if (!track.is_confirmed(params_.lifecycle)) continue;
+    const Eigen::Vector2d seen = vector_of(detections[d].position_in_map);
+    const double lag_s = time::seconds(moment_ - moment_of(detections[d], scan));
+    const auto expected = track.filter().innovation(seen, Eigen::Matrix2d::Zero(), lag_s);
+    predictions[d] = Prediction{seen - expected.residual, expected.covariance};
+  }
+  align(detections, predictions, sorted.sensor_in_map, params_.noise, params_.lifecycle.mark_gate);
 }
 
 void Tracker::take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching, TakeResult& result) {

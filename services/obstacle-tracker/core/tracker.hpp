@@ -87,6 +87,7 @@ class Tracker {
   std::vector<Expected> expected_at(time::Stamp moment) const;
   void absorb_pieces(std::vector<Detection>& detections, const Scan& scan);
   Matching match(const std::vector<Detection>& detections, const Scan& scan) const;
+  void take_out_pose_error(std::vector<Detection>& detections, const Matching& matching, const Scan& scan, const SortedScan& sorted) const;
   void take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching, TakeResult& result);
   bool is_part_of_known(const Detection& detection, time::Stamp measured, Matching& matching);
   void look_for_unmatched(const Scan& scan, const SortedScan& sorted, const Matching& matching);

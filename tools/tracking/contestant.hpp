@@ -1,0 +1,27 @@
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/grid/clearance.hpp"
+#include "services/obstacle-tracker/core/tracker.hpp"
+
+namespace aisle::tracking {
+
+/// A tracker that takes part: it gets every scan as it comes, and is asked for its tracks when all vehicles have scanned.
+class Contestant {
+ public:
+  virtual ~Contestant() = default;
+  virtual std::string name() const = 0;
+  virtual void take(const obstacle_tracker::Scan& scan, const std::vector<obstacle_tracker::KnownVehicle>& vehicles,
+                    const grid::ClearanceField& clearance, time::Stamp now) = 0;
+  /// As of the last ray of the newest scan, by id.
+  virtual std::vector<obstacle_tracker::Track> tracks(time::Stamp now) const = 0;
+};
+
+/// The tracker of aisle-obstacle-tracker.
+std::unique_ptr<Contestant> make_aisle(const obstacle_tracker::TrackerParams& params = {});
+/// What a weekend gives (see nearest_neighbour.cpp).
+std::unique_ptr<Contestant> make_nearest_neighbour();
+
+}  // namespace aisle::tracking
