@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "common/grid/between_centers.hpp"
 
@@ -34,15 +36,161 @@ struct Axis {
   double local(double time) const { return std::clamp(BetweenCenters::snapped(at(time) - square), 0.0, 1.0); }
 };
 
+/// Two corners of an axis-parallel box.
+struct Box {
+  Point2 low;
+  Point2 high;
+};
+
+double squared(Point2 p) { return geometry::dot(p, p); }
+
+double squared_distance(Point2 p, const Box& box) {
+  return squared({std::max({box.low.x - p.x, 0.0, p.x - box.high.x}), std::max({box.low.y - p.y, 0.0, p.y - box.high.y})});
+}
+
+bool enters(Point2 a, Point2 b, const Box& box) {
+  double from = 0.0;
+  double to = 1.0;
+  const auto clip = [&](double begin, double end, double low, double high) {
+    const double change = end - begin;
+    if (change == 0.0) {
+      if (begin < low || begin > high) to = -1.0;
+      return;
+    }
+    const double at_low = (low - begin) / change;
+    const double at_high = (high - begin) / change;
+    from = std::max(from, std::min(at_low, at_high));
+    to = std::min(to, std::max(at_low, at_high));
+  };
+  clip(a.x, b.x, box.low.x, box.high.x);
+  clip(a.y, b.y, box.low.y, box.high.y);
+  return from <= to;
+}
+
+double squared_distance(Point2 a, Point2 b, const Box& box) {
+  if (enters(a, b, box)) return 0.0;
+  const Point2 ab = b - a;
+  const double length2 = squared(ab);
+  double least = std::min(squared_distance(a, box), squared_distance(b, box));
+  for (const Point2 corner : {box.low, box.high, Point2{box.low.x, box.high.y}, Point2{box.high.x, box.low.y}}) {
+    const double along = length2 > 0.0 ? std::clamp(geometry::dot(corner - a, ab) / length2, 0.0, 1.0) : 0.0;
+    least = std::min(least, squared(a + along * ab - corner));
+  }
+  return least;
+}
+
+constexpr double kShrunk_cells = 1e-4;   // far more than rounding
+
+Box shrunk_cell(const Geometry& g, Cell cell) {
+  const double half_m = (0.5 - kShrunk_cells) * g.resolution_m;
+  const Point2 center = g.center_in_map(cell);
+  return {center - Point2{half_m, half_m}, center + Point2{half_m, half_m}};
+}
+
+/// What a disc that stands between the centres of this square may touch.
+std::optional<Cell> nearest_not_free(const ClearanceField& clearance, const Axis& x, const Axis& y, double time, double radius_m) {
+  const Geometry& g = clearance.geometry();
+  const Point2 here{g.origin_in_map.x + (x.at(time) + 0.5) * g.resolution_m, g.origin_in_map.y + (y.at(time) + 0.5) * g.resolution_m};
+  const int reach = std::min(64, static_cast<int>(std::ceil(radius_m / g.resolution_m)));
+  std::optional<Cell> nearest;
+  double nearest_m2 = kNever;
+  for (int cy = y.square - reach; cy <= y.square + 1 + reach; ++cy) {
+    for (int cx = x.square - reach; cx <= x.square + 1 + reach; ++cx) {
+      if (clearance.clearance_m(Cell{cx, cy}) > 0.0) continue;
+      const double distance_m2 = squared_distance(here, shrunk_cell(g, {cx, cy}));
+      if (distance_m2 < nearest_m2) {
+        nearest_m2 = distance_m2;
+        nearest = Cell{cx, cy};
+      }
+    }
+  }
+  return nearest;
+}
+
+/// The clearances at the four centres of squares, without looking twice at what is known of the field.
+class Squares {
+ public:
+  explicit Squares(const ClearanceField& field)
+      : cells_m_(field.cells_m().data()), width_(field.geometry().width), height_(field.geometry().height) {}
+
+  /// False where some of the four lie outside the grid.
+  bool look(int x, int y) {
+    if (x < 0 || y < 0 || x + 1 >= width_ || y + 1 >= height_) return false;
+    const float* below = cells_m_ + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    const float* above = below + width_;
+    least_m = std::min(std::min(below[0], below[1]), std::min(above[0], above[1]));
+    greatest_m = std::max(std::max(below[0], below[1]), std::max(above[0], above[1]));
+    return true;
+  }
+  float least_m{0.0F};
+  float greatest_m{0.0F};
+
+ private:
+  const float* cells_m_;
+  int width_;
+  int height_;
+};
+
+/// The walk of is_line_free, from centre to centre. `blocked_at`: the time when it was stopped.
+bool is_walk_free(const ClearanceField& clearance, Axis& x, Axis& y, double length_m, double radius_m, double& blocked_at) {
+  const double plenty_m = 2.0 * clearance.geometry().resolution_m;
+  Squares squares(clearance);
+  x.enter(0.0);
+  y.enter(0.0);
+  double x_time = x.next_border_time();
+  double y_time = y.next_border_time();
+  for (double time = 0.0; time < 1.0;) {
+    // Most squares are decided by their four centres: no room for a jump, or enough for the disc wherever in the square it is.
+    const bool is_inside = squares.look(x.square, y.square);
+    const bool may_jump = !is_inside || squares.greatest_m > radius_m + 0.999999 * plenty_m;
+    const bool is_open = is_inside && squares.least_m > 0.0F && squares.least_m >= radius_m;
+    if (may_jump || !is_open) {
+      const BetweenCenters square(clearance, x.square, y.square);
+      const BetweenCenters::Point here{x.local(time), y.local(time)};
+      const double spare_m = may_jump ? square.clearance_m(here) - radius_m : 0.0;
+      if (spare_m > plenty_m) {
+        time += 0.999999 * spare_m / length_m;
+        x.enter(time);
+        y.enter(time);
+        x_time = x.next_border_time();
+        y_time = y.next_border_time();
+        continue;
+      }
+      const double until = std::clamp(std::min(x_time, y_time), time, 1.0);
+      if (!is_open && !square.is_free_along(here, {x.local(until), y.local(until)}, radius_m)) {
+        blocked_at = 0.5 * (time + until);
+        return false;
+      }
+    }
+    time = std::clamp(std::min(x_time, y_time), time, 1.0);
+    const bool steps_x = x_time <= y_time;
+    const bool steps_y = y_time <= x_time;
+    if (steps_x) {
+      x.step();
+      x_time = x.next_border_time();
+    }
+    if (steps_y) {
+      y.step();
+      y_time = y.next_border_time();
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
-bool is_line_free(const ClearanceField& clearance, Point2 from_in_map, Point2 to_in_map, double radius_m) {
+bool Blocker::blocks(const Geometry& geometry, Point2 from_in_map, Point2 to_in_map, double radius_m) const {
+  return cell_ && squared_distance(from_in_map, to_in_map, shrunk_cell(geometry, *cell_)) < radius_m * radius_m;
+}
+
+bool is_line_free(const ClearanceField& clearance, Point2 from_in_map, Point2 to_in_map, double radius_m, Blocker* blocker) {
+  const Geometry& g = clearance.geometry();
+  if (blocker != nullptr) *blocker = {};
   const auto is_free_at = [&](Point2 p) {
     const double here = clearance.clearance_m(p);
     return here > 0.0 && here >= radius_m;
   };
   if (!is_free_at(from_in_map) || !is_free_at(to_in_map)) return false;  // also whatever lies outside the grid
-  const Geometry& g = clearance.geometry();
   const auto in_cells = [&](double map, double origin) { return BetweenCenters::snapped((map - origin) / g.resolution_m - 0.5); };
   Axis x{in_cells(from_in_map.x, g.origin_in_map.x), 0.0};
   Axis y{in_cells(from_in_map.y, g.origin_in_map.y), 0.0};
@@ -50,28 +198,10 @@ bool is_line_free(const ClearanceField& clearance, Point2 from_in_map, Point2 to
   y.change = in_cells(to_in_map.y, g.origin_in_map.y) - y.start;
   const double length_m = std::hypot(x.change, y.change) * g.resolution_m;
   if (length_m == 0.0) return true;
-
-  x.enter(0.0);
-  y.enter(0.0);
-  for (double time = 0.0; time < 1.0;) {
-    const BetweenCenters square(clearance, x.square, y.square);
-    const BetweenCenters::Point here{x.local(time), y.local(time)};
-    const double spare_m = square.clearance_m(here) - radius_m;
-    if (spare_m > 2.0 * g.resolution_m) {
-      time += 0.999999 * spare_m / length_m;
-      x.enter(time);
-      y.enter(time);
-      continue;
-    }
-    const double x_time = x.next_border_time();
-    const double y_time = y.next_border_time();
-    const double until = std::clamp(std::min(x_time, y_time), time, 1.0);
-    if (!square.is_free_along(here, {x.local(until), y.local(until)}, radius_m)) return false;
-    if (x_time <= y_time) x.step();
-    if (y_time <= x_time) y.step();
-    time = until;
-  }
-  return true;
+  double blocked_at = 0.0;
+  if (is_walk_free(clearance, x, y, length_m, radius_m, blocked_at)) return true;
+  if (blocker != nullptr) *blocker = Blocker(nearest_not_free(clearance, x, y, blocked_at, radius_m));
+  return false;
 }
 
 double cast_ray(const OccupancyGrid& grid, Point2 from_in_map, double angle_rad, double max_range_m) {

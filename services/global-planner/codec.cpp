@@ -125,7 +125,9 @@ aisle::Plan encode(const FleetPlan& plan, const std::string& planner, double pla
   sample.trigger(static_cast<PlanTrigger>(plan.trigger));
   sample.detail(plan.detail);
   sample.planner(planner);
-  sample.goal_in_map(encode(plan.goal.pose_in_map));
+  geometry::Pose2 ends_in_map = plan.goal.pose_in_map;
+  if (plan.is_to_nearest) ends_in_map = {plan.waypoints_in_map.back().x, plan.waypoints_in_map.back().y, ends_in_map.yaw};
+  sample.goal_in_map(encode(ends_in_map));
   sample.position_tolerance_m(plan.goal.position_tolerance_m);
   sample.yaw_tolerance_rad(plan.goal.yaw_tolerance_rad);
   for (const geometry::Point2 point : plan.waypoints_in_map) sample.waypoints_in_map().push_back(encode(point));

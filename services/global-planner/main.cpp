@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   global_planner::ServiceConfig config;
   const auto options = [&](CLI::App& app) {
     service::Shell::config(app, config);
-    app.add_option("--planner", config.planner, "name of a planner, e.g. wang, astar or theta");
+    app.add_option("--planner", config.planner, "name of a planner, e.g. direct, wang or theta");
     app.add_option("--strength", config.strength, "among planners of one epoch, the highest is heard")->check(CLI::Range(0, 999));
     app.add_flag("--standby", config.standby, "takes over when the leading planner is gone");
   };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/critic.hpp"
 #include "tools/lockstep/families.hpp"
 
@@ -31,9 +32,10 @@ aisle::lockstep::Setup setup_of(const std::string& name, std::uint64_t seed) {
   return std::filesystem::path(name).extension() == ".yaml" ? aisle::lockstep::read_setup(name, seed) : aisle::lockstep::make_setup(name, seed);
 }
 
-std::vector<std::string> names() {
+template <class Variant>
+std::vector<std::string> names(const std::vector<Variant>& variants) {
   std::vector<std::string> names;
-  for (const auto& variant : aisle::local_planner::all_variants()) names.push_back(variant.name);
+  for (const Variant& variant : variants) names.push_back(variant.name);
   return names;
 }
 
@@ -48,12 +50,14 @@ int main(int argc, char** argv) {
   bool truth = false;
   double trace_s = 0.0;
   std::string local = "wang";
+  std::string global = aisle::lockstep::Setup{}.planner;
   app.add_option("family", families, "families or scenario files; none: all families");
   app.add_option("--first", first, "first seed");
   app.add_option("--seeds", seeds, "how many");
   app.add_flag("--truth", truth, "tracks from the truth in sight, not from simulated scans");
   app.add_flag("--verbose", verbose, "print what happened in each run");
-  app.add_option("--local", local, "local planner")->check(CLI::IsMember(names()));
+  app.add_option("--local", local, "local planner")->check(CLI::IsMember(names(aisle::local_planner::all_variants())));
+  app.add_option("--global", global, "global planner")->check(CLI::IsMember(names(aisle::global_planner::all_variants())));
   app.add_option("--trace", trace_s, "print poses and commands every so many seconds");
   CLI11_PARSE(app, argc, argv);
   if (families.empty()) families = aisle::lockstep::families();
@@ -66,6 +70,7 @@ int main(int argc, char** argv) {
     for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
       aisle::lockstep::Setup setup = setup_of(family, seed);
       setup.local = local;
+      setup.planner = global;
       if (truth) setup.perception = aisle::lockstep::Perception::kTruth;
       const auto result = aisle::lockstep::run(setup, trace_s > 0.0 ? tracer(trace_s) : aisle::lockstep::Watch{});
       assigned += result.goals_assigned, reached += result.goals_reached, contacts += result.contacts;

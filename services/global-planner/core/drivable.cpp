@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "common/grid/line_of_sight.hpp"
-
 namespace aisle::global_planner {
 namespace {
 
@@ -59,8 +57,14 @@ double Drivable::radius_at(Point2 in_map) const {
 }
 
 bool Drivable::is_line_free(Point2 from, Point2 to) const {
-  if (grid::is_line_free(clearance_, from, to, radius_m_)) return true;
+  grid::Blocker blocker;
+  return is_line_free(from, to, blocker);
+}
+
+bool Drivable::is_line_free(Point2 from, Point2 to, grid::Blocker& blocker) const {
+  if (grid::is_line_free(clearance_, from, to, radius_m_, &blocker)) return true;
   if (!has_tight_end_) return false;
+  blocker = {};   // a tight end may let the vehicle pass it
   const double length_m = geometry::distance(from, to);
   const int pieces = 1 + static_cast<int>(length_m / (0.25 * geometry_.resolution_m));
   for (int i = 0; i <= pieces; ++i) {

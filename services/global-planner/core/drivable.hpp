@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 
+#include "common/grid/line_of_sight.hpp"
 #include "services/global-planner/core/planner.hpp"
 
 namespace aisle::global_planner {
@@ -34,6 +35,8 @@ class Drivable {
   float least_m() const { return least_m_; }
   const float* clearances_m() const { return clearances_m_; }   // of every cell
   bool has_tight_end() const { return has_tight_end_; }
+  const TightEnd& start() const { return start_; }
+  const TightEnd& goal() const { return goal_; }
 
   /// Is the cell itself not free, whatever the vehicle's size? Outside the grid everything is.
   bool is_obstacle(grid::Cell c) const { return !geometry_.contains(c) || clearances_m_[geometry_.index(c)] <= 0.0F; }
@@ -43,6 +46,14 @@ class Drivable {
 
   /// May the vehicle sweep the straight segment?
   bool is_line_free(geometry::Point2 from_in_map, geometry::Point2 to_in_map) const;
+
+  /// The same; `blocker` is what stopped it, where one cell alone decides.
+  bool is_line_free(geometry::Point2 from_in_map, geometry::Point2 to_in_map, grid::Blocker& blocker) const;
+
+  /// Does this one stop the vehicle on the straight segment as well? False when that is not sure.
+  bool is_stopped_by(const grid::Blocker& blocker, geometry::Point2 from_in_map, geometry::Point2 to_in_map) const {
+    return blocker.blocks(geometry_, from_in_map, to_in_map, radius_m_);
+  }
 
   /// The same, and nowhere nearer to an obstacle than the problem's safe distance.
   bool is_line_safe(geometry::Point2 from_in_map, geometry::Point2 to_in_map) const;

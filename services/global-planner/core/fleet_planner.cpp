@@ -53,7 +53,7 @@ void FleetPlanner::set_vehicle(const std::string& agv_id, double radius_m) {
   Vehicle* v = vehicle(agv_id);
   if (v == nullptr) return;
   v->radius_m = radius_m;
-  const double needed_m = radius_m + settings_.margin_m + 0.5;
+  const double needed_m = std::max(radius_m + settings_.margin_m + 0.5, settings_.preferred_clearance_m);
   if (needed_m <= reach_m_) return;
   reach_m_ = needed_m;
   if (map_revision_ > 0) rebuild_clearance();
@@ -162,7 +162,7 @@ std::optional<FleetPlan> FleetPlanner::cancel(Vehicle& v) {
 }
 
 std::optional<FleetPlan> FleetPlanner::check_map(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
-  const bool is_kept = is_arrived(v.navigation, v.goal) || (v.plan->outcome == FleetOutcome::kFound && is_rest_free(v));
+  const bool is_kept = is_arrived(v.navigation, v.goal) || (v.plan->outcome == FleetOutcome::kFound && !v.plan->is_to_nearest && is_rest_free(v));
   if (!is_kept) return publish(v, plan_anew(v, v.is_adopted ? Trigger::kTakeover : Trigger::kMapChanged, now, out_of_time), now);
   v.plan->map_id = map_id_;
   v.plan->map_revision = map_revision_;
@@ -214,8 +214,13 @@ FleetPlan FleetPlanner::plan_anew(const Vehicle& v, Trigger trigger, Stamp now, 
     found = search(v, {}, out_of_time);
     if (found.outcome == Outcome::kFound) plan.detail = shortened("no way around " + around.front().name + (around.size() > 1 ? " and others" : ""));
   }
-  plan.outcome = static_cast<FleetOutcome>(found.outcome);
   if (found.outcome != Outcome::kFound) plan.detail = shortened(why(v, found.outcome, out_of_time));
+  if (settings_.to_nearest && (found.outcome == Outcome::kNoPath || found.outcome == Outcome::kGoalBlocked)) {
+    Plan nearest = search_nearest(v, out_of_time);
+    plan.is_to_nearest = nearest.outcome == Outcome::kFound;
+    if (plan.is_to_nearest) found = std::move(nearest);
+  }
+  plan.outcome = static_cast<FleetOutcome>(found.outcome);
   plan.waypoints_in_map = std::move(found.waypoints_in_map);
   plan.length_m = found.length_m;
   return plan;
@@ -245,7 +250,9 @@ void FleetPlanner::put_off(Vehicle& v, Stamp now) {
 }
 
 Problem FleetPlanner::problem_of(const Vehicle& v, Point2 start_in_map, Point2 goal_in_map) const {
-  return {clearance_, start_in_map, goal_in_map, *v.radius_m + settings_.margin_m, *v.radius_m, settings_.tight_range_m};
+  Problem problem{clearance_, start_in_map, goal_in_map, *v.radius_m + settings_.margin_m, *v.radius_m, settings_.tight_range_m};
+  problem.preferred_clearance_m = settings_.preferred_clearance_m;
+  return problem;
 }
 
 Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around, const OutOfTime& out_of_time) {
@@ -260,6 +267,13 @@ Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around,
   if (plan.waypoints_in_map.size() > kMostWaypoints) passes::greedy_line_of_sight(Drivable(problem), plan.waypoints_in_map);
   if (plan.waypoints_in_map.size() > kMostWaypoints) return {};
   return plan;
+}
+
+Plan FleetPlanner::search_nearest(const Vehicle& v, const OutOfTime& out_of_time) {
+  const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
+  const std::optional<Point2> point = nearest_reachable(problem, out_of_time);
+  if (!point) return {};
+  return planner_->plan(problem_of(v, problem.start_in_map, *point), out_of_time);
 }
 
 bool FleetPlanner::is_rest_free(const Vehicle& v) const {

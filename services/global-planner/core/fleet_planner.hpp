@@ -97,6 +97,8 @@ class FleetPlanner {
   FleetPlan plan_anew(const Vehicle& vehicle, Trigger trigger, time::Stamp now, const OutOfTime& out_of_time);
   std::optional<FleetPlan> publish(Vehicle& vehicle, FleetPlan plan, time::Stamp now);
   void put_off(Vehicle& vehicle, time::Stamp now);
+  /// To the point nearest to the goal that can be reached.
+  Plan search_nearest(const Vehicle& v, const OutOfTime& out_of_time);
   Plan search(const Vehicle& vehicle, const std::vector<Obstacle>& around, const OutOfTime& out_of_time);
   Problem problem_of(const Vehicle& vehicle, geometry::Point2 start_in_map, geometry::Point2 goal_in_map) const;
   bool is_rest_free(const Vehicle& vehicle) const;

@@ -17,6 +17,8 @@ struct FleetSettings {
   double state_life_s{1.0};         // a vehicle silent for longer is not planned for, and is an obstacle to others
   double parked_after_s{2.0};       // a vehicle that has nothing to do and stands this long is an obstacle to others
   double look_ahead_m{15.0};        // obstacles farther along a plan do not change it yet
+  double preferred_clearance_m{0.0};   // for the planner `clear`: nearer to obstacles a metre costs more; 0: twice radius and margin
+  bool to_nearest{false};           // where the map leaves no way to a goal, plan to the nearest point that can be reached
 
   template <class Reader>
   void describe(Reader& r) {
@@ -27,7 +29,9 @@ struct FleetSettings {
         .field("report_life_s", report_life_s, 0.0, 600.0)
         .field("state_life_s", state_life_s, 0.1, 60.0)
         .field("parked_after_s", parked_after_s, 0.0, 600.0)
-        .field("look_ahead_m", look_ahead_m, 1.0, 1000.0);
+        .field("look_ahead_m", look_ahead_m, 1.0, 1000.0)
+        .field("preferred_clearance_m", preferred_clearance_m, 0.0, 10.0)
+        .field("to_nearest", to_nearest);
   }
 };
 
@@ -69,6 +73,7 @@ struct FleetPlan {
   FleetOutcome outcome{FleetOutcome::kFound};
   Trigger trigger{Trigger::kNewGoal};
   std::string detail;               // what is wrong and where; at most 256 characters
+  bool is_to_nearest{false};        // the goal cannot be reached: the path ends at the nearest point that can
   std::vector<geometry::Point2> waypoints_in_map;   // empty unless found
   double length_m{0.0};
 };

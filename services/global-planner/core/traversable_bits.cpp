@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace aisle::global_planner {
 
@@ -59,7 +64,20 @@ void transpose(Block& block) {
   }
 }
 
-std::uint64_t cells_from(const Drivable& drivable, grid::Cell first, int count) {
+/// Up to 64 cells of a row, whatever a tight end accepts.
+std::uint64_t wide_cells(const float* clearances_m, float least_m, int count) {
+  std::uint64_t word = 0;
+  int i = 0;
+#ifdef __SSE2__
+  for (const __m128 least = _mm_set1_ps(least_m); i + 4 <= count; i += 4) {
+    word |= static_cast<std::uint64_t>(_mm_movemask_ps(_mm_cmpge_ps(_mm_loadu_ps(clearances_m + i), least))) << static_cast<unsigned>(i);
+  }
+#endif
+  for (; i < count; ++i) word |= static_cast<std::uint64_t>(clearances_m[i] >= least_m) << static_cast<unsigned>(i);
+  return word;
+}
+
+std::uint64_t cells_with_tight_ends(const Drivable& drivable, grid::Cell first, int count) {
   const std::size_t index = drivable.geometry().index(first);
   std::uint64_t word = 0;
   for (int i = 0; i < count; ++i) {
@@ -71,25 +89,45 @@ std::uint64_t cells_from(const Drivable& drivable, grid::Cell first, int count) 
 }  // namespace
 
 void TraversableBits::make(const Drivable& drivable) {
-  if (!drivable.has_tight_end() && field_revision_ == drivable.field_revision() && least_m_ == drivable.least_m()) return;
   const grid::Geometry& geometry = drivable.geometry();
-  rows_.resize(geometry.height, geometry.width);
-  columns_.resize(geometry.width, geometry.height);
-  for (int y0 = 0; y0 < geometry.height; y0 += 64) {
-    for (int x0 = 0; x0 < geometry.width; x0 += 64) {
+  if (field_revision_ != drivable.field_revision() || least_m_ != drivable.least_m()) {
+    rows_.resize(geometry.height, geometry.width);
+    columns_.resize(geometry.width, geometry.height);
+    fill(drivable, {{0, 0}, {geometry.width, geometry.height}}, TightEnds::kLeftOut);
+    field_revision_ = drivable.field_revision();
+    least_m_ = drivable.least_m();
+  } else {
+    for (const Window& window : tight_) fill(drivable, window, TightEnds::kLeftOut);
+  }
+  tight_.clear();
+  for (const TightEnd* end : {&drivable.start(), &drivable.goal()}) {
+    if (!(end->range_m > 0.0)) continue;
+    const int reach = 1 + static_cast<int>(std::min<double>(end->range_m / geometry.resolution_m, geometry.width + geometry.height));
+    const grid::Cell middle = geometry.cell_at(end->center_in_map);
+    tight_.push_back({{std::max(0, middle.x - reach), std::max(0, middle.y - reach)},
+                      {std::min(geometry.width, middle.x + reach + 1), std::min(geometry.height, middle.y + reach + 1)}});
+    fill(drivable, tight_.back(), TightEnds::kSeen);
+  }
+}
+
+void TraversableBits::fill(const Drivable& drivable, const Window& window, TightEnds tight_ends) {
+  const grid::Geometry& geometry = drivable.geometry();
+  for (int y0 = window.low.y & ~63; y0 < window.high.y; y0 += 64) {
+    for (int x0 = window.low.x & ~63; x0 < window.high.x; x0 += 64) {
       const int width = std::min(64, geometry.width - x0);
       const int height = std::min(64, geometry.height - y0);
       Block block{};
       for (int y = 0; y < height; ++y) {
-        block[static_cast<std::size_t>(y)] = cells_from(drivable, {x0, y0 + y}, width);
-        rows_.set(y0 + y, x0, block[static_cast<std::size_t>(y)]);
+        const grid::Cell first{x0, y0 + y};
+        std::uint64_t& word = block[static_cast<std::size_t>(y)];
+        word = tight_ends == TightEnds::kSeen ? cells_with_tight_ends(drivable, first, width)
+                                              : wide_cells(drivable.clearances_m() + geometry.index(first), drivable.least_m(), width);
+        rows_.set(y0 + y, x0, word);
       }
       transpose(block);
       for (int x = 0; x < width; ++x) columns_.set(x0 + x, y0, block[static_cast<std::size_t>(x)]);
     }
   }
-  field_revision_ = drivable.has_tight_end() ? 0 : drivable.field_revision();
-  least_m_ = drivable.least_m();
 }
 
 }  // namespace aisle::global_planner

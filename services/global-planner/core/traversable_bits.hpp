@@ -2,6 +2,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "common/grid/occupancy_grid.hpp"
+
 #include "services/global-planner/core/drivable.hpp"
 
 namespace aisle::global_planner {
@@ -34,7 +36,8 @@ class BitLines {
   std::vector<std::uint64_t> words_;
 };
 
-/// The traversable cells of one problem, by rows and by columns. Made anew only when the field, the radius or a tight end differs.
+/// The traversable cells of one problem, by rows and by columns. Made anew only when the field or the radius differs; what a tight end
+/// changes is made and undone in blocks of 64 x 64 cells around it.
 class TraversableBits {
  public:
   void make(const Drivable& drivable);
@@ -44,9 +47,17 @@ class TraversableBits {
   const BitLines& columns() const { return columns_; }
 
  private:
+  struct Window {
+    grid::Cell low;    // included
+    grid::Cell high;   // not included
+  };
+  enum class TightEnds { kLeftOut, kSeen };
+  void fill(const Drivable& drivable, const Window& window, TightEnds tight_ends);
+
   std::uint64_t field_revision_{0};
   float least_m_{-1.0F};
   BitLines rows_, columns_;
+  std::vector<Window> tight_;   // where a tight end of the last problem may have changed bits
 };
 
 }  // namespace aisle::global_planner

@@ -26,7 +26,7 @@ const Pose2 kGoal{19.0, 5.0, 0.0};
 /// A hall of 20 x 10 m at 0.1 m a cell with two doors in a wall at x = 10: a straight one at y = 5, one around at y = 9.
 class Fleet : public testing::Test {
  protected:
-  Fleet() : grid_(grid::Geometry{200, 100, 0.1, {}}), planner_(FleetSettings{}, find_variant("wang")->make()) {
+  Fleet() : grid_(grid::Geometry{200, 100, 0.1, {}}), planner_(FleetSettings{}, find_variant("direct")->make()) {
     block(10.0, 0.0, 10.2, 10.0);
     block(10.0, 4.0, 10.2, 6.0, grid::Occupancy::kFree);
     block(10.0, 8.0, 10.2, 9.8, grid::Occupancy::kFree);
@@ -112,7 +112,7 @@ TEST_F(Fleet, PlansForANewGoalOnce) {
 }
 
 TEST_F(Fleet, WaitsForMapVehicleAndState) {
-  FleetPlanner fresh(FleetSettings{}, find_variant("wang")->make());
+  FleetPlanner fresh(FleetSettings{}, find_variant("direct")->make());
   fresh.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
   EXPECT_FALSE(fresh.step(now_, nullptr));
   EXPECT_EQ(fresh.waits_for(now_), "map_info and map_tile, vehicle_info of agv-1, vehicle_state of agv-1");
@@ -414,7 +414,7 @@ TEST_F(Fleet, PlansFromWhereABlockedVehicleStrayedTo) {
 TEST_F(Fleet, AdoptsTheFormerPlannersPlans) {
   arrive("agv-1", kStart);
   const FleetPlan theirs = first_plan();
-  FleetPlanner standby(FleetSettings{}, find_variant("wang")->make());
+  FleetPlanner standby(FleetSettings{}, find_variant("direct")->make());
   standby.set_map("site", 5, grid_, {0, 0}, {199, 99});
   standby.set_vehicle("agv-1", kRadius_m);
   standby.set_pose("agv-1", kStart, now_);
@@ -438,6 +438,54 @@ TEST_F(Fleet, ServesEveryVehicleInTurn) {
   while (const auto plan = step()) ++served[plan->agv_id];
   EXPECT_EQ(served.size(), 5U);
   for (const auto& [id, count] : served) EXPECT_EQ(count, 1) << id;
+}
+
+/// A planner of its own settings for agv-1, with everything that it needs to plan.
+std::unique_ptr<FleetPlanner> planner_for_goal(const FleetSettings& settings, const std::string& name, const grid::OccupancyGrid& grid, time::Stamp now) {
+  auto planner = std::make_unique<FleetPlanner>(settings, find_variant(name)->make());
+  planner->set_map("site", 1, grid, {0, 0}, {grid.geometry().width - 1, grid.geometry().height - 1});
+  planner->set_vehicle("agv-1", kRadius_m);
+  planner->set_pose("agv-1", kStart, now);
+  planner->set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
+  return planner;
+}
+
+TEST_F(Fleet, GoesToTheNearestPointOnlyWhenAskedTo) {
+  block(10.0, 0.0, 10.2, 10.0);   // no door
+  const FleetPlan refused = *planner_for_goal(FleetSettings{}, "direct", grid_, now_)->step(now_, nullptr);
+  EXPECT_EQ(refused.outcome, FleetOutcome::kNoPath);
+  EXPECT_TRUE(refused.waypoints_in_map.empty());
+
+  FleetSettings settings;
+  settings.to_nearest = true;
+  const auto planner = planner_for_goal(settings, "direct", grid_, now_);
+  const FleetPlan plan = *planner->step(now_, nullptr);
+  EXPECT_EQ(plan.outcome, FleetOutcome::kFound);
+  EXPECT_TRUE(plan.is_to_nearest);
+  EXPECT_EQ(plan.goal.pose_in_map.x, kGoal.x) << "the goal stays what it is";
+  EXPECT_TRUE(is_drivable_now(plan));
+  EXPECT_NEAR(plan.waypoints_in_map.back().x, 10.0 - kRadius_m - 0.1, 0.1);
+  EXPECT_NE(plan.detail.find("the nearest reachable point is"), std::string::npos) << plan.detail;
+  EXPECT_FALSE(planner->step(now_, nullptr));
+
+  block(10.0, 4.0, 10.2, 6.0, grid::Occupancy::kFree);
+  planner->set_map("site", 2, grid_, {100, 40}, {101, 59});
+  const FleetPlan there = *planner->step(now_, nullptr);
+  EXPECT_FALSE(there.is_to_nearest);
+  EXPECT_EQ(there.waypoints_in_map.back(), kGoal.position());
+}
+
+TEST_F(Fleet, PrefersClearanceAsFarAsItsSettingsSay) {
+  block(3.0, 0.0, 8.0, 4.4);   // a rack beside the straight way
+  const auto from_rack_m = [&](double preferred_clearance_m) {
+    FleetSettings settings;
+    settings.preferred_clearance_m = preferred_clearance_m;
+    const FleetPlan plan = *planner_for_goal(settings, "clear", grid_, now_)->step(now_, nullptr);
+    EXPECT_TRUE(is_drivable_now(plan));
+    return std::min(distance_to(plan, {3.0, 4.4}), distance_to(plan, {8.0, 4.4}));
+  };
+  EXPECT_NEAR(from_rack_m(0.45), 0.6, 0.1);
+  EXPECT_GT(from_rack_m(1.5), 0.9);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // What a search allocates: counted by replacing this program's operator new.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -69,7 +70,38 @@ TEST_P(Memory, IsGivenBackAtRestAndTheNextAnswerIsTheSame) {
   EXPECT_EQ(after.expanded, before.expanded);
 }
 
-INSTANTIATE_TEST_SUITE_P(Searches, Memory, ::testing::Values("astar", "dijkstra", "greedy", "wang"), [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(Searches, Memory,
+                         ::testing::Values("astar", "dijkstra", "direct", "greedy", "jps", "li", "modified-astar", "qu", "wang", "wu", "yu"),
+                         [](const auto& tested) { return tested.param == "modified-astar" ? std::string("modified_astar") : tested.param; });
+
+double heap_bytes() {
+  const struct mallinfo2 info = mallinfo2();
+  return static_cast<double>(info.uordblks) + static_cast<double>(info.hblkhd);
+}
+
+class BytesACell : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(BytesACell, AreAtMostSixteenAfterAQueryAcrossTheMap) {
+  grid::OccupancyGrid grid({1200, 1000, 0.05, {}});
+  std::mt19937 random(7);
+  for (int i = 0; i < 60000; ++i) {
+    grid.set({std::uniform_int_distribution<int>(1, 1198)(random), std::uniform_int_distribution<int>(1, 998)(random)}, grid::Occupancy::kOccupied);
+  }
+  const grid::Geometry& g = grid.geometry();
+  const grid::ClearanceField clearance(grid, 0.5);
+  const auto planner = find_variant(GetParam())->make();
+  const double before = heap_bytes();
+  Plan plan;
+  planner->plan({clearance, g.center_in_map({0, 0}), g.center_in_map({1199, 999})}, nullptr, plan);
+  const double taken = heap_bytes() - before;
+  ASSERT_EQ(plan.outcome, Outcome::kFound);
+  EXPECT_LE(taken / static_cast<double>(g.cells()), 16.0);
+  EXPECT_GT(taken / static_cast<double>(g.cells()), 4.0) << "the measure itself";
+  planner->rest();
+  EXPECT_LT((heap_bytes() - before) / static_cast<double>(g.cells()), 1.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Searches, BytesACell, ::testing::Values("astar", "dijkstra", "direct", "jps", "wang"), [](const auto& tested) { return tested.param; });
 
 }  // namespace
 }  // namespace aisle::global_planner

@@ -1,6 +1,8 @@
 // Each pass on a path drawn by hand, and all of them on random paths: drivable before, drivable after, no longer, same ends.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -60,6 +62,43 @@ TEST(Interpolated, PullsACornerAlongItsSegment) {
   EXPECT_EQ(backward[1].x, 0.5);
   EXPECT_GT(backward[1].y, 0.9);
   EXPECT_EQ(passed(passes::interpolated_forward, kOpen, around), (Path{{0.5, 4.5}, {6.5, 0.5}}));
+}
+
+/// WU's step 2 as it is said: samples are tried one by one, from the farthest on.
+Path plainly_interpolated(const Drivable& drivable, const Path& path) {
+  Path kept{path.front()};
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const int samples = std::clamp(static_cast<int>(std::ceil(geometry::distance(path[i], path[i + 1]) / drivable.geometry().resolution_m)), 1, 64);
+    Point2 seen = path[i];
+    for (int k = 1; k <= samples; ++k) {
+      const Point2 sample = k == samples ? path[i + 1] : path[i] + (static_cast<double>(k) / samples) * (path[i + 1] - path[i]);
+      if (drivable.is_line_free(kept.back(), sample)) seen = sample;
+    }
+    if (seen != path[i + 1]) kept.push_back(seen);
+  }
+  kept.push_back(path.back());
+  return kept;
+}
+
+TEST(Interpolated, IsWhatTryingEverySampleGives) {
+  const std::unique_ptr<Planner> greedy = find_variant("greedy")->make();
+  int changed = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    std::mt19937 random(seed);
+    const grid::ClearanceField clearance(test_support::random_blocks(random, 60, 40, 10, 0.1), 3.0);
+    const Problem problem{clearance, {0.03, 0.04}, {5.96, 5.92}, seed % 2 == 0 ? 0.2 : 0.0, 0.02};
+    const Plan plan = greedy->plan(problem, nullptr);
+    if (plan.outcome != Outcome::kFound) continue;
+    const Drivable drivable(problem);
+    Path path = plan.waypoints_in_map;
+    passes::collinear(drivable, path);
+    if (seed % 3 != 0) passes::greedy_line_of_sight(drivable, path);
+    const Path expected = plainly_interpolated(drivable, path);
+    changed += expected != path ? 1 : 0;
+    passes::interpolated_forward(drivable, path);
+    EXPECT_EQ(path, expected) << "seed " << seed;
+  }
+  EXPECT_GT(changed, 60);
 }
 
 struct Named {

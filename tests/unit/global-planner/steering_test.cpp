@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "services/global-planner/core/dubins.hpp"
@@ -25,6 +27,32 @@ TEST(Dubins, KnowsWaysThatAreKnown) {
   EXPECT_NEAR(shortest_dubins({0.0, 0.0, 0.0}, {0.0, 4.0, kPi}, 2.0).length_m, 2.0 * kPi, 1e-9);
   EXPECT_NEAR(shortest_dubins({0.0, 0.0, 0.0}, {0.0, -4.0, kPi}, 2.0).length_m, 2.0 * kPi, 1e-9);
   EXPECT_NEAR(shortest_dubins({0.0, 0.0, 0.0}, {0.0, 0.0, kPi}, 1.0).length_m, 7.0 / 3.0 * kPi, 1e-9) << "turning about: right, left, right";
+}
+
+/// Where a way of these pieces ends: turns of radius 2 with their lengths in radians, straights in metres.
+Pose2 driven(std::initializer_list<std::pair<char, double>> pieces) {
+  Pose2 pose{1.0, -2.0, 0.7};
+  for (const auto& [turn, length] : pieces) {
+    pose = turn == 'S' ? along_arc(pose, 0.0, length) : along_arc(pose, turn == 'L' ? 0.5 : -0.5, 2.0 * length);
+  }
+  return pose;
+}
+
+TEST(Dubins, ChangesLanesWithoutSymmetry) {
+  // Each is the shortest way there by far; the first arc is not the last one turned round, so no other word makes up for it.
+  const Pose2 from{1.0, -2.0, 0.7};
+  const DubinsPath left = shortest_dubins(from, driven({{'L', 0.9}, {'S', 6.0}, {'R', 0.4}}), 2.0);
+  EXPECT_NEAR(left.length_m, 2.0 * 0.9 + 6.0 + 2.0 * 0.4, 1e-9) << "left, straight, right";
+  EXPECT_GT(left.pieces[0].turn, 0.0);
+  EXPECT_EQ(left.pieces[1].turn, 0.0);
+  EXPECT_LT(left.pieces[2].turn, 0.0);
+  const DubinsPath right = shortest_dubins(from, driven({{'R', 0.5}, {'S', 5.0}, {'L', 1.1}}), 2.0);
+  EXPECT_NEAR(right.length_m, 2.0 * 0.5 + 5.0 + 2.0 * 1.1, 1e-9) << "right, straight, left";
+  EXPECT_LT(right.pieces[0].turn, 0.0);
+  EXPECT_EQ(right.pieces[1].turn, 0.0);
+  EXPECT_GT(right.pieces[2].turn, 0.0);
+  EXPECT_NEAR(shortest_dubins(from, driven({{'L', 0.8}, {'S', 4.0}, {'L', 0.3}}), 2.0).length_m, 2.0 * 0.8 + 4.0 + 2.0 * 0.3, 1e-9) << "left, straight, left";
+  EXPECT_NEAR(shortest_dubins(from, driven({{'R', 0.2}, {'S', 4.0}, {'R', 0.6}}), 2.0).length_m, 2.0 * 0.2 + 4.0 + 2.0 * 0.6, 1e-9) << "right, straight, right";
 }
 
 TEST(Dubins, ArrivesAndIsTheSameBackwards) {

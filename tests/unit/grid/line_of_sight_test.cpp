@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/grid/between_centers.hpp"
 #include "tests/unit/grid/random_grid.hpp"
 
 namespace aisle::grid {
@@ -101,6 +102,96 @@ TEST(LineOfSight, IsTheSameBothWays) {
       ASSERT_EQ(is_line_free(field, a, b, 0.0), is_line_free(field, b, a, 0.0)) << "seed " << seed << " line " << i;
     }
   }
+}
+
+/// The walk of is_line_free as simply as it can be said: each square looked at as a whole, nothing remembered.
+class PlainWalk {
+ public:
+  PlainWalk(const ClearanceField& field, double radius_m) : field_(field), radius_m_(radius_m) {}
+
+  bool is_free(Point2 from, Point2 to) {
+    const auto stands = [&](Point2 p) { return field_.clearance_m(p) > 0.0 && field_.clearance_m(p) >= radius_m_; };
+    if (!stands(from) || !stands(to)) return false;
+    const Geometry& g = field_.geometry();
+    const double origin[2] = {g.origin_in_map.x, g.origin_in_map.y};
+    const double a[2] = {from.x, from.y};
+    const double b[2] = {to.x, to.y};
+    for (int i = 0; i < 2; ++i) {
+      const auto in_cells = [&](double map) { return BetweenCenters::snapped((map - origin[i]) / g.resolution_m - 0.5); };
+      start_[i] = in_cells(a[i]);
+      change_[i] = in_cells(b[i]) - start_[i];
+      enter(i, 0.0);
+    }
+    const double length_m = std::hypot(change_[0], change_[1]) * g.resolution_m;
+    for (double time = 0.0; length_m > 0.0 && time < 1.0;) {
+      const BetweenCenters square(field_, square_[0], square_[1]);
+      const BetweenCenters::Point here{local(0, time), local(1, time)};
+      const double spare_m = square.clearance_m(here) - radius_m_;
+      if (spare_m > 2.0 * g.resolution_m) {
+        time += 0.999999 * spare_m / length_m;
+        for (int i = 0; i < 2; ++i) enter(i, time);
+        continue;
+      }
+      const double border[2] = {border_time(0), border_time(1)};
+      const double until = std::clamp(std::min(border[0], border[1]), time, 1.0);
+      if (!square.is_free_along(here, {local(0, until), local(1, until)}, radius_m_)) return false;
+      for (int i = 0; i < 2; ++i) {
+        if (border[i] <= border[1 - i]) square_[i] += change_[i] > 0.0 ? 1 : -1;
+      }
+      time = until;
+    }
+    return true;
+  }
+
+ private:
+  double at(int i, double time) const { return start_[i] + time * change_[i]; }
+  double local(int i, double time) const { return std::clamp(BetweenCenters::snapped(at(i, time) - square_[i]), 0.0, 1.0); }
+  double border_time(int i) const {
+    if (change_[i] == 0.0) return 1e300;
+    return (square_[i] + (change_[i] > 0.0 ? 1.0 : 0.0) - start_[i]) / change_[i];
+  }
+  void enter(int i, double time) {
+    const double u = BetweenCenters::snapped(at(i, time));
+    square_[i] = static_cast<int>(std::floor(u)) - (change_[i] < 0.0 && u == std::floor(u) ? 1 : 0);
+  }
+
+  const ClearanceField& field_;
+  double radius_m_;
+  double start_[2]{};
+  double change_[2]{};
+  int square_[2]{};
+};
+
+TEST(LineOfSight, AnswersAsThePlainWalkAndBlockersAreRight) {
+  int free = 0;
+  int known = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    std::mt19937 random(seed);
+    const OccupancyGrid grid = random_grid(random, seed % 3 == 0 ? 60 : 20);
+    const Geometry& g = grid.geometry();
+    const ClearanceField field(grid, 100.0 * g.resolution_m);
+    const double radius_m = seed % 4 == 0 ? 1e-6 : g.resolution_m * std::uniform_real_distribution<double>(0.0, 4.0)(random);
+    for (int i = 0; i < 20; ++i) {
+      // A fan of lines from one eye, as the passes try them; half of them between centres.
+      const auto place = [&](Point2 p) { return i % 2 == 0 ? p : g.center_in_map(g.cell_at(p)); };
+      const Point2 eye = place(random_point(random, g));
+      const Point2 begin = place(random_point(random, g));
+      const Point2 end = place(random_point(random, g));
+      Blocker last;
+      for (int k = 0; k <= 20; ++k) {
+        const Point2 sample = place(begin + (k / 20.0) * (end - begin));
+        const bool expected = PlainWalk(field, radius_m).is_free(eye, sample);
+        Blocker blocker;
+        ASSERT_EQ(is_line_free(field, eye, sample, radius_m, &blocker), expected) << "seed " << seed << " line " << i << " " << k;
+        ASSERT_FALSE(expected && last.blocks(g, eye, sample, radius_m)) << "seed " << seed << " line " << i << " " << k;
+        free += expected ? 1 : 0;
+        known += !expected && blocker.blocks(g, eye, sample, radius_m) ? 1 : 0;
+        if (!expected) last = blocker;
+      }
+    }
+  }
+  EXPECT_GT(free, 5000);
+  EXPECT_GT(known, 10000);
 }
 
 TEST(LineOfSight, EndsAtTheMapAndAtNonsense) {

@@ -50,7 +50,47 @@ double quantile(std::vector<double> of, double part) {
   return of.empty() ? 0.0 : of[std::min(of.size() - 1, static_cast<std::size_t>(part * static_cast<double>(of.size())))];
 }
 
+grid::OccupancyGrid block_map(unsigned seed) {
+  std::mt19937 random(seed);
+  const int blocks = random_between(random, 8, 19);
+  return random_blocks(random, 20, blocks, 4);
+}
+
+/// A paper's planner and its baseline.
+struct Claim {
+  const char* planner;
+  global_planner::Heuristic heuristic;
+  global_planner::Moves moves;
+};
+constexpr Claim kClaims[] = {{"li", global_planner::Heuristic::kEuclidean, global_planner::Moves::kFour},
+                             {"wu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
+                             {"qu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
+                             {"yu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
+                             {"wang", global_planner::Heuristic::kChebyshev, global_planner::Moves::kEight}};
+
 }  // namespace
+
+std::string block_direction_table(const Progress& progress) {
+  std::vector<std::vector<std::string>> table{{"planner", "from", "maps", "length", "shorter", "fewer turns", "fewer nodes", "fewer expanded"}};
+  for (const Claim& claim : kClaims) {
+    progress(std::string("block maps, directions: ") + claim.planner);
+    Contestant from_drawn{"A* as drawn", global_planner::traditional_astar(claim.heuristic, claim.moves), Tally(claim.planner)};
+    Contestant from_drivable{"an A* that cuts no corner", global_planner::find_variant("astar")->make(), Tally(claim.planner)};
+    const auto planner = global_planner::find_variant(claim.planner)->make();
+    for (unsigned seed = 1; seed <= kBlockMaps; ++seed) {
+      const grid::ClearanceField clearance(block_map(seed), 20.0);
+      const Problem problem{clearance, {0.5, 0.5}, {19.5, 19.5}};
+      const Answer ours = ask(*planner, problem);
+      if (ours.plan.outcome != Outcome::kFound) continue;
+      for (Contestant* baseline : {&from_drawn, &from_drivable}) compare(*baseline, ours, ask(*baseline->planner, problem));
+    }
+    for (const Contestant* c : {&from_drawn, &from_drivable}) {
+      table.push_back({claim.planner, c->name, std::to_string(c->maps), digits(c->tally.length_ratio_mean(), 4), percent(c->shorter, c->maps),
+                       percent(c->straighter, c->maps), percent(c->fewer_nodes, c->maps), percent(c->fewer_expanded, c->maps)});
+    }
+  }
+  return markdown_table(table);
+}
 
 std::string block_map_table(const Progress& progress) {
   std::vector<std::vector<std::string>> table{{"planner", "quarter", "median", "three quarters", "maps"}};
@@ -60,9 +100,7 @@ std::string block_map_table(const Progress& progress) {
     const auto planner = variant.make();
     std::vector<double> fewer;
     for (unsigned seed = 1; seed <= kBlockMaps; ++seed) {
-      std::mt19937 random(seed);
-      const int blocks = random_between(random, 8, 19);
-      const grid::ClearanceField clearance(random_blocks(random, 20, blocks, 4), 20.0);
+      const grid::ClearanceField clearance(block_map(seed), 20.0);
       const Problem problem{clearance, {0.5, 0.5}, {19.5, 19.5}};
       const global_planner::Plan ours = planner->plan(problem, nullptr);
       if (ours.outcome != Outcome::kFound) continue;

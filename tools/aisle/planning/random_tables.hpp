@@ -5,6 +5,10 @@
 
 namespace aisle::cli {
 
+/// On 200 random block maps of 20x20, 8 to 19 blocks, corner to corner: in how many of them each paper's planner is better than its
+/// baseline as drawn, and than an A* that cuts no corner.
+std::string block_direction_table(const Progress& progress);
+
 /// Expanded cells on 200 random block maps of 20x20, 8 to 19 blocks, corner to corner, against the papers' baseline (Chebyshev, corners
 /// cut): quartiles a planner.
 std::string block_map_table(const Progress& progress);

@@ -15,7 +15,8 @@ class Direct final : public Planner {
 
  private:
   Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
-    Plan plan = on_grid_->plan(problem, out_of_time);
+    Plan plan = blank();
+    on_grid_->plan(problem, out_of_time, plan);
     if (plan.outcome != Outcome::kFound) return plan;
     passes::collinear(drivable, plan.waypoints_in_map);
     passes::greedy_line_of_sight(drivable, plan.waypoints_in_map);

@@ -28,10 +28,10 @@ class JumpPointSearch final : public Planner {
     goal_ = geometry_.cell_at(problem.goal_in_map);
     bits_.make(drivable);
     parents_.resize(geometry_.cells());
-    Plan plan;
+    Plan plan = blank();
     plan.outcome = run(out_of_time, plan.expanded);
     if (plan.outcome != Outcome::kFound) return plan;
-    plan.waypoints_in_map = path();
+    trace(plan.waypoints_in_map);
     join_exact_ends(problem, plan.waypoints_in_map);
     return plan;
   }
@@ -120,9 +120,9 @@ class JumpPointSearch final : public Planner {
   }
 
   /// Centres of the cells where the path begins, turns and ends.
-  std::vector<geometry::Point2> path() const {
+  void trace(std::vector<geometry::Point2>& points) const {
     const auto width = static_cast<std::uint32_t>(geometry_.width);
-    std::vector<geometry::Point2> points{geometry_.center_in_map(goal_)};
+    points.push_back(geometry_.center_in_map(goal_));
     for (Cell cell = goal_; cell != start_;) {
       const std::uint32_t before = parents_[index(cell)];
       const Cell parent{static_cast<int>(before % width), static_cast<int>(before / width)};
@@ -135,7 +135,6 @@ class JumpPointSearch final : public Planner {
       cell = parent;
     }
     std::reverse(points.begin(), points.end());
-    return points;
   }
 
   /// A straight piece holds between centres; from a point beside one it might not, so that one step leads to the next centre.
