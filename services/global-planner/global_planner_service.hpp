@@ -15,7 +15,7 @@
 namespace aisle::global_planner {
 
 struct ServiceConfig {
-  std::string planner{"wang"};      // a name in core/variants
+  std::string planner{"direct"};    // a name in core/variants
   int strength{100};                // of this planner among those of one epoch; the highest is heard
   bool standby{false};              // does not lead before the leader is gone
   double longest_search_s{1.0};

@@ -27,7 +27,7 @@ namespace {
 struct Options {
   std::string scenario;
   std::string local{"wang"};
-  std::string global{"wang"};
+  std::string global{"direct"};
   int seed{1};
   int runs{1};
   std::string svg;

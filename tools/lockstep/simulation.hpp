@@ -22,7 +22,7 @@ struct Setup {
   std::vector<std::vector<fake_world::RecordedPerson>> people;      // of each recording
   fake_vehicle::Parameters vehicle;             // radius and top speed come from the scenario
   Perception perception{Perception::kScans};
-  std::string planner{"wang"};                  // a variant of the global planner
+  std::string planner{"direct"};                // a variant of the global planner
   std::string local{"wang"};                    // of the local planner
   bool paper_limits{false};                     // vehicles and horizon as in the paper of `local`
   local_planner::Settings settings;

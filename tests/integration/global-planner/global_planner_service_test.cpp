@@ -36,7 +36,7 @@ TEST(GlobalPlannerService, PlansKeepsAndReplaces) {
   ASSERT_TRUE(until_plans(1));
   EXPECT_EQ(site.plans[0].outcome(), PlanOutcome::PLAN_FOUND);
   EXPECT_EQ(site.plans[0].goal_id().to_string(), "goal-1");
-  EXPECT_EQ(site.plans[0].planner().to_string(), "wang");
+  EXPECT_EQ(site.plans[0].planner().to_string(), "direct");
   EXPECT_EQ(site.plans[0].map_revision(), 1U);
   EXPECT_EQ(site.plans[0].by().source_id().to_string(), "global-planner");
   EXPECT_EQ(site.plans[0].by().epoch(), 1U);
