@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -34,6 +35,17 @@ class BetweenCenters {
 
   /// Lower bound of the clearance at a point, exact at the four centres, in metres.
   double clearance_m(Point p) const;
+
+  /// The same for a point on none of the square's edges, of corners (lower left, lower right, upper left, upper right) that are all
+  /// free; 0 when one is not.
+  static double clearance_m(const double (&corner_m)[4], Point p, double cell_m) {
+    const double least = std::min(std::min(corner_m[0], corner_m[1]), std::min(corner_m[2], corner_m[3]));
+    if (least <= 0.0) return 0.0;
+    const double below = corner_m[0] + p.s * (corner_m[1] - corner_m[0]);
+    const double above = corner_m[2] + p.s * (corner_m[3] - corner_m[2]);
+    const double slack = std::min(kWorst, kSlope * (p.s * (1.0 - p.s) + p.t * (1.0 - p.t)));
+    return std::max(least, below + p.t * (above - below) - slack * cell_m);
+  }
 
   /// True when the clearance is surely at least `radius_m`, and more than 0, all along the straight piece from a to b.
   bool is_free_along(Point a, Point b, double radius_m) const;

@@ -46,6 +46,7 @@ class ClearanceField {
   }
 
  private:
+  double clearance_between_free_m(double u, double v) const;
   void recompute(const OccupancyGrid& grid, const std::vector<Cell>& also_occupied, Cell low, Cell high);
 
   Geometry geometry_;

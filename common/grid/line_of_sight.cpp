@@ -231,24 +231,29 @@ double cast_ray(const OccupancyGrid& grid, Point2 from_in_map, double angle_rad,
   const auto entered = [&](double begin, double change, int size) {
     return std::clamp(static_cast<int>(std::floor(begin + travelled * change)), 0, size - 1);
   };
-  Cell cell{entered(start.x, direction.x, g.width), entered(start.y, direction.y, g.height)};
+  const Cell cell{entered(start.x, direction.x, g.width), entered(start.y, direction.y, g.height)};
   const Cell step{direction.x > 0.0 ? 1 : -1, direction.y > 0.0 ? 1 : -1};
   const auto first_border = [](double begin, double change, int at) {
     return change == 0.0 ? kNever : (static_cast<double>(at) + (change > 0.0 ? 1.0 : 0.0) - begin) / change;
   };
   Point2 border{first_border(start.x, direction.x, cell.x), first_border(start.y, direction.y, cell.y)};
   const Point2 spacing{direction.x == 0.0 ? kNever : 1.0 / std::fabs(direction.x), direction.y == 0.0 ? kNever : 1.0 / std::fabs(direction.y)};
+  const Occupancy* here = grid.cells().data() + g.index(cell);
+  const std::ptrdiff_t row = step.y * static_cast<std::ptrdiff_t>(g.width);
+  int columns_left = step.x > 0 ? g.width - cell.x : cell.x + 1;
+  int rows_left = step.y > 0 ? g.height - cell.y : cell.y + 1;
   while (travelled <= range) {
-    if (!g.contains(cell)) return max_range_m;
-    if (grid.at(cell) != Occupancy::kFree) return std::min(max_range_m, std::max(0.0, travelled) * g.resolution_m);
+    if (*here != Occupancy::kFree) return std::min(max_range_m, std::max(0.0, travelled) * g.resolution_m);
     if (border.x < border.y) {
+      if (--columns_left == 0) break;
       travelled = border.x;
       border.x += spacing.x;
-      cell.x += step.x;
+      here += step.x;
     } else {
+      if (--rows_left == 0) break;
       travelled = border.y;
       border.y += spacing.y;
-      cell.y += step.y;
+      here += row;
     }
   }
   return max_range_m;

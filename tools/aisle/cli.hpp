@@ -77,6 +77,7 @@ void add_map_block(CLI::App& parent, Cli& cli);
 void add_map_unblock(CLI::App& parent, Cli& cli);
 void add_map_save(CLI::App& parent, Cli& cli);
 void add_experiment_global(CLI::App& parent, Cli& cli);
+void add_experiment_local(CLI::App& parent, Cli& cli);
 void add_plan(CLI::App& parent, Cli& cli);
 void add_doctor(CLI::App& parent, Cli& cli);
 void add_health(CLI::App& parent, Cli& cli);

@@ -9,6 +9,7 @@
 #include "common/process/exit_code.hpp"
 #include "common/scenario/data_path.hpp"
 #include "tools/aisle/cli.hpp"
+#include "tools/aisle/driving/local_experiment.hpp"
 #include "tools/aisle/planning/global_experiment.hpp"
 #include "tools/aisle/planning/markdown.hpp"
 
@@ -22,6 +23,7 @@ struct ExperimentOrders {
   std::string maps{"deploy/experiments"};
   int random_maps{1000};
   int queries{50};
+  int seeds{30};
 };
 
 /// Empty when the reference data is not there.
@@ -31,6 +33,19 @@ fs::path reference_data(const std::string& maps) {
   } catch (const config::BadInput&) {
     return {};
   }
+}
+
+void say(const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); }
+
+/// Replaces one section of the page and leaves the others as they are.
+void write_section(const fs::path& page, const std::string& name, const std::string& section) {
+  std::ifstream in(page);
+  const std::string before{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  in.close();
+  std::ofstream out(page);
+  out << with_section(before, name, section);
+  if (!out.flush()) throw config::BadEnvironment(page.string() + ": cannot be written");
+  std::printf("%s\n", page.c_str());
 }
 
 int run_global(const ExperimentOrders& orders) {
@@ -43,14 +58,20 @@ int run_global(const ExperimentOrders& orders) {
   experiment.random_maps = orders.random_maps;
   experiment.queries = orders.queries;
   fs::create_directories(experiment.pictures);
-  const std::string section = global_section(experiment, [](const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); });
-  std::ifstream in(page);
-  const std::string before{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  in.close();
-  std::ofstream out(page);
-  out << with_section(before, "global planning", section);
-  if (!out.flush()) throw config::BadEnvironment(orders.page + ": cannot be written");
-  std::printf("%s\n", orders.page.c_str());
+  const std::string section = global_section(experiment, say);
+  write_section(page, "global planning", section);
+  return process::kDone;
+}
+
+int run_local(const ExperimentOrders& orders) {
+  const fs::path page(orders.page);
+  LocalExperiment experiment;
+  experiment.maps = orders.maps;
+  experiment.pictures = page.parent_path() / "experiments";
+  experiment.pictures_from_page = "experiments";
+  experiment.seeds = orders.seeds;
+  fs::create_directories(experiment.pictures);
+  write_section(page, "local planning", local_section(experiment, say));
   return process::kDone;
 }
 
@@ -64,6 +85,15 @@ void add_experiment_global(CLI::App& parent, Cli& cli) {
       .option("--random-maps", orders->random_maps, 1, 100000, "a density")
       .option("--queries", orders->queries, 1, 200, "a real map")
       .runs([orders] { return run_global(*orders); });
+}
+
+void add_experiment_local(CLI::App& parent, Cli& cli) {
+  auto orders = std::make_shared<ExperimentOrders>();
+  Verb(parent, cli, "local", "local planners: the suite of scenarios, the papers' fused drives and speed curves")
+      .option("--page", orders->page, "the page whose section is written anew; pictures go to experiments/ beside it")
+      .option("--maps", orders->maps, "folder of the papers' maps")
+      .option("--seeds", orders->seeds, 0, 1000, "of each of the suite's ten families; 0: no suite")
+      .runs([orders] { return run_local(*orders); });
 }
 
 }  // namespace aisle::cli

@@ -10,6 +10,7 @@
 #include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/critic.hpp"
 #include "tools/lockstep/families.hpp"
+#include "tools/lockstep/suite.hpp"
 
 namespace {
 
@@ -39,6 +40,23 @@ std::vector<std::string> names(const std::vector<Variant>& variants) {
   return names;
 }
 
+/// The suite's families with one planner, as one line each. @returns whether nothing was missed or touched
+bool run_suite(const std::vector<std::string>& families, const std::string& local, std::uint64_t first, int seeds) {
+  std::printf("%-16s %5s %9s %9s %8s %8s %8s %8s %7s %6s\n", local.c_str(), "runs", "goals", "contacts", "moving", "least m", "time s", "length m", "turns", "jerk");
+  aisle::lockstep::Totals all;
+  for (const std::string& family : families) {
+    const aisle::lockstep::SuiteRow row = aisle::lockstep::run_family(family, local, first, seeds);
+    const aisle::lockstep::Totals& t = row.totals;
+    std::printf("%-16s %5d %4d/%4d %9d %8d %8.3f %8.1f %8.1f %7.1f %6.2f\n", family.c_str(), t.runs, t.goals_reached, t.goals_assigned, t.contacts,
+                t.contacts_moving_vehicle, t.least_clearance_m, t.time_s / t.runs, t.distance_m / t.runs, static_cast<double>(t.omega_sign_changes) / t.runs, t.jerk_rms);
+    for (const std::string& bad : row.bad) std::printf("    %s\n", bad.c_str());
+    std::fflush(stdout);
+    all.add(t);
+  }
+  std::printf("all: goals %d/%d, contacts of a moving vehicle %d\n", all.goals_reached, all.goals_assigned, all.contacts_moving_vehicle);
+  return all.is_good();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -58,8 +76,11 @@ int main(int argc, char** argv) {
   app.add_flag("--verbose", verbose, "print what happened in each run");
   app.add_option("--local", local, "local planner")->check(CLI::IsMember(names(aisle::local_planner::all_variants())));
   app.add_option("--global", global, "global planner")->check(CLI::IsMember(names(aisle::global_planner::all_variants())));
+  bool suite = false;
+  app.add_flag("--suite", suite, "the families of the suite, each goal within five times its free run");
   app.add_option("--trace", trace_s, "print poses and commands every so many seconds");
   CLI11_PARSE(app, argc, argv);
+  if (suite) return run_suite(families.empty() ? aisle::lockstep::suite_families() : families, local, first, static_cast<int>(seeds)) ? 0 : 1;
   if (families.empty()) families = aisle::lockstep::families();
   bool good = true;
   std::printf("%-14s %5s %9s %9s %8s %8s %8s %7s %6s %7s\n", "family", "runs", "goals", "contacts", "moving", "least m", "time s", "replans", "us", "max us");

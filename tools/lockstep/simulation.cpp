@@ -36,6 +36,12 @@ double cpu_us() {
   return 1e6 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_nsec);
 }
 
+double length_m(const std::vector<Point2>& way) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += geometry::distance(way[i - 1], way[i]);
+  return length;
+}
+
 struct Agv {
   std::string id;
   fake_vehicle::Parameters parameters;
@@ -50,6 +56,7 @@ struct Agv {
   double last_turn{0.0};
   double last_mps{0.0};
   double last_mps2{0.0};
+  double done_s{0.0};
   bool is_done() const { return goal >= goals_in_map.size(); }
 };
 
@@ -77,6 +84,7 @@ class Run {
       if (std::all_of(agvs_.begin(), agvs_.end(), [](const Agv& a) { return a.is_done(); })) break;
     }
     result_.time_s = t_;
+    for (const Agv& agv : agvs_) result_.done_s.push_back(agv.is_done() ? agv.done_s : -1.0);
     for (const Agv& agv : agvs_)
       if (!agv.is_done()) note(agv, std::string("goal missed: ") + name(agv.output.phase) + ", " + name(agv.output.reason) + " " + agv.output.detail);
     result_.step_us_mean = cycles_ > 0 ? total_us_ / static_cast<double>(cycles_) : 0.0;
@@ -102,7 +110,7 @@ class Run {
     fake_vehicle::Parameters parameters = setup_.vehicle;
     parameters.radius_m = vehicle.radius_m;
     parameters.limits.max_speed_mps = vehicle.max_speed_mps;
-    const local_planner::Variant& variant = *local_planner::find_variant(setup_.local);
+    const local_planner::Variant& variant = setup_.own_variant ? *setup_.own_variant : *local_planner::find_variant(setup_.local);
     local_planner::Settings settings = setup_.settings;
     if (setup_.paper_limits) {
       const local_planner::PaperLimits& paper = variant.paper;
@@ -231,6 +239,7 @@ class Run {
     for (const Agv& agv : agvs_) fleet_.set_pose(agv.id, agv.inputs.state.any()->base_in_map, now());
     while (const auto made = fleet_.step(now(), [] { return false; })) {
       if (made->trigger != global_planner::Trigger::kNewGoal) ++result_.replans;
+      else result_.planned_m += length_m(made->waypoints_in_map);
       local_planner::Plan plan;
       plan.id = made->plan_id;
       plan.goal_id = made->goal.id;
@@ -265,6 +274,7 @@ class Run {
     if (agv.output.phase == Phase::kArrived && !agv.is_done() && agv.inputs.plan->goal_id == agv.id + "-" + std::to_string(agv.goal + 1)) {
       ++result_.goals_reached;
       ++agv.goal;
+      agv.done_s = t_;
       if (!agv.is_done()) give_goal(agv);
     }
   }

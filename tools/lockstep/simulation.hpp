@@ -1,6 +1,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct Setup {
   Perception perception{Perception::kScans};
   std::string planner{"direct"};                // a variant of the global planner
   std::string local{"wang"};                    // of the local planner
+  std::optional<local_planner::Variant> own_variant{};      // instead of `local`
   bool paper_limits{false};                     // vehicles and horizon as in the paper of `local`
   local_planner::Settings settings;
   std::uint64_t seed{1};
@@ -37,6 +39,8 @@ struct Result {
   double least_clearance_m{1e9};                // of moving vehicles to anything
   double distance_m{0.0};
   double time_s{0.0};
+  std::vector<double> done_s;                   // of each vehicle: when its last goal was reached; -1: never
+  double planned_m{0.0};                        // length of the first plan of each goal
   int replans{0};
   int turn_sign_changes{0};                     // of turn rates beyond 0.05 rad/s: dithering
   double jerk_squared_sum{0.0};                 // (m/s^3)^2 of each vehicle and control period, of true speeds

@@ -22,4 +22,21 @@ void Totals::add(const Result& result) {
   trace_hash = (trace_hash ^ result.trace_hash) * 1099511628211ULL;
 }
 
+void Totals::add(const Totals& others) {
+  runs += others.runs;
+  goals_assigned += others.goals_assigned;
+  goals_reached += others.goals_reached;
+  contacts += others.contacts;
+  contacts_moving_vehicle += others.contacts_moving_vehicle;
+  least_clearance_m = std::min(least_clearance_m, others.least_clearance_m);
+  distance_m += others.distance_m;
+  time_s += others.time_s;
+  replans += others.replans;
+  omega_sign_changes += others.omega_sign_changes;
+  jerk_squared_sum_ += others.jerk_squared_sum_;
+  jerk_samples_ += others.jerk_samples_;
+  jerk_rms = jerk_samples_ > 0 ? std::sqrt(jerk_squared_sum_ / static_cast<double>(jerk_samples_)) : 0.0;
+  trace_hash = (trace_hash ^ others.trace_hash) * 1099511628211ULL;
+}
+
 }  // namespace aisle::lockstep

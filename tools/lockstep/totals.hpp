@@ -21,6 +21,7 @@ struct Totals {
   std::uint64_t trace_hash{14695981039346656037ULL};   // of all runs' poses, in order: the same seeds give the same
 
   void add(const Result& result);
+  void add(const Totals& others);
   bool is_good() const { return goals_reached == goals_assigned && contacts_moving_vehicle == 0; }
 
  private:

@@ -15,12 +15,16 @@ Route::Route(const std::vector<Point2>& points_in_map) {
     points_.push_back(p);
   }
   if (!points_in_map.empty() && points_.size() > 1) points_.back() = points_in_map.back();
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i) heading_rad_.push_back(geometry::bearing(points_[i], points_[i + 1]));
+}
+
+std::size_t Route::point_before(double s_m) const {
+  const auto after = std::upper_bound(along_m_.begin(), along_m_.end(), s_m);
+  return after == along_m_.begin() ? 0 : static_cast<std::size_t>(std::distance(along_m_.begin(), after)) - 1;
 }
 
 std::size_t Route::segment_at(double s_m) const {
-  const auto after = std::upper_bound(along_m_.begin(), along_m_.end(), s_m);
-  const auto index = static_cast<std::size_t>(std::distance(along_m_.begin(), after));
-  return std::min(index == 0 ? 0 : index - 1, points_.size() < 2 ? 0 : points_.size() - 2);
+  return std::min(point_before(s_m), points_.size() < 2 ? 0 : points_.size() - 2);
 }
 
 Point2 Route::at(double s_m) const {
@@ -32,8 +36,7 @@ Point2 Route::at(double s_m) const {
 
 double Route::heading_at(double s_m) const {
   if (points_.size() == 1) return 0.0;
-  const std::size_t i = segment_at(s_m);
-  return geometry::bearing(points_[i], points_[i + 1]);
+  return heading_rad_[segment_at(s_m)];
 }
 
 double Route::project(Point2 p, double from_s_m, double to_s_m) const {

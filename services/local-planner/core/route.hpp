@@ -18,6 +18,8 @@ class Route {
   const std::vector<geometry::Point2>& points() const { return points_; }
   /// Arc length of point `i`.
   double along_m(std::size_t i) const { return along_m_[i]; }
+  /// Index of the last point that is not beyond `s`; 0 before the first.
+  std::size_t point_before(double s_m) const;
 
   /// s outside [0, length] is taken as the nearer end. @pre not empty
   geometry::Point2 at(double s_m) const;
@@ -33,6 +35,7 @@ class Route {
   std::size_t segment_at(double s_m) const;
   std::vector<geometry::Point2> points_;
   std::vector<double> along_m_;
+  std::vector<double> heading_rad_;     // of each segment
 };
 
 /// Points every `step_m` along a polyline, ends included.

@@ -18,22 +18,58 @@ struct Pass {
   Point2 direction;
 };
 
-Pass pass_of(const std::vector<IntentPoint>& claim, Point2 p) {
-  Pass pass;
-  for (std::size_t j = 0; j < claim.size(); ++j) {
-    const Point2 a = claim[j].base_in_map.position();
-    const Point2 b = claim[std::min(j + 1, claim.size() - 1)].base_in_map.position();
-    const Point2 ab = b - a;
-    const double length2 = geometry::dot(ab, ab);
-    const double t = length2 > 0.0 ? std::clamp(geometry::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
-    const double d = geometry::distance(p, a + t * ab);
-    if (d >= pass.distance_m) continue;
-    const double begin = claim[j].offset_s;
-    const double end = claim[std::min(j + 1, claim.size() - 1)].offset_s;
-    pass = {d, begin + t * (end - begin), length2 > 0.0 ? (1.0 / std::sqrt(length2)) * ab : Point2{}};
+/// A claim, looked at from many points: groups of its segments with a box around each, so that what lies far off is passed over.
+class ClaimedWay {
+ public:
+  explicit ClaimedWay(const std::vector<IntentPoint>& claim) : claim_(claim) {
+    for (std::size_t first = 0; first < claim.size(); first += kGroup) {
+      Box box{first, claim[first].base_in_map.position(), claim[first].base_in_map.position()};
+      for (std::size_t j = first; j <= std::min(first + kGroup, claim.size() - 1); ++j) {
+        const Point2 p = claim[j].base_in_map.position();
+        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+      }
+      boxes_.push_back(box);
+    }
   }
-  return pass;
-}
+
+  /// The nearest point of the claim; where it is `within_m` or farther, that is all that the distance says.
+  Pass pass_of(Point2 p, double within_m) const {
+    Pass pass;
+    for (const Box& box : boxes_) {
+      const Point2 beyond{std::max({0.0, box.low.x - p.x, p.x - box.high.x}), std::max({0.0, box.low.y - p.y, p.y - box.high.y})};
+      const double worth_m = std::min(within_m, pass.distance_m) + kRounding_m;
+      if (geometry::dot(beyond, beyond) < worth_m * worth_m) look(box.first, p, pass);
+    }
+    return pass;
+  }
+
+ private:
+  static constexpr std::size_t kGroup = 8;
+  static constexpr double kRounding_m = 1e-6;
+  struct Box {
+    std::size_t first;
+    Point2 low, high;
+  };
+
+  void look(std::size_t first, Point2 p, Pass& pass) const {
+    for (std::size_t j = first; j < std::min(first + kGroup, claim_.size()); ++j) {
+      const Point2 a = claim_[j].base_in_map.position();
+      const Point2 b = claim_[std::min(j + 1, claim_.size() - 1)].base_in_map.position();
+      const Point2 ab = b - a;
+      const double length2 = geometry::dot(ab, ab);
+      const double t = length2 > 0.0 ? std::clamp(geometry::dot(p - a, ab) / length2, 0.0, 1.0) : 0.0;
+      const double d = geometry::distance(p, a + t * ab);
+      if (d >= pass.distance_m) continue;
+      const double begin = claim_[j].offset_s;
+      const double end = claim_[std::min(j + 1, claim_.size() - 1)].offset_s;
+      pass = {d, begin + t * (end - begin), length2 > 0.0 ? (1.0 / std::sqrt(length2)) * ab : Point2{}};
+    }
+  }
+
+  const std::vector<IntentPoint>& claim_;
+  std::vector<Box> boxes_;
+};
 
 /// A stretch of my way that a peer's claim comes near to.
 struct Conflict {
@@ -52,13 +88,14 @@ std::vector<Conflict> conflicts_with(const OwnWay& own, const PeerView& peer, co
   double time = 0.0;
   bool open = false;
   const double end = std::min(own.route.length_m(), own.s_m + settings.look_ahead_m);
+  const ClaimedWay claim(peer.claim);
   std::size_t profile_index = 0;
   for (double s = own.s_m; s <= end + 1e-9; s += kStepM) {
     while (profile_index + 1 < own.profile_mps.size() && own.route.along_m(profile_index) < s) ++profile_index;
     const bool first = s == own.s_m;
     const Point2 p = first ? own.position_in_map : own.route.at(s);
     if (!first) time += kStepM / std::max(0.25, own.profile_mps[profile_index]);
-    const Pass pass = pass_of(peer.claim, p);
+    const Pass pass = claim.pass_of(p, near);
     if (pass.distance_m >= near) {
       open = false;
       continue;
@@ -114,7 +151,7 @@ Right right_of_way(const OwnWay& own, const PeerView& peer, const Conflict& c, c
 }  // namespace
 
 bool is_claimed(const std::vector<IntentPoint>& claim, Point2 p, double distance_m) {
-  return pass_of(claim, p).distance_m < distance_m;
+  return ClaimedWay(claim).pass_of(p, distance_m).distance_m < distance_m;
 }
 
 Advice advise(const OwnWay& own, const std::vector<PeerView>& peers, const TrafficSettings& settings) {

@@ -37,8 +37,7 @@ double Way::speed_at(double s_m) const {
   const auto& speeds = profile_mps();
   const Route& route = current();
   if (speeds.empty()) return 0.0;
-  std::size_t i = 0;
-  while (i + 1 < speeds.size() && route.along_m(i + 1) <= s_m) ++i;
+  const std::size_t i = route.point_before(s_m);
   if (i + 1 >= speeds.size()) return speeds.back();
   const double share = std::clamp((s_m - route.along_m(i)) / (route.along_m(i + 1) - route.along_m(i)), 0.0, 1.0);
   return speeds[i] + share * (speeds[i + 1] - speeds[i]);

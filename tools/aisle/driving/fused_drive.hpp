@@ -1,0 +1,58 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "services/local-planner/core/critic.hpp"
+#include "tools/lockstep/simulation.hpp"
+
+namespace aisle::cli {
+
+/// What the papers meet on the way, beside their map.
+struct Surprises {
+  int movers{0};                // cross the planned way, one after the other
+  int hidden_boxes{0};          // stand on it, where there is room beside
+  bool any() const { return movers + hidden_boxes > 0; }
+};
+
+/// One vehicle, as in the local planner's paper, from S to T of a paper's map, cells of 1 m.
+struct FusedDrive {
+  std::string map;              // deploy/experiments/<map>.txt
+  std::string global;           // of the global planner's variants
+  local_planner::Variant local;
+  local_planner::PaperLimits limits;      // of the paper that is compared, whoever drives
+  Surprises surprises;
+};
+
+/// A moment of a drive, as commanded.
+struct DrivePoint {
+  double t_s{0.0};
+  geometry::Pose2 base_in_map;
+  double linear_mps{0.0};
+  double angular_radps{0.0};
+};
+
+struct DriveFigures {
+  lockstep::Result result;
+  std::vector<DrivePoint> points;         // ten a second
+  grid::OccupancyGrid grid;
+  bool arrived() const { return result.goals_reached == result.goals_assigned; }
+  /// Sums of all changes, up and down: m/s and rad/s.
+  double changes_of_v() const;
+  double changes_of_w() const;
+  double greatest_change_of_w() const;    // within a tenth of a second
+  /// Mean speed where walls or things that stand are nearer to the outline than this; 0: it never was there.
+  double mean_speed_near(double gap_m) const;
+};
+
+/// The traditional critics along a path: what the papers call A* fused with DWA.
+local_planner::Variant traditional_with_path();
+/// The same without one: drives at the goal.
+local_planner::Variant traditional_alone();
+/// A paper's own local planner. @pre there is one
+local_planner::Variant paper_variant(const std::string& name);
+
+/// @throws config::BadInput when the map cannot be read
+DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& maps);
+
+}  // namespace aisle::cli

@@ -1,0 +1,165 @@
+#include "tools/aisle/driving/fusion_tables.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include "common/config/reader.hpp"
+#include "tools/aisle/driving/curves_svg.hpp"
+#include "tools/aisle/driving/fused_drive.hpp"
+#include "tools/aisle/planning/markdown.hpp"
+
+namespace aisle::cli {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// One line of a paper's table. Lengths in metres; "-" where the paper gives none.
+struct Case {
+  const char* title;
+  const char* map;
+  const char* paper;                // its global and its local planner
+  Surprises surprises;
+  const char* dwa;
+  const char* astar_dwa;
+  const char* improved;
+  const char* curves;               // file of the picture, or empty
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      {"LI, 20x20, static", "li-complex", "li", {}, "-", "-", "-", ""},
+      {"LI IV, one mover, unknown boxes", "li-complex", "li", {1, 2}, "-", "-", "38.60 (planned 29.85)", ""},
+      {"WU, figures 10 and 11, one avoidance", "wu", "wu", {0, 1}, "-", "-", "-", "wu-10-11"},
+      {"QU, 21x21 simple, static", "qu-simple", "qu", {}, "-", "-", "21.03", ""},
+      {"QU 3, simple, one mover", "qu-simple", "qu", {1, 0}, "-", "-", "21.0337", ""},
+      {"QU 3, simple, two movers", "qu-simple", "qu", {2, 0}, "-", "-", "21.5279", "qu-8"},
+      {"QU, 21x21 maze, static", "qu-maze", "qu", {}, "-", "-", "25.17", ""},
+      {"QU 3, maze, one mover", "qu-maze", "qu", {1, 0}, "-", "-", "26.1942", ""},
+      {"QU 3, maze, two movers", "qu-maze", "qu", {2, 0}, "-", "-", "26.6783", ""},
+      {"YU 5, static", "yu-1", "yu", {0, 1}, "27.0026", "27.9319", "24.5729", ""},
+      {"YU 6, dynamic", "yu-1", "yu", {1, 1}, "28.4446", "25.4588", "24.6606", "yu-7"},
+      {"WANG 2, fused", "wang-1", "wang", {}, "-", "30.15", "28.57", "wang-6-7"},
+      {"WANG 3, map 1", "wang-map-1", "wang", {1, 1}, "-", "-", "29.30", ""},
+      {"WANG 3, map 2", "wang-map-2", "wang", {1, 1}, "-", "-", "28.46", ""},
+      {"WANG 3, map 3", "wang-map-3", "wang", {1, 2}, "-", "-", "57.14", ""},
+  };
+  return all;
+}
+
+/// The same case driven in the three ways of the papers.
+struct Driven {
+  const Case* of;
+  DriveFigures dwa, astar_dwa, improved;
+};
+
+Driven drive(const Case& of, const std::filesystem::path& maps) {
+  const local_planner::PaperLimits limits = paper_variant(of.paper).paper;
+  return {&of, drive_fused({of.map, of.paper, traditional_alone(), limits, of.surprises}, maps),
+          drive_fused({of.map, "astar", traditional_with_path(), limits, of.surprises}, maps),
+          drive_fused({of.map, of.paper, paper_variant(of.paper), limits, of.surprises}, maps)};
+}
+
+std::string length(const DriveFigures& d) {
+  const std::string touched = d.result.contacts_moving_vehicle > 0 ? ", touches" : "";
+  return d.arrived() ? digits(d.result.distance_m, 2) + touched : "never arrives" + touched;
+}
+
+std::string lengths_table(const std::vector<Driven>& all) {
+  Rows rows{{"table", "published: DWA", "A* + DWA", "improved + DWA", "ours: DWA", "A* + DWA", "improved + DWA", "its plan", "driven over plan", "s"}};
+  for (const Driven& d : all) {
+    const lockstep::Result& r = d.improved.result;
+    rows.push_back({d.of->title, d.of->dwa, d.of->astar_dwa, d.of->improved, length(d.dwa), length(d.astar_dwa), length(d.improved), digits(r.planned_m, 2),
+                    d.improved.arrived() ? digits(r.distance_m / r.planned_m, 3) : "-", digits(r.time_s, 1)});
+  }
+  return markdown_table(rows);
+}
+
+std::string arrow(double from, double to) { return digits(from, 2) + " -> " + digits(to, 2); }
+
+std::string smoothness_table(const std::vector<Driven>& all) {
+  Rows rows{{"table", "changes of v, m/s", "changes of w, rad/s", "greatest change of w in 0.1 s", "sign changes of w", "time s"}};
+  for (const Driven& d : all) {
+    if (!d.astar_dwa.arrived() || !d.improved.arrived()) continue;
+    rows.push_back({d.of->title, arrow(d.astar_dwa.changes_of_v(), d.improved.changes_of_v()), arrow(d.astar_dwa.changes_of_w(), d.improved.changes_of_w()),
+                    arrow(d.astar_dwa.greatest_change_of_w(), d.improved.greatest_change_of_w()),
+                    std::to_string(d.astar_dwa.result.turn_sign_changes) + " -> " + std::to_string(d.improved.result.turn_sign_changes),
+                    arrow(d.astar_dwa.result.time_s, d.improved.result.time_s)});
+  }
+  return markdown_table(rows);
+}
+
+std::string verdict(int holds, int of) {
+  return (holds == of ? "holds, " : holds == 0 ? "**does not hold**, " : "**holds in part**, ") + std::to_string(holds) + " of " + std::to_string(of);
+}
+
+/// Counts the cases that `counts` and of them those that `holds`.
+template <class Counts, class Holds>
+std::string counted(const std::vector<Driven>& all, Counts counts, Holds holds) {
+  int of = 0, good = 0;
+  for (const Driven& d : all)
+    if (counts(d)) ++of, good += holds(d) ? 1 : 0;
+  return verdict(good, of);
+}
+
+/// WU's planner with and without its two terms of distance, on the same path.
+std::string wu_terms_row(const std::filesystem::path& maps) {
+  constexpr double kNearM = 0.6;
+  const local_planner::Variant with = paper_variant("wu");
+  local_planner::Variant without = with;
+  without.critics.resize(3);            // heading, velocity, clearance
+  const double slow = drive_fused({"wu", "wu", with, with.paper, {0, 1}}, maps).mean_speed_near(kNearM);
+  const double fast = drive_fused({"wu", "wu", without, with.paper, {0, 1}}, maps).mean_speed_near(kNearM);
+  return digits(fast, 3) + " m/s without, " + digits(slow, 3) + " m/s with them: " + (slow < fast ? "holds" : "**does not hold**");
+}
+
+std::string claims_table(const std::vector<Driven>& all, const std::filesystem::path& maps) {
+  const auto is_static = [](const Driven& d) { return !d.of->surprises.any(); };
+  const auto has_movers = [](const Driven& d) { return d.of->surprises.movers > 0; };
+  const auto both = [](const Driven& d) { return d.astar_dwa.arrived() && d.improved.arrived(); };
+  return markdown_table({
+      {"claim", "here"},
+      {"driven length within 3 % of the improved global path, static maps",
+       counted(all, is_static, [](const Driven& d) { return d.improved.arrived() && d.improved.result.distance_m <= 1.03 * d.improved.result.planned_m; })},
+      {"shorter with the improved path than with traditional A\\*",
+       counted(all, both, [](const Driven& d) { return d.improved.result.distance_m <= d.astar_dwa.result.distance_m + 0.005; })},
+      {"fewer changes of v with the improved path", counted(all, both, [](const Driven& d) { return d.improved.changes_of_v() <= d.astar_dwa.changes_of_v(); })},
+      {"fewer changes of w with the improved path", counted(all, both, [](const Driven& d) { return d.improved.changes_of_w() <= d.astar_dwa.changes_of_w(); })},
+      {"every mover and every box avoided by a moving vehicle, goal reached (LI IV, QU 3, YU 6, WANG 3)",
+       counted(all, has_movers, [](const Driven& d) { return d.improved.arrived() && d.improved.result.contacts_moving_vehicle == 0; })},
+      {"WU: slower where something is within 0.6 m with its distance terms than without", wu_terms_row(maps)},
+  });
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw config::BadEnvironment(file.string() + ": cannot be written");
+}
+
+std::string curves(const std::vector<Driven>& all, const std::filesystem::path& pictures, const std::string& from_page) {
+  std::string text;
+  for (const Driven& d : all) {
+    if (std::string(d.of->curves).empty()) continue;
+    const std::string file = std::string(d.of->curves) + ".svg";
+    write(pictures / file, curves_svg(d.of->title, {{"A* + traditional DWA", &d.astar_dwa}, {std::string("improved A* + ") + d.of->paper, &d.improved}}));
+    text += std::string("![") + d.of->title + "](" + from_page + "/" + file + ")\n\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string fusion_tables(const std::filesystem::path& maps, const std::filesystem::path& pictures, const std::string& pictures_from_page, const Progress& progress) {
+  std::vector<Driven> all;
+  for (const Case& of : cases()) {
+    progress(std::string("fusion: ") + of.title);
+    all.push_back(drive(of, maps));
+  }
+  return lengths_table(all) + "What the papers claim of it:\n\n" + claims_table(all, maps) +
+         "Smoothness, traditional A\\* + DWA -> the paper's improved A\\* + its DWA; sums of all changes up and down:\n\n" + smoothness_table(all) +
+         "#### Speed and turn rate\n\n" + curves(all, pictures, pictures_from_page);
+}
+
+}  // namespace aisle::cli

@@ -1,0 +1,31 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tools/lockstep/simulation.hpp"
+#include "tools/lockstep/totals.hpp"
+
+namespace aisle::lockstep {
+
+/// The suite's families, in the order in which they are shown; each is also one of families().
+const std::vector<std::string>& suite_families();
+
+/// One planner over one family.
+struct SuiteRow {
+  std::string family;
+  Totals totals;
+  std::vector<std::string> bad;         // seeds with a goal missed or a contact of a moving vehicle, and what happened last
+};
+
+/// A goal that takes longer than this, times what the vehicle would need alone at full speed, is missed.
+inline constexpr double kFreeRuns = 5.0;
+
+/// One scenario of the suite with a local planner. Goals reached too late count as missed.
+Result run_in_time(Setup setup, const std::string& local);
+
+/// Seeds from `first` on. `is_stopped` is asked before each run.
+SuiteRow run_family(const std::string& family, const std::string& local, std::uint64_t first, int seeds, const std::function<bool()>& is_stopped = {});
+
+}  // namespace aisle::lockstep

@@ -1,0 +1,288 @@
+#include "tools/lockstep/suite_scenarios.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <string>
+
+#include "common/scenario/data_path.hpp"
+#include "services/global-planner/core/variant.hpp"
+
+namespace aisle::lockstep {
+namespace {
+
+using geometry::Point2;
+using geometry::Pose2;
+
+constexpr double kCellM = 0.1;
+constexpr double kRadiusM = 0.35;
+constexpr double kSpareM = 0.15;          // beside the vehicle, on the way that there must be
+constexpr double kMostS = 1000.0;
+
+/// Metres from each vehicle's start to its goal; infinite where there is no way.
+std::vector<double> ways_m(const Setup& setup, const grid::OccupancyGrid& grid, double spare_m) {
+  const grid::ClearanceField clearance(grid, 3.0);
+  const auto planner = global_planner::find_variant("theta")->make();
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < setup.scenario.vehicles.size(); ++i) {
+    const scenario::Vehicle& vehicle = setup.scenario.vehicles[i];
+    global_planner::Problem problem{clearance, vehicle.start_in_map.position(), setup.scenario.missions[i].goals_in_map.front().position()};
+    problem.radius_m = vehicle.radius_m + spare_m;
+    const global_planner::Plan plan = planner->plan(problem, [] { return false; });
+    lengths.push_back(plan.outcome == global_planner::Outcome::kFound ? plan.length_m : std::numeric_limits<double>::infinity());
+  }
+  return lengths;
+}
+
+/// Is there a way for everybody, around what the map does not show as well?
+bool is_passable(const Setup& setup) {
+  grid::OccupancyGrid all = setup.grid;
+  for (const scenario::Block& b : setup.scenario.blocks)
+    block(all, b.center_in_map.x - 0.5 * b.length_m, b.center_in_map.y - 0.5 * b.width_m, b.center_in_map.x + 0.5 * b.length_m, b.center_in_map.y + 0.5 * b.width_m);
+  const std::vector<double> lengths = ways_m(setup, all, kSpareM);
+  return std::all_of(lengths.begin(), lengths.end(), [](double m) { return std::isfinite(m); });
+}
+
+void throw_boxes(grid::OccupancyGrid& grid, Dice& dice, int count, double x0, double x1, double y0, double y1) {
+  for (int i = 0; i < count; ++i) {
+    const double x = dice.between(x0, x1);
+    const double y = dice.between(y0, y1);
+    block(grid, x, y, x + dice.between(0.5, 2.0), y + dice.between(0.5, 2.0));
+  }
+}
+
+void hide_box(Setup& setup, Dice& dice, Point2 center, double least_m, double most_m) {
+  scenario::Block box;
+  box.id = "box-" + std::to_string(setup.scenario.blocks.size() + 1);
+  box.center_in_map = {center.x, center.y, 0.0};
+  box.length_m = dice.between(least_m, most_m);
+  box.width_m = dice.between(least_m, most_m);
+  setup.scenario.blocks.push_back(box);
+}
+
+/// Repeats `make` until there is a way for everybody.
+template <class Make>
+Setup passable(Make make) {
+  for (;;) {
+    Setup setup = make();
+    if (is_passable(setup)) return setup;
+  }
+}
+
+Setup aisle_of(double width_m) {
+  Setup setup;
+  setup.grid = hall(24.0, width_m + 2.0 * kCellM, kCellM);
+  return setup;
+}
+
+/// Two and two change sides among boxes.
+Setup clutter(Dice& dice, int vehicles) {
+  return passable([&] {
+    Setup setup;
+    setup.grid = hall(20.0, 14.0, kCellM);
+    throw_boxes(setup.grid, dice, 6, 4.0, 14.0, 0.5, 12.0);
+    for (int i = 0; i < vehicles; ++i) {
+      const bool from_left = i % 2 == 0;
+      const double lane = 14.0 / (0.5 * vehicles + 1.0) * (1 + i / 2);
+      const Pose2 left{1.5, lane + dice.between(-1.0, 1.0), dice.between(-3.1, 3.1)};
+      const Pose2 right{18.5, lane + dice.between(-1.0, 1.0), dice.between(-3.1, 3.1)};
+      add_vehicle(setup, i + 1, from_left ? left : right, {from_left ? Pose2{18.5, 13.0 - lane + 1.5, 0.0} : Pose2{1.5, 13.0 - lane, 0.0}});
+    }
+    return setup;
+  });
+}
+
+Setup crossing_of(Dice& dice, int vehicles) {
+  Setup setup;
+  setup.grid = hall(20.0, 20.0, kCellM);
+  for (const double x : {0.0, 11.5})
+    for (const double y : {0.0, 11.5}) block(setup.grid, x, y, x + 8.5, y + 8.5);
+  const auto near = [&] { return 10.0 + dice.between(-0.7, 0.7); };
+  const auto away = [&] { return dice.between(1.5, 4.0); };
+  add_vehicle(setup, 1, {away(), near(), 0.0}, {{18.0, near(), 0.0}});
+  add_vehicle(setup, 2, {near(), away(), 1.57}, {{near(), 18.0, 0.0}});
+  if (vehicles > 2) add_vehicle(setup, 3, {20.0 - away(), near(), 3.14}, {{2.0, near(), 0.0}});
+  if (vehicles > 3) add_vehicle(setup, 4, {near(), 20.0 - away(), -1.57}, {{near(), 2.0, 0.0}});
+  return setup;
+}
+
+Setup meeting(Dice& dice) {
+  Setup setup = aisle_of(dice.between(1.9, 2.6));
+  const double middle = 0.5 * setup.grid.geometry().height * kCellM;
+  const auto beside = [&] { return middle + dice.between(-0.3, 0.3); };
+  add_vehicle(setup, 1, {dice.between(1.5, 4.0), beside(), 0.0}, {{22.0, middle, 0.0}});
+  add_vehicle(setup, 2, {dice.between(18.0, 21.0), beside(), 3.14}, {{2.0, middle, 0.0}});
+  return setup;
+}
+
+Setup junction(Dice& dice) {
+  Setup setup;
+  setup.grid = hall(20.0, 12.0, kCellM);
+  const double half = dice.between(1.0, 1.5);
+  block(setup.grid, 0.0, 0.0, 10.0 - half, 9.0 - half);
+  block(setup.grid, 10.0 + half, 0.0, 20.0, 9.0 - half);
+  block(setup.grid, 0.0, 9.0 + half, 20.0, 12.0);
+  add_vehicle(setup, 1, {dice.between(1.5, 5.0), 9.0, 0.0}, {{10.0, 1.5, 0.0}});
+  add_vehicle(setup, 2, {10.0, dice.between(3.0, 5.0), 1.57}, {{dice.below(2) == 0 ? 18.0 : 2.0, 9.0, 0.0}});
+  return setup;
+}
+
+Setup racks(Dice& dice) {
+  Setup setup;
+  setup.grid = hall(26.0, 14.0, kCellM);
+  for (double y = 3.0; y < 11.0; y += 3.9)
+    for (double x = 3.5; x < 20.0; x += 10.0) block(setup.grid, x, y, x + 7.5, y + 1.5);
+  add_fleet(setup, dice, 4, 1, kRadiusM, 0.6, 2.0);
+  return setup;
+}
+
+}  // namespace
+
+Setup static_clutter(Dice& dice) {
+  return passable([&] {
+    Setup setup;
+    setup.grid = hall(20.0, 14.0, kCellM);
+    throw_boxes(setup.grid, dice, 18, 3.0, 15.5, 0.2, 12.5);
+    add_vehicle(setup, 1, {1.5, dice.between(1.5, 12.5), dice.between(-3.1, 3.1)}, {{18.5, dice.between(1.5, 12.5), 0.0}});
+    return setup;
+  });
+}
+
+Setup hidden_blocks(Dice& dice) {
+  return passable([&] {
+    Setup setup;
+    setup.grid = hall(20.0, 10.0, kCellM);
+    throw_boxes(setup.grid, dice, 5, 3.0, 15.0, 0.2, 8.5);
+    for (int i = 0; i < 5; ++i) hide_box(setup, dice, {dice.between(4.0, 16.0), dice.between(1.0, 9.0)}, 0.4, 0.9);
+    add_vehicle(setup, 1, {1.5, dice.between(1.5, 8.5), dice.between(-3.1, 3.1)}, {{18.5, dice.between(1.5, 8.5), 0.0}});
+    return setup;
+  });
+}
+
+Setup person_crossing(Dice& dice) {
+  Setup setup;
+  setup.grid = hall(20.0, 10.0, kCellM);
+  for (int i = 0; i < 5; ++i) {
+    const bool courteous = dice.below(2) == 0;
+    const bool up = dice.below(2) == 0;
+    const double x = dice.between(4.0, 16.0);
+    const double y0 = up ? 0.6 : 9.4;
+    add_mover(setup, dice.between(0.7, 1.5), courteous ? 0.0 : dice.between(0.0, 14.0), courteous, {{x, y0}, {x + dice.between(-1.0, 1.0), 10.0 - y0}});
+  }
+  add_vehicle(setup, 1, {1.5, dice.between(3.0, 7.0), dice.between(-3.1, 3.1)}, {{18.5, dice.between(3.0, 7.0), 0.0}});
+  return setup;
+}
+
+Setup person_oncoming(Dice& dice) {
+  const double width = dice.between(2.6, 3.6);
+  Setup setup = aisle_of(width);
+  const int people = 1 + dice.below(2);
+  for (int i = 0; i < people; ++i) {
+    const auto side = [&] { return kCellM + dice.between(0.4, width - 0.4); };
+    add_mover(setup, dice.between(0.7, 1.4), 6.0 * i + dice.between(0.0, 5.0), dice.below(2) == 0, {{23.2, side()}, {0.8, side()}});
+  }
+  const double middle = kCellM + 0.5 * width;
+  add_vehicle(setup, 1, {1.6, middle + dice.between(-0.4, 0.4), dice.between(-0.5, 0.5)}, {{21.5, middle, 0.0}});
+  return setup;
+}
+
+Setup overtaking(Dice& dice) {
+  const double width = dice.between(2.8, 4.0);
+  Setup setup = aisle_of(width);
+  const double middle = kCellM + 0.5 * width;
+  const auto side = [&] { return middle + dice.between(-0.5, 0.5); };
+  add_mover(setup, dice.between(0.3, 0.5), 0.0, false, {{dice.between(3.5, 6.0), side()}, {23.2, side()}});
+  add_vehicle(setup, 1, {1.5, side(), dice.between(-0.5, 0.5)}, {{dice.between(17.0, 19.0), middle, 0.0}});
+  return setup;
+}
+
+Setup door(Dice& dice) {
+  Setup setup;
+  setup.grid = hall(16.0, 10.0, kCellM);
+  const double y = dice.between(1.5, 7.5);
+  const double wide = dice.between(1.05, 1.4);
+  block(setup.grid, 8.0, 0.0, 8.3, 10.0);
+  carve(setup.grid, 7.9, y, 8.4, y + wide);
+  const double middle = y + 0.5 * wide;
+  add_mover(setup, dice.between(0.7, 1.3), 0.0, true, {{dice.between(12.0, 15.0), dice.between(1.0, 9.0)}, {9.3, middle}, {7.0, middle}, {dice.between(2.0, 5.0), dice.between(1.0, 9.0)}});
+  add_vehicle(setup, 1, {1.5, dice.between(1.5, 8.5), dice.between(-3.1, 3.1)}, {{14.5, dice.between(1.5, 8.5), 0.0}});
+  return setup;
+}
+
+Setup corridor(Dice& dice) {
+  return passable([&] {
+    Setup setup;
+    setup.grid = hall(18.0, 10.0, kCellM);
+    block(setup.grid, 0.0, 0.0, 18.0, 10.0);
+    const double half = 0.5 * dice.between(1.2, 2.2);
+    const double bend = dice.between(6.0, 12.0);
+    const bool rises = dice.below(2) == 0;
+    const double y0 = rises ? 2.0 : 8.0;
+    const double y1 = 10.0 - y0;
+    carve(setup.grid, 0.5, y0 - half, bend + half, y0 + half);
+    carve(setup.grid, bend - half, 2.0 - half, bend + half, 8.0 + half);
+    carve(setup.grid, bend - half, y1 - half, 17.5, y1 + half);
+    if (half > 0.9) hide_box(setup, dice, {dice.between(4.0, bend - 2.0), y0 + (dice.below(2) == 0 ? half - 0.2 : 0.2 - half)}, 0.3, 0.4);
+    add_vehicle(setup, 1, {1.5, y0, dice.between(-3.1, 3.1)}, {{16.5, y1, 0.0}});
+    return setup;
+  });
+}
+
+Setup crowd(Dice& dice) {
+  struct Place {
+    const char* file;
+    Pose2 frame_in_map;       // so that its people walk in the middle of the hall
+    double last_begin_s;
+  };
+  static const Place kPlaces[]{{"data:pedestrians/biwi_eth.txt", {5.6, 2.0, 0.0}, 400.0},
+                               {"data:pedestrians/biwi_hotel.txt", {6.0, 6.4, 0.5 * geometry::kPi}, 650.0},
+                               {"data:pedestrians/crowds_zara01.txt", {1.3, 1.0, 0.0}, 290.0}};
+  const Place& place = kPlaces[dice.below(3)];
+  Setup setup;
+  setup.grid = hall(18.0, 14.0, kCellM);
+  scenario::Recording recording;
+  recording.file = scenario::find_named_file(place.file, std::filesystem::current_path() / "any.yaml");
+  recording.frame_in_map = place.frame_in_map;
+  recording.begin_s = dice.between(0.0, place.last_begin_s);
+  recording.end_s = recording.begin_s + 100.0;
+  setup.people.push_back(fake_world::read_recording(recording));
+  setup.scenario.recordings.push_back(recording);
+  const bool upwards = dice.below(2) == 0;
+  if (upwards) add_vehicle(setup, 1, {dice.between(4.0, 14.0), 1.2, 1.57}, {{dice.between(4.0, 14.0), 12.8, 0.0}});
+  else add_vehicle(setup, 1, {1.2, dice.between(3.0, 11.0), 0.0}, {{16.8, dice.between(3.0, 11.0), 0.0}});
+  return setup;
+}
+
+Setup two_vehicles(Dice& dice) {
+  switch (dice.below(4)) {
+    case 0: return meeting(dice);
+    case 1: return crossing_of(dice, 2);
+    case 2: return junction(dice);
+    default: return clutter(dice, 2);
+  }
+}
+
+Setup four_vehicles(Dice& dice) {
+  switch (dice.below(3)) {
+    case 0: return crossing_of(dice, 4);
+    case 1: return racks(dice);
+    default: return clutter(dice, 4);
+  }
+}
+
+std::vector<double> free_run_s(const Setup& setup) {
+  const kinematics::Limits& limits = setup.vehicle.limits;
+  std::vector<double> seconds;
+  const std::vector<double> lengths = ways_m(setup, setup.grid, 0.0);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const double mps = setup.scenario.vehicles[i].max_speed_mps;
+    const double speeding_s = 0.5 * mps / limits.max_acceleration_mps2 + 0.5 * mps / limits.max_deceleration_mps2;
+    const Pose2 start = setup.scenario.vehicles[i].start_in_map;
+    const double turn_rad = std::abs(geometry::wrap(geometry::bearing(start.position(), setup.scenario.missions[i].goals_in_map.front().position()) - start.yaw));
+    seconds.push_back(lengths[i] / mps + speeding_s + turn_rad / limits.max_turn_radps);
+  }
+  return seconds;
+}
+
+}  // namespace aisle::lockstep
