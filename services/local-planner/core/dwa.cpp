@@ -60,6 +60,7 @@ Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const 
         ++choice.rejected[static_cast<int>(rollout.collides)];
         continue;
       }
+      if (v > kStandingMps) ++choice.moving;
       samples.push_back(rollout.sample);
     }
   if (samples.empty()) return choice;

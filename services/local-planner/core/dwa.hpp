@@ -10,6 +10,7 @@ struct Choice {
   double wall_gap_m{0.0};
   double mover_gap_m{0.0};
   int rejected[4]{};                // by Obstruction
+  int moving{0};                    // samples that move and were not rejected
 };
 
 /// Dynamic window approach (Fox, Burgard, Thrun 1997): samples the window of speeds, drops what could not stop or collides

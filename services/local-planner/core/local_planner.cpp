@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
+
+#include "services/local-planner/core/rolling_window.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -19,6 +22,8 @@ constexpr double kLookForObstaclesM = 4.0;
 constexpr double kTurnBeginRad = 0.9;
 constexpr double kTurnEndRad = 0.2;
 constexpr double kIntentM = 24.0;
+constexpr double kWindowM = 10.0;         // WU's rolling window: the lidar's range
+constexpr double kMeetingS = 4.0;         // how far ahead it says what will be met
 constexpr double kSubTargetM = 0.6;       // LI's look-ahead on the path
 constexpr std::size_t kIntentPoints = 60;
 
@@ -277,6 +282,7 @@ bool LocalPlanner::find_spot(Cycle& cycle, const std::vector<std::string>& for_w
   const auto points = search_way(room, here, way_.lane().at(way_.lane_s_m() + 1.0), 8.0, accepts);
   if (points.size() < 2) return false;
   way_.step_aside(points);
+  backs_off_ = false;
   advise_traffic(cycle);
   return true;
 }
@@ -302,6 +308,7 @@ void LocalPlanner::recover(Cycle& cycle) {
   for (const PeerView& peer : cycle.around.peers)
     if (peer.has_goal && geometry::distance(peer.base_in_map.position(), cycle.here()) < 2.5) stuck_with.push_back(peer.id);
   if (!find_spot(cycle, stuck_with) && !stuck_with.empty()) find_spot(cycle, {});
+  backs_off_ = way_.is_aside();
   if (way_.is_aside()) cycle.out.events.push_back({"backs off to try again"});
 }
 
@@ -367,6 +374,7 @@ void LocalPlanner::drive(Cycle& cycle) {
   const Scene scene{*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.vehicle.radius_m, cycle.vehicle.limits,
                     speed_cap(cycle), cycle.around.movers, cycle.around.peer_motions};
   const Choice choice = choose(scene, aim(cycle), variant_, settings_.dwa);
+  const bool refused = scene.speed_cap_mps > 2.0 * kStandingMps && !waits_before_it && is_refused(choice);
   if (waits_before_it) command(cycle, {});
   else if (choice.found) command(cycle, choice.twist);
   else {
@@ -376,8 +384,9 @@ void LocalPlanner::drive(Cycle& cycle) {
   }
   if (choice.mover_gap_m < 0.4 && cycle.out.phase == Phase::kDriving) cycle.out.phase = Phase::kAvoiding;
   if (!cycle.stands()) moved_ = cycle.now;
-  if (!cycle.stands()) return;
   const double stuck_s = seconds(cycle.now - moved_);
+  tell_recovery(cycle, scene, refused);
+  if (!cycle.stands()) return;
   const bool waits = !cycle.advice.yields_to.empty();
   if (waits && !blocked_) {
     cycle.out.phase = Phase::kWaiting;
@@ -394,6 +403,22 @@ void LocalPlanner::drive(Cycle& cycle) {
     const bool peer = choice.rejected[static_cast<int>(Obstruction::kPeer)] > 0;
     cycle.out.reason = peer ? Reason::kVehicle : mover ? Reason::kObstacle : Reason::kNone;
   }
+}
+
+/// Nothing that moves was free, though something was tried.
+bool LocalPlanner::is_refused(const Choice& choice) {
+  const bool rejected = std::any_of(std::begin(choice.rejected), std::end(choice.rejected), [](int count) { return count > 0; });
+  return rejected && choice.moving == 0;
+}
+
+/// Names the grade of recovery, or what is being avoided.
+void LocalPlanner::tell_recovery(Cycle& cycle, const Scene& scene, bool refused) const {
+  std::string& detail = cycle.out.detail;
+  if (way_.is_aside() && backs_off_) detail = "recovers: backs off";
+  else if (refused) detail = cycle.stands() ? "recovers: turns to where there is room" : "recovers: slower";
+  else if (cycle.out.phase == Phase::kAvoiding)
+    if (const Meeting meeting = predict_meeting(scene, kWindowM, kMeetingS); meeting.encounter != Encounter::kNone)
+      detail = std::string("avoids what is ") + name(meeting.encounter);
 }
 
 void LocalPlanner::turn(Cycle& cycle, double error_rad) {

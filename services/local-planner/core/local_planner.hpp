@@ -36,6 +36,8 @@ class LocalPlanner {
   bool find_spot(Cycle& cycle, const std::vector<std::string>& for_whom);
   void recover(Cycle& cycle);
   void drive(Cycle& cycle);
+  static bool is_refused(const Choice& choice);
+  void tell_recovery(Cycle& cycle, const Scene& scene, bool refused) const;
   void turn(Cycle& cycle, double error_rad);
   Aim aim(const Cycle& cycle) const;
   geometry::Point2 visible_target(const Cycle& cycle) const;
@@ -66,6 +68,7 @@ class LocalPlanner {
   double least_left_m_{1e18};   // of the lane, since the last recovery
   double best_left_m_{1e18};    // ... since the plan came
   int recoveries_{0};
+  bool backs_off_{false};       // the way aside is a recovery, and no courtesy
   std::optional<Obstructed> blocked_;               // the way is obstructed here and no detour was found
   std::string blocked_by_vehicle_;
   Phase phase_{Phase::kWaiting};

@@ -123,7 +123,7 @@ DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& m
   mission.vehicle = vehicle.id;
   mission.goals_in_map = {{map.goal_in_map.x, map.goal_in_map.y, 0.0}};
   setup.scenario.missions.push_back(mission);
-  setup.scenario.duration_s = 400.0;
+  setup.scenario.duration_s = 200.0;
   if (drive.surprises.any()) surprise(setup.scenario, drive, map);
   DriveFigures figures{{}, {}, map.grid};
   figures.result = lockstep::run(setup, [&](const lockstep::Snapshot& now) {

@@ -2,6 +2,7 @@
 
 #include "tools/aisle/driving/fusion_tables.hpp"
 #include "tools/aisle/driving/suite_tables.hpp"
+#include "tools/aisle/driving/window_cases.hpp"
 #include "tools/lockstep/suite.hpp"
 
 namespace aisle::cli {
@@ -26,7 +27,12 @@ std::string local_section(const LocalExperiment& orders, const Progress& progres
       "their maps are not printed, so directions can agree, figures cannot. *A\\* + DWA* drives along an A\\* that cuts no corner with the traditional critics, "
       "*improved + DWA* along the paper's own path with the paper's critics, *DWA* straight at the goal. Movers cross the planned way at 0.5 m/s and stop for "
       "nobody; boxes of 0.5 m stand on it, unknown to the map.\n\n";
-  return text + fusion_tables(orders.maps, orders.pictures, orders.pictures_from_page, progress);
+  text += fusion_tables(orders.maps, orders.pictures, orders.pictures_from_page, progress);
+  text +=
+      "### WU's rolling window\n\n"
+      "The five situations of WU's section 4 with `wu`, in a hall of 20 x 10 m and in an aisle of 2 m: who passes ahead or behind is no reason to leave the "
+      "path; who would be hit is avoided, and the vehicle comes back to the path; before what closes the aisle it stops and asks for another plan.\n\n";
+  return text + window_section(orders.pictures, orders.pictures_from_page, progress);
 }
 
 }  // namespace aisle::cli

@@ -1,0 +1,66 @@
+// A few scenarios of the suite; all of them are `aisle experiment local`.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "services/local-planner/core/critic.hpp"
+#include "tools/lockstep/families.hpp"
+#include "tools/lockstep/suite.hpp"
+#include "tools/lockstep/suite_scenarios.hpp"
+
+namespace aisle::lockstep {
+namespace {
+
+std::string name_of(const testing::TestParamInfo<std::string>& of) {
+  std::string name = of.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class Suite : public testing::TestWithParam<std::string> {};
+
+TEST_P(Suite, ReachesItsGoalsInTimeAndTouchesNothing) {
+  const SuiteRow row = run_family(GetParam(), "wang", 1, 1);
+  EXPECT_EQ(row.totals.goals_reached, row.totals.goals_assigned) << (row.bad.empty() ? "" : row.bad.front());
+  EXPECT_EQ(row.totals.contacts_moving_vehicle, 0) << (row.bad.empty() ? "" : row.bad.front());
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Suite, testing::Values("static-clutter", "hidden-blocks", "person-crossing", "overtaking", "door", "corridor", "two-vehicles"), name_of);
+
+class Fused : public testing::TestWithParam<std::string> {};
+
+TEST_P(Fused, AvoidsPeopleWhoCross) {
+  const SuiteRow row = run_family("person-crossing", GetParam(), 1, 1);
+  EXPECT_EQ(row.totals.goals_reached, 1) << (row.bad.empty() ? "" : row.bad.front());
+  EXPECT_EQ(row.totals.contacts_moving_vehicle, 0) << (row.bad.empty() ? "" : row.bad.front());
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, Fused, testing::Values("li", "wu", "qu", "yu"), name_of);
+
+TEST(SuiteScenarios, LeadEverybodyToTheirGoal) {
+  for (const std::string& family : suite_families()) {
+    if (family == "crowd") continue;      // needs the reference data
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+      for (const double seconds : free_run_s(make_setup(family, seed))) EXPECT_TRUE(std::isfinite(seconds) && seconds > 5.0) << family << " " << seed;
+  }
+}
+
+TEST(SuiteScenarios, CountAGoalBehindAClosedAisleAsMissed) {
+  lockstep::Setup setup = make_setup("overtaking", 1);
+  setup.scenario.movers.clear();
+  scenario::Block wall;
+  wall.id = "wall";
+  wall.center_in_map = {10.0, 2.0, 0.0};
+  wall.width_m = 6.0;
+  setup.scenario.blocks.push_back(wall);
+  const double limit_s = kFreeRuns * free_run_s(setup).front();
+  const Result result = run_in_time(setup, "wang");
+  EXPECT_EQ(result.goals_reached, 0);
+  EXPECT_EQ(result.contacts, 0);
+  EXPECT_NEAR(result.time_s, limit_s, 0.1);
+}
+
+}  // namespace
+}  // namespace aisle::lockstep

@@ -1,0 +1,106 @@
+#include "tools/aisle/driving/window_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <utility>
+
+#include "common/config/reader.hpp"
+#include "tools/aisle/planning/markdown.hpp"
+#include "tools/aisle/planning/plan_svg.hpp"
+#include "tools/lockstep/building.hpp"
+
+namespace aisle::cli {
+namespace {
+
+using geometry::Point2;
+
+constexpr double kLineM = 5.0;            // y of start and goal
+constexpr double kStartM = 2.0;
+constexpr double kGoalM = 18.0;
+
+lockstep::Setup straight(double aisle_m) {
+  lockstep::Setup setup;
+  setup.grid = lockstep::hall(20.0, 10.0, 0.1);
+  if (aisle_m < 9.0) {
+    lockstep::block(setup.grid, 0.0, 0.0, 20.0, kLineM - 0.5 * aisle_m);
+    lockstep::block(setup.grid, 0.0, kLineM + 0.5 * aisle_m, 20.0, 10.0);
+  }
+  lockstep::add_vehicle(setup, 1, {kStartM, kLineM, 0.0}, {{kGoalM, kLineM, 0.0}});
+  setup.local = "wu";
+  setup.settings.lane.shift_m = 0.0;      // one vehicle alone keeps no side: what it leaves is the path
+  setup.scenario.duration_s = 60.0;
+  return setup;
+}
+
+WindowCase crosser(std::string name, std::string title, double mps, double start_s) {
+  WindowCase of{std::move(name), std::move(title), straight(10.0)};
+  lockstep::add_mover(of.setup, mps, start_s, false, {{10.0, 1.0}, {10.0, 9.0}});
+  return of;
+}
+
+void add_box(lockstep::Setup& setup, double length_m, double width_m) {
+  scenario::Block box;
+  box.id = "box";
+  box.center_in_map = {10.0, kLineM, 0.0};
+  box.length_m = length_m;
+  box.width_m = width_m;
+  setup.scenario.blocks.push_back(box);
+}
+
+void write(const std::filesystem::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  if (!out.flush()) throw config::BadEnvironment(file.string() + ": cannot be written");
+}
+
+}  // namespace
+
+std::vector<WindowCase> window_cases() {
+  std::vector<WindowCase> cases;
+  cases.push_back(crosser("window-ahead", "fast crosser passes ahead", 1.5, 0.5));
+  cases.push_back(crosser("window-behind", "slow crosser passes behind", 0.5, 6.5));
+  cases.push_back(crosser("window-collision", "collision course", 0.8, 2.2));
+  cases.push_back({"window-box", "unknown box on the path", straight(10.0)});
+  add_box(cases.back().setup, 0.8, 0.8);
+  cases.push_back({"window-closed", "aisle closed by something unknown", straight(2.0)});
+  add_box(cases.back().setup, 0.4, 2.4);
+  return cases;
+}
+
+WindowDrive drive_window_case(const WindowCase& of) {
+  WindowDrive drive;
+  drive.result = lockstep::run(of.setup, [&](const lockstep::Snapshot& now) {
+    const Point2 here = now.vehicles[0].position();
+    drive.driven_in_map.push_back(here);
+    if (!of.setup.scenario.movers.empty()) drive.mover_in_map.push_back(now.things.front().base_in_map.position());
+    drive.farthest_off_m = std::max(drive.farthest_off_m, std::abs(here.y - kLineM));
+    drive.back_on_it_m = std::abs(here.y - kLineM);
+    if (here.x > kStartM + 3.0 && here.x < kGoalM - 3.0) drive.slowest_mps = std::min(drive.slowest_mps, now.outputs[0].twist.linear_mps);
+    drive.asked_for_a_plan = drive.asked_for_a_plan || now.outputs[0].phase == local_planner::Phase::kBlocked;
+  });
+  return drive;
+}
+
+std::string window_section(const std::filesystem::path& pictures, const std::string& pictures_from_page, const Progress& progress) {
+  std::vector<std::vector<std::string>> rows{{"case", "goal", "contacts", "farthest off the path m", "off it at the end m", "slowest m/s", "asked for another plan"}};
+  std::string shown;
+  for (const WindowCase& of : window_cases()) {
+    progress("window: " + of.title);
+    const WindowDrive d = drive_window_case(of);
+    rows.push_back({of.title, d.result.goals_reached == 1 ? "reached" : "not reached", std::to_string(d.result.contacts), digits(d.farthest_off_m, 2),
+                    digits(d.back_on_it_m, 2), digits(d.slowest_mps, 2), d.asked_for_a_plan ? "yes" : "no"});
+    std::vector<DrawnPath> paths{{"vehicle", d.driven_in_map}};
+    if (!d.mover_in_map.empty()) paths.push_back({"mover", d.mover_in_map});
+    for (const scenario::Block& b : of.setup.scenario.blocks) {
+      const Point2 low{b.center_in_map.x - 0.5 * b.length_m, b.center_in_map.y - 0.5 * b.width_m};
+      const Point2 high{b.center_in_map.x + 0.5 * b.length_m, b.center_in_map.y + 0.5 * b.width_m};
+      paths.push_back({"unknown box", {low, {high.x, low.y}, high, {low.x, high.y}, low}});
+    }
+    write(pictures / (of.name + ".svg"), plan_svg(of.setup.grid, paths));
+    shown += "![" + of.title + "](" + pictures_from_page + "/" + of.name + ".svg)\n\n";
+  }
+  return markdown_table(rows) + shown;
+}
+
+}  // namespace aisle::cli
