@@ -1,25 +1,12 @@
 #include "common/kinematics/vehicle_model.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "common/kinematics/differential.hpp"
+#include "common/kinematics/omnidirectional.hpp"
+#include "common/kinematics/tricycle.hpp"
+
 namespace aisle::kinematics {
-namespace {
-
-/// One axis: from `current` towards `wanted`, within `dt_s`. Away from zero at `speed_up`, towards zero at `slow_down`;
-/// through zero, the time that is left after the stand is spent at `speed_up`.
-double approach(double current, double wanted, double speed_up, double slow_down, double dt_s) {
-  const bool through_zero = current * wanted < 0.0;
-  if (through_zero) {
-    const double stop_s = std::abs(current) / slow_down;
-    if (stop_s >= dt_s) return current - std::copysign(slow_down * dt_s, current);
-    return std::copysign(std::min(std::abs(wanted), speed_up * (dt_s - stop_s)), wanted);
-  }
-  const double rate = std::abs(wanted) < std::abs(current) ? slow_down : speed_up;
-  return current + std::clamp(wanted - current, -rate * dt_s, rate * dt_s);
-}
-
-}  // namespace
 
 geometry::Pose2 advance(const geometry::Pose2& base_in_map, const geometry::Twist2& twist, double dt_s) {
   const double turn_rad = twist.angular_radps * dt_s;
@@ -34,14 +21,24 @@ geometry::Pose2 advance(const geometry::Pose2& base_in_map, const geometry::Twis
   return {end.x, end.y, geometry::wrap(base_in_map.yaw + turn_rad)};
 }
 
-geometry::Twist2 limit_change(const geometry::Twist2& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s) {
-  const double linear = std::clamp(wanted.linear_mps, -limits.max_reverse_mps, limits.max_speed_mps);
-  const double angular = std::clamp(wanted.angular_radps, -limits.max_turn_radps, limits.max_turn_radps);
-  const double sideways = std::clamp(wanted.sideways_mps, -limits.max_speed_mps, limits.max_speed_mps);
-  return {approach(current.linear_mps, linear, limits.max_acceleration_mps2, limits.max_deceleration_mps2, dt_s),
-          approach(current.angular_radps, angular, limits.max_turn_acceleration_radps2, limits.max_turn_acceleration_radps2, dt_s),
-          approach(current.sideways_mps, sideways, limits.max_acceleration_mps2, limits.max_deceleration_mps2, dt_s)};
+DriveState follow(const DriveState& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s) {
+  switch (limits.model) {
+    case Model::kOmnidirectional: return {limit_change_omnidirectional(current.twist, wanted, limits, dt_s), 0.0};
+    case Model::kTricycle: {
+      const TricycleState next = limit_change_tricycle({current.twist.linear_mps, current.steering_rad}, wanted, limits, dt_s);
+      return {{next.speed_mps, turn_rate_radps(limits.axle, next.speed_mps, next.steering_rad), 0.0}, next.steering_rad};
+    }
+    case Model::kDifferential: break;
+  }
+  return {limit_change_differential(current.twist, wanted, limits, dt_s), 0.0};
 }
+
+geometry::Twist2 limit_change(const geometry::Twist2& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s) {
+  const double steering = limits.model == Model::kTricycle ? steering_for_rad(limits.axle, current, 0.0) : 0.0;
+  return follow({current, steering}, wanted, limits, dt_s).twist;
+}
+
+double least_turning_radius_m(const Limits& limits) { return limits.model == Model::kTricycle ? least_radius_m(limits.axle) : 0.0; }
 
 double stopping_distance_m(double speed_mps, double deceleration_mps2) {
   return speed_mps * speed_mps / (2.0 * deceleration_mps2);

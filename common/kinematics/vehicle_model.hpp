@@ -1,34 +1,26 @@
 #pragma once
 #include "common/geometry/pose.hpp"
+#include "common/kinematics/limits.hpp"
 
 namespace aisle::kinematics {
 
-/// What a vehicle can do. Magnitudes: all are >= 0.
-struct Limits {
-  double max_speed_mps{1.2};
-  double max_reverse_mps{0.3};
-  double max_turn_radps{1.2};
-  double max_acceleration_mps2{0.8};
-  double max_deceleration_mps2{1.2};
-  double max_turn_acceleration_radps2{2.5};
-
-  template <class Reader>
-  void describe(Reader& r) {
-    r.field("max_speed_mps", max_speed_mps, 0.05, 10.0)
-        .field("max_reverse_mps", max_reverse_mps, 0.0, 10.0)
-        .field("max_turn_radps", max_turn_radps, 0.05, 10.0)
-        .field("max_acceleration_mps2", max_acceleration_mps2, 0.05, 20.0)
-        .field("max_deceleration_mps2", max_deceleration_mps2, 0.05, 20.0)
-        .field("max_turn_acceleration_radps2", max_turn_acceleration_radps2, 0.05, 50.0);
-  }
-};
-
-/// Pose after driving with a constant twist for `dt_s` (exact arc, not an Euler step).
+/// Pose after driving with a constant twist for `dt_s` (exact arc, not an Euler step), whatever the model.
 geometry::Pose2 advance(const geometry::Pose2& base_in_map, const geometry::Twist2& twist, double dt_s);
 
-/// The twist nearest to `wanted` that `limits` let a vehicle reach from `current` within `dt_s`.
-/// Speeding up uses the acceleration, slowing down the deceleration limit.
+/// How a vehicle moves, and where its steered wheel points, which a twist does not say of a vehicle that stands.
+struct DriveState {
+  geometry::Twist2 twist;
+  double steering_rad{0.0};               // of a tricycle, else 0
+};
+
+/// The motion nearest to `wanted` that the model and its limits let a vehicle reach from `current` within `dt_s`.
+DriveState follow(const DriveState& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s);
+
+/// The same for who knows only the twist: a tricycle that stands is taken to be steered straight.
 geometry::Twist2 limit_change(const geometry::Twist2& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s);
+
+/// Radius of the tightest arc that can be driven; 0: it turns on the spot.
+double least_turning_radius_m(const Limits& limits);
 
 /// Metres to a stand from this speed.
 double stopping_distance_m(double speed_mps, double deceleration_mps2);

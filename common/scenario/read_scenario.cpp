@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -55,16 +56,33 @@ void read_point(YamlReader& r, const char* key, geometry::Point2& point) {
   point = {numbers[0], numbers[1]};
 }
 
+std::optional<kinematics::Model> find_model(const std::string& name) {
+  if (name == "differential") return kinematics::Model::kDifferential;
+  if (name == "omnidirectional") return kinematics::Model::kOmnidirectional;
+  if (name == "tricycle") return kinematics::Model::kTricycle;
+  return std::nullopt;
+}
+
 // What the file says of each thing; the names of the keys stand here and nowhere else.
 
 struct VehicleEntry {
   Vehicle value;
   void describe(YamlReader& r) {
     read_id(r, "id", value.id);
-    r.field("model", value.model).field("radius_m", value.radius_m, 0.05, 5.0).field("max_speed_mps", value.max_speed_mps, 0.05, 10.0);
+    r.field("model", value.model)
+        .field("radius_m", value.radius_m, 0.05, 5.0)
+        .field("length_m", value.length_m, 0.1, 10.0)
+        .field("width_m", value.width_m, 0.1, 10.0)
+        .field("ahead_m", value.ahead_m, -5.0, 5.0)
+        .field("max_speed_mps", value.max_speed_mps, 0.05, 10.0)
+        .section("axle", value.axle);
     r.require({"start"});
     read_pose(r, "start", value.start_in_map);
-    if (value.model != "differential") r.reject("model", "'" + value.model + "' is not simulated; use differential");
+    if (!find_model(value.model)) r.reject("model", "'" + value.model + "' is not simulated; use differential, omnidirectional or tricycle");
+    if (r.has("length_m") != r.has("width_m")) r.reject(r.has("length_m") ? "length_m" : "width_m", "a rectangle has both, length_m and width_m");
+    if (r.has("length_m") && r.has("radius_m")) r.reject("radius_m", "a rectangle has none; give length_m and width_m");
+    if (r.has("ahead_m") && !r.has("length_m")) r.reject("ahead_m", "is a rectangle's; give length_m and width_m");
+    if (r.has("axle") && value.model != "tricycle") r.reject("axle", "only a tricycle has a steered axle");
   }
 };
 
@@ -203,6 +221,8 @@ struct ScenarioFile {
 };
 
 }  // namespace
+
+kinematics::Model Vehicle::kinematic_model() const { return find_model(model).value_or(kinematics::Model::kDifferential); }
 
 Scenario read_scenario(const std::filesystem::path& file) {
   ScenarioFile read;

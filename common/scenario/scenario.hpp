@@ -4,17 +4,26 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/footprint.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/grid/map_file.hpp"
+#include "common/kinematics/limits.hpp"
 
 namespace aisle::scenario {
 
 struct Vehicle {
   std::string id;                       // "agv-1"
-  std::string model{"differential"};
+  std::string model{"differential"};    // or "omnidirectional" or "tricycle"
   geometry::Pose2 start_in_map;
-  double radius_m{0.35};
+  double radius_m{0.35};                // of a disc
+  double length_m{0.0};                 // of a rectangle; 0: a disc
+  double width_m{0.0};
+  double ahead_m{0.0};                  // of its middle before the vehicle's frame
   double max_speed_mps{1.2};
+  kinematics::SteeredAxle axle{};       // of a tricycle
+
+  geometry::Footprint footprint() const { return geometry::footprint_of(radius_m, length_m, width_m, ahead_m); }
+  kinematics::Model kinematic_model() const;
 };
 
 /// Goals in order; `loops` times over (1: once).

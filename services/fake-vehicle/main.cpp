@@ -37,6 +37,8 @@ void start_by_scenario(const Flags& flags, const std::string& agv_id, fake_vehic
   config.seed = flags.seed.value_or(scenario.seed);
   config.start_in_map = scenario::varied_start(vehicle, scenario.start_jitter_m, config.seed);
   config.vehicle.radius_m = flags.radius_m.value_or(vehicle.radius_m);
+  if (vehicle.kinematic_model() != kinematics::Model::kDifferential || !vehicle.footprint().is_disc())
+    throw config::BadInput(agv_id + " of scenario " + scenario.name + " is no differential disc: drive it with aisle drive --scenario " + flags.scenario_file);
   config.vehicle.limits.max_speed_mps = vehicle.max_speed_mps;
   config.run = scenario.name + "/" + agv_id + "/" + std::to_string(config.seed);
 }

@@ -15,7 +15,8 @@ DrivePicture::DrivePicture(const lockstep::Setup& setup) : setup_(setup) {
   for (const scenario::Vehicle& vehicle : setup.scenario.vehicles) {
     referee::VehicleRow& row = report_.vehicles[vehicle.id];
     row.agv_id = vehicle.id;
-    row.shape.radius_m = vehicle.radius_m;
+    const geometry::Footprint footprint = vehicle.footprint();
+    row.shape = footprint.is_disc() ? referee::Shape{footprint.radius_m, 0.0, 0.0} : referee::Shape{0.0, footprint.length_m, footprint.width_m};
   }
   for (const scenario::Mission& mission : setup.scenario.missions)
     for (const geometry::Pose2& goal : mission.goals_in_map) {
@@ -36,10 +37,11 @@ void DrivePicture::look(const lockstep::Snapshot& now) {
   report_.duration_s = now.t_s;
   for (std::size_t i = 0; i < now.vehicles.size(); ++i) {
     const local_planner::Output& output = now.outputs[i];
+    const geometry::Pose2 outline_in_map = geometry::body_of(setup_.scenario.vehicles[i].footprint(), now.vehicles[i]).base_in_map;
     const referee::Standing standing = output.phase == Phase::kWaiting ? referee::Standing::kWaits
                                        : output.phase == Phase::kHeld ? referee::Standing::kHolds
                                                                       : referee::Standing::kNone;
-    report_.vehicles[setup_.scenario.vehicles[i].id].drive.drove(now.t_s, now.vehicles[i], output.twist.linear_mps, true, standing);
+    report_.vehicles[setup_.scenario.vehicles[i].id].drive.drove(now.t_s, outline_in_map, output.twist.linear_mps, true, standing);
   }
   for (std::size_t i = 0; i < now.things.size(); ++i) {
     const geometry::Body& body = now.things[i];

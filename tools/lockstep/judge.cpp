@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/separation.hpp"
+
 namespace aisle::lockstep {
 namespace {
 
@@ -13,19 +15,26 @@ constexpr double kApartM = 0.02;
 constexpr double kLookM = 1.0;
 
 /// To the nearest square cell that is not free.
-double distance_to_walls_m(const grid::OccupancyGrid& walls, Point2 p) {
+double distance_to_walls_m(const grid::OccupancyGrid& walls, const geometry::Body& body) {
   const grid::Geometry& g = walls.geometry();
+  const Point2 p = body.base_in_map.position();
   const grid::Cell c = g.cell_at(p);
-  const int reach = static_cast<int>(std::ceil(kLookM / g.resolution_m));
+  const bool is_disc = body.shape == geometry::Body::Shape::kDisc;
+  const int reach = static_cast<int>(std::ceil((kLookM + (is_disc ? 0.0 : geometry::reach_m(body))) / g.resolution_m));
   double least = kLookM;
   for (int y = c.y - reach; y <= c.y + reach; ++y)
     for (int x = c.x - reach; x <= c.x + reach; ++x) {
       if (walls.is_free({x, y})) continue;
-      const Point2 d = p - g.center_in_map({x, y});
+      const Point2 center = g.center_in_map({x, y});
+      if (!is_disc) {
+        least = std::min(least, geometry::separation_m(body, {geometry::Body::Shape::kRectangle, {center.x, center.y, 0.0}, 0.0, g.resolution_m, g.resolution_m}));
+        continue;
+      }
+      const Point2 d = p - center;
       const double half = 0.5 * g.resolution_m;
       least = std::min(least, std::hypot(std::max(0.0, std::abs(d.x) - half), std::max(0.0, std::abs(d.y) - half)));
     }
-  return least;
+  return is_disc ? least - body.radius_m : least;
 }
 
 }  // namespace
@@ -49,11 +58,10 @@ std::vector<std::string> Judge::look(const std::vector<Vehicle>& vehicles, const
                                      const grid::ClearanceField& clearance, Result& result) {
   std::vector<std::string> lines;
   for (const Vehicle& a : vehicles) {
-    const Point2 p = a.base_in_map.position();
-    if (clearance.clearance_m(p) < a.radius_m + 0.3) pair(a, "wall", distance_to_walls_m(walls, p) - a.radius_m, result, lines);
-    for (const Thing& thing : things) pair(a, thing.id, geometry::distance_m(thing.body, p) - a.radius_m, result, lines);
+    if (clearance.clearance_m(a.body.base_in_map.position()) < geometry::reach_m(a.body) + 0.3) pair(a, "wall", distance_to_walls_m(walls, a.body), result, lines);
+    for (const Thing& thing : things) pair(a, thing.id, geometry::separation_m(a.body, thing.body), result, lines);
     for (const Vehicle& b : vehicles)
-      if (&a != &b) pair(a, b.id, geometry::distance(p, b.base_in_map.position()) - a.radius_m - b.radius_m, result, lines);
+      if (&a != &b) pair(a, b.id, geometry::separation_m(a.body, b.body), result, lines);
   }
   return lines;
 }

@@ -9,13 +9,12 @@
 
 namespace aisle::lockstep {
 
-/// Counts contacts of vehicles (discs) with walls, things and each other, each from its beginning until they are 2 cm apart.
+/// Counts contacts of vehicles (discs or rectangles) with walls, things and each other, each from its beginning until they are 2 cm apart.
 class Judge {
  public:
   struct Vehicle {
     std::string id;
-    geometry::Pose2 base_in_map;
-    double radius_m{0.35};
+    geometry::Body body;
     bool is_moving{false};
   };
   struct Thing {

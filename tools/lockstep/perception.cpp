@@ -14,11 +14,11 @@ using geometry::Point2;
 
 constexpr double kPeriodS = 0.1;
 
-Body disc_of(const Sensor& sensor) {
-  Body body;
-  body.base_in_map = sensor.base_in_map;
-  body.radius_m = sensor.radius_m;
-  return body;
+Body body_of(const Sensor& sensor) { return geometry::body_of(sensor.footprint, sensor.base_in_map); }
+
+obstacle_tracker::KnownVehicle known_vehicle(const Sensor& s, time::Stamp now) {
+  const geometry::Footprint& f = s.footprint;
+  return {s.agv_id, !f.is_disc(), geometry::reach_m(f), f.length_m, f.width_m, s.believed_in_map, s.twist, now, f.ahead_m};
 }
 
 bool is_in_sight(const Sensor& sensor, const fake_world::Thing& thing, const grid::OccupancyGrid& walls, double range_m) {
@@ -33,11 +33,11 @@ bool is_in_sight(const Sensor& sensor, const fake_world::Thing& thing, const gri
 
 void ScanPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& world, time::Stamp now) {
   std::vector<obstacle_tracker::KnownVehicle> known;
-  for (const Sensor& s : sensors) known.push_back({s.agv_id, false, s.radius_m, 0.0, 0.0, s.believed_in_map, s.twist, now});
+  for (const Sensor& s : sensors) known.push_back(known_vehicle(s, now));
   for (const Sensor& sensor : sensors) {
     std::vector<Body> bodies;
     for (const Sensor& other : sensors)
-      if (&other != &sensor) bodies.push_back(disc_of(other));
+      if (&other != &sensor) bodies.push_back(body_of(other));
     for (const fake_world::Thing& thing : world.things) bodies.push_back(thing.body);
     obstacle_tracker::Scan scan;
     scan.agv_id = sensor.agv_id;

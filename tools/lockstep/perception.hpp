@@ -20,7 +20,7 @@ struct Sensor {
   geometry::Pose2 base_in_map;                  // true
   geometry::Pose2 believed_in_map;
   geometry::Twist2 twist;
-  double radius_m{0.35};
+  geometry::Footprint footprint;
 };
 
 /// Walls and everything that moves or stands on the floor.

@@ -109,12 +109,18 @@ class Run {
   void add(const scenario::Vehicle& vehicle) {
     fake_vehicle::Parameters parameters = setup_.vehicle;
     parameters.radius_m = vehicle.radius_m;
+    parameters.length_m = vehicle.length_m;
+    parameters.width_m = vehicle.width_m;
+    parameters.ahead_m = vehicle.ahead_m;
     parameters.limits.max_speed_mps = vehicle.max_speed_mps;
+    parameters.limits.model = vehicle.kinematic_model();
+    parameters.limits.axle = vehicle.axle;
     const local_planner::Variant& variant = setup_.own_variant ? *setup_.own_variant : *local_planner::find_variant(setup_.local);
     local_planner::Settings settings = setup_.settings;
     if (setup_.paper_limits) {
       const local_planner::PaperLimits& paper = variant.paper;
-      parameters.limits = {paper.max_speed_mps, 0.0, paper.max_turn_radps, paper.max_acceleration_mps2, paper.max_deceleration_mps2, paper.max_turn_acceleration_radps2};
+      parameters.limits = {paper.max_speed_mps, 0.0, paper.max_turn_radps, paper.max_acceleration_mps2, paper.max_deceleration_mps2, paper.max_turn_acceleration_radps2,
+                           vehicle.kinematic_model(), vehicle.axle};
       settings.dwa.horizon_s = paper.horizon_s;
       settings.comfort_mps2 = std::min(settings.comfort_mps2, paper.max_deceleration_mps2);
     }
@@ -126,12 +132,16 @@ class Run {
           agv.goals_in_map.push_back(goal);
           agv.heading_matters.push_back(mission.heading_matters);
         }
-    agv.inputs.vehicle = local_planner::Vehicle{vehicle.id, parameters.radius_m, parameters.limits};
+    const geometry::Footprint footprint = parameters.footprint();
+    const double reach_m = geometry::reach_m(footprint);
+    const auto rectangle = footprint.is_disc() ? std::nullopt : std::optional(footprint);
+    agv.inputs.vehicle = local_planner::Vehicle{vehicle.id, reach_m, parameters.limits, rectangle};
     agv.announced.id = vehicle.id;
-    agv.announced.radius_m = parameters.radius_m;
+    agv.announced.radius_m = reach_m;
+    agv.announced.rectangle = rectangle;
     agv.announced.limits = parameters.limits;
     result_.goals_assigned += static_cast<int>(agv.goals_in_map.size());
-    fleet_.set_vehicle(vehicle.id, parameters.radius_m);
+    fleet_.set_vehicle(vehicle.id, global_planner::shape_of(footprint, parameters.limits));
     agvs_.push_back(std::move(agv));
     if (!agvs_.back().is_done()) give_goal(agvs_.back());
   }
@@ -148,7 +158,7 @@ class Run {
 
   void step() {
     std::vector<Body> vehicles;
-    for (const Agv& a : agvs_) vehicles.push_back(disc(a));
+    for (const Agv& a : agvs_) vehicles.push_back(body_of(a));
     world_.advance_to(t_, vehicles);
     edit_map();
     sense(vehicles);
@@ -160,12 +170,7 @@ class Run {
     if (watch_ && tick_ % kSlowEvery == 0) show();
   }
 
-  static Body disc(const Agv& agv) {
-    Body body;
-    body.base_in_map = agv.body.base_in_map();
-    body.radius_m = agv.parameters.radius_m;
-    return body;
-  }
+  static Body body_of(const Agv& agv) { return geometry::body_of(agv.parameters.footprint(), agv.body.base_in_map()); }
 
   /// Vehicles move on and say where they are.
   void sense(const std::vector<Body>& vehicles) {
@@ -200,7 +205,7 @@ class Run {
 
   void look() {
     std::vector<Sensor> sensors;
-    for (const Agv& a : agvs_) sensors.push_back({a.id, a.body.base_in_map(), a.inputs.state.any()->base_in_map, a.body.twist(), a.parameters.radius_m});
+    for (const Agv& a : agvs_) sensors.push_back({a.id, a.body.base_in_map(), a.inputs.state.any()->base_in_map, a.body.twist(), a.parameters.footprint()});
     perceiver_->look(sensors, {grid_, clearance_, world_.things()}, now());
   }
 
@@ -296,15 +301,23 @@ class Run {
                                                                              : Navigation::Activity::kUnderway;
     navigation.cause = agv.output.reason == local_planner::Reason::kVehicle    ? Navigation::Cause::kVehicle
                        : agv.output.reason == local_planner::Reason::kObstacle ? Navigation::Cause::kObstacle
+                       : agv.output.reason == local_planner::Reason::kOffPath  ? Navigation::Cause::kOffPath
                                                                                : Navigation::Cause::kOther;
     navigation.blocked_at_in_map = agv.output.blocked_at_in_map;
     navigation.blocked_radius_m = agv.output.blocked_radius_m;
     fleet_.set_navigation(agv.id, navigation, now());
   }
 
+  /// Any point of it: a corner swings while a rectangle turns on the spot.
+  static bool is_moving(const Agv& agv) {
+    const geometry::Twist2& twist = agv.body.twist();
+    const double swing_m = agv.parameters.footprint().is_disc() ? 0.0 : geometry::reach_m(agv.parameters.footprint());
+    return std::max(std::hypot(twist.linear_mps, twist.sideways_mps), swing_m * std::abs(twist.angular_radps)) > 0.05;
+  }
+
   void judge() {
     std::vector<Judge::Vehicle> vehicles;
-    for (const Agv& a : agvs_) vehicles.push_back({a.id, a.body.base_in_map(), a.parameters.radius_m, std::abs(a.body.twist().linear_mps) > 0.05});
+    for (const Agv& a : agvs_) vehicles.push_back({a.id, body_of(a), is_moving(a)});
     std::vector<Judge::Thing> things;
     for (const fake_world::Thing& thing : world_.things()) things.push_back({thing.id, thing.body});
     for (const std::string& line : judge_.look(vehicles, things, grid_, clearance_, result_)) note(line);

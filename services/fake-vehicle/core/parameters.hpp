@@ -1,5 +1,6 @@
 #pragma once
-#include "common/kinematics/vehicle_model.hpp"
+#include "common/geometry/footprint.hpp"
+#include "common/kinematics/limits.hpp"
 
 namespace aisle::fake_vehicle {
 
@@ -23,7 +24,10 @@ struct LidarParameters {
 
 struct Parameters {
   kinematics::Limits limits;
-  double radius_m{0.35};
+  double radius_m{0.35};           // of a disc
+  double length_m{0.0};            // of a rectangle; 0: a disc
+  double width_m{0.0};
+  double ahead_m{0.0};             // of the rectangle's middle before the vehicle's frame
   double dead_time_s{0.05};        // from a command's arrival until the drives know of it
   double lag_s{0.05};              // time constant with which the drives follow; 0: at once
   double command_timeout_s{0.2};   // silence after which the vehicle brakes by itself
@@ -35,6 +39,9 @@ struct Parameters {
   void describe(Reader& r) {
     r.section("limits", limits)
         .field("radius_m", radius_m, 0.05, 5.0)
+        .field("length_m", length_m, 0.0, 10.0)
+        .field("width_m", width_m, 0.0, 10.0)
+        .field("ahead_m", ahead_m, -5.0, 5.0)
         .field("dead_time_s", dead_time_s, 0.0, 1.0)
         .field("lag_s", lag_s, 0.0, 2.0)
         .field("command_timeout_s", command_timeout_s, 0.05, 2.0)
@@ -42,6 +49,7 @@ struct Parameters {
         .field("yaw_noise_rad", yaw_noise_rad, 0.0, 0.5)
         .section("lidar", lidar);
   }
+  geometry::Footprint footprint() const { return geometry::footprint_of(radius_m, length_m, width_m, ahead_m); }
 };
 
 }  // namespace aisle::fake_vehicle

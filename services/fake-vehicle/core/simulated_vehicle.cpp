@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/kinematics/tricycle.hpp"
+
 namespace aisle::fake_vehicle {
 namespace {
 
@@ -45,37 +47,50 @@ void SimulatedVehicle::step(time::Stamp now, double dt_s, const Surroundings& ar
   if (silent) {
     queued_.clear();
     wanted_ = {};
-    twist_ = brake(dt_s);
+    drive_ = brake(dt_s);
     hold_ = commanded_ ? Hold::kLateCommand : Hold::kNoCommand;
   } else {
-    twist_ = follow(dt_s);
+    drive_ = follow(dt_s);
     if (hold_ != Hold::kContact) hold_ = Hold::kNone;
   }
   move(dt_s, around);
 }
 
-geometry::Twist2 SimulatedVehicle::follow(double dt_s) const {
+kinematics::DriveState SimulatedVehicle::follow(double dt_s) const {
+  const kinematics::Limits& limits = parameters_.limits;
+  const geometry::Twist2& twist = drive_.twist;
   const double share = parameters_.lag_s > 0.0 ? 1.0 - std::exp(-dt_s / parameters_.lag_s) : 1.0;
-  const geometry::Twist2 lagged{twist_.linear_mps + share * (wanted_.linear_mps - twist_.linear_mps),
-                                twist_.angular_radps + share * (wanted_.angular_radps - twist_.angular_radps), 0.0};
-  geometry::Twist2 next = kinematics::limit_change(twist_, lagged, parameters_.limits, dt_s);
-  next.linear_mps = settle(next.linear_mps, std::clamp(wanted_.linear_mps, -parameters_.limits.max_reverse_mps, parameters_.limits.max_speed_mps));
-  next.angular_radps = settle(next.angular_radps, std::clamp(wanted_.angular_radps, -parameters_.limits.max_turn_radps, parameters_.limits.max_turn_radps));
+  geometry::Twist2 lagged{twist.linear_mps + share * (wanted_.linear_mps - twist.linear_mps), twist.angular_radps + share * (wanted_.angular_radps - twist.angular_radps),
+                          twist.sideways_mps + share * (wanted_.sideways_mps - twist.sideways_mps)};
+  if (limits.model == kinematics::Model::kTricycle)   // the drive lags; the wheel turns to what the command's arc asks for
+    lagged.angular_radps = kinematics::turn_rate_radps(limits.axle, lagged.linear_mps, kinematics::steering_for_rad(limits.axle, wanted_, drive_.steering_rad));
+  kinematics::DriveState next = kinematics::follow(drive_, lagged, limits, dt_s);
+  next.twist.linear_mps = settle(next.twist.linear_mps, std::clamp(wanted_.linear_mps, -limits.max_reverse_mps, limits.max_speed_mps));
+  if (limits.model == kinematics::Model::kTricycle) {
+    next.twist.angular_radps = kinematics::turn_rate_radps(limits.axle, next.twist.linear_mps, next.steering_rad);
+    return next;
+  }
+  next.twist.angular_radps = settle(next.twist.angular_radps, std::clamp(wanted_.angular_radps, -limits.max_turn_radps, limits.max_turn_radps));
+  if (limits.model == kinematics::Model::kOmnidirectional) next.twist.sideways_mps = settle(next.twist.sideways_mps, wanted_.sideways_mps);
   return next;
 }
 
-geometry::Twist2 SimulatedVehicle::brake(double dt_s) const { return kinematics::limit_change(twist_, {}, parameters_.limits, dt_s); }
+kinematics::DriveState SimulatedVehicle::brake(double dt_s) const { return kinematics::follow(drive_, {}, parameters_.limits, dt_s); }
 
 void SimulatedVehicle::move(double dt_s, const Surroundings& around) {
-  if (twist_.linear_mps == 0.0) {
-    base_in_map_.yaw = geometry::wrap(base_in_map_.yaw + twist_.angular_radps * dt_s);
+  geometry::Twist2& twist = drive_.twist;
+  const geometry::Footprint footprint = parameters_.footprint();
+  const bool is_on_the_spot = twist.linear_mps == 0.0 && twist.sideways_mps == 0.0;
+  if (is_on_the_spot && (footprint.is_disc() || twist.angular_radps == 0.0)) {
+    base_in_map_.yaw = geometry::wrap(base_in_map_.yaw + twist.angular_radps * dt_s);
     if (hold_ == Hold::kContact && wanted_.linear_mps == 0.0) hold_ = Hold::kNone;
     return;
   }
-  const geometry::Pose2 next = kinematics::advance(base_in_map_, twist_, dt_s);
-  const double look_m = geometry::distance(next.position(), base_in_map_.position()) + kTouchM;
-  const double gap_next_m = gap_m(around, next.position(), parameters_.radius_m, look_m);
-  const bool nearer = gap_next_m < look_m && gap_next_m < gap_m(around, base_in_map_.position(), parameters_.radius_m, look_m) + kTouchM;
+  const geometry::Pose2 next = kinematics::advance(base_in_map_, twist, dt_s);
+  const double swing_m = footprint.is_disc() ? 0.0 : std::abs(twist.angular_radps) * dt_s * geometry::reach_m(footprint);
+  const double look_m = geometry::distance(next.position(), base_in_map_.position()) + swing_m + kTouchM;
+  const double gap_next_m = gap_m(around, geometry::body_of(footprint, next), look_m);
+  const bool nearer = gap_next_m < look_m && gap_next_m < gap_m(around, geometry::body_of(footprint, base_in_map_), look_m) + kTouchM;
   if (gap_next_m >= 0.0 || !nearer) {
     base_in_map_ = next;
     if (hold_ == Hold::kContact && !nearer) hold_ = Hold::kNone;
@@ -83,8 +98,9 @@ void SimulatedVehicle::move(double dt_s, const Surroundings& around) {
   }
   if (hold_ != Hold::kContact) ++contacts_;
   hold_ = Hold::kContact;
-  base_in_map_.yaw = next.yaw;
-  twist_.linear_mps = 0.0;
+  if (footprint.is_disc()) base_in_map_.yaw = next.yaw;
+  const double turn_radps = footprint.is_disc() ? twist.angular_radps : 0.0;
+  twist = {0.0, turn_radps, 0.0};
 }
 
 geometry::Pose2 with_noise(const geometry::Pose2& base_in_map, const Parameters& parameters, std::mt19937_64& random) {

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "common/time/stamp.hpp"
+#include "common/kinematics/vehicle_model.hpp"
 #include "services/fake-vehicle/core/parameters.hpp"
 #include "services/fake-vehicle/core/surroundings.hpp"
 
@@ -11,9 +12,9 @@ namespace aisle::fake_vehicle {
 
 enum class Hold { kNone, kNoCommand, kLateCommand, kContact };
 
-/// A differential drive: follows commands after a dead time and with a first-order lag, within its limits, and brakes by itself,
+/// A vehicle of any model: follows commands after a dead time and with a first-order lag, within its limits, and brakes by itself,
 /// with its full deceleration and without lag, when no command came for command_timeout_s. It cannot pass through things: where a
-/// motion would press it deeper into a wall or a body, it stands (turning on the spot stays possible, as for a disc it changes nothing).
+/// motion would press it deeper into a wall or a body, it stands (a disc may turn on the spot all the same).
 ///
 ///   no command ──command──► driving ──silence──► late ──command──► driving
 ///                              └─would overlap─► contact ──a motion that does not──┘
@@ -31,7 +32,8 @@ class SimulatedVehicle {
   void advance_to(time::Stamp now, const Surroundings& around);
 
   const geometry::Pose2& base_in_map() const { return base_in_map_; }
-  const geometry::Twist2& twist() const { return twist_; }
+  const geometry::Twist2& twist() const { return drive_.twist; }
+  double steering_rad() const { return drive_.steering_rad; }
   Hold hold() const { return hold_; }
   /// How often it was stopped by a wall or a body.
   std::uint64_t contacts() const { return contacts_; }
@@ -44,13 +46,13 @@ class SimulatedVehicle {
     time::Stamp effective;
   };
   void step(time::Stamp now, double dt_s, const Surroundings& around);
-  geometry::Twist2 follow(double dt_s) const;
-  geometry::Twist2 brake(double dt_s) const;
+  kinematics::DriveState follow(double dt_s) const;
+  kinematics::DriveState brake(double dt_s) const;
   void move(double dt_s, const Surroundings& around);
 
   Parameters parameters_;
   geometry::Pose2 base_in_map_;
-  geometry::Twist2 twist_;
+  kinematics::DriveState drive_;
   geometry::Twist2 wanted_;
   std::deque<Queued> queued_;
   bool commanded_{false};

@@ -12,8 +12,8 @@ struct Surroundings {
   const std::vector<geometry::Body>& bodies;
 };
 
-/// Free distance around a disc: to the nearest wall (a cell that is not free, or the map's border) or body, less its radius.
-/// Negative: it overlaps by so much. Looks no farther than `look_m` beyond the disc, and then returns `look_m`.
-double gap_m(const Surroundings& around, geometry::Point2 center_in_map, double radius_m, double look_m);
+/// Free distance around a body: to the nearest wall (a cell that is not free, or the map's border) or body.
+/// Negative: it overlaps by so much. Looks no farther than `look_m` beyond it, and then returns `look_m`.
+double gap_m(const Surroundings& around, const geometry::Body& self, double look_m);
 
 }  // namespace aisle::fake_vehicle

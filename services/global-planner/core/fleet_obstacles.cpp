@@ -55,13 +55,13 @@ std::vector<FleetPlanner::Obstacle> FleetPlanner::obstacles_for(const Vehicle& v
     if (&other == &v || !other.pose.seen() || !other.radius_m) continue;
     const Point2 there = other.pose.any()->position();
     if (is_parked(other, now)) {
-      add({there, *other.radius_m}, Trigger::kTrack, id);
+      add({there, other.shape.reach_m}, Trigger::kTrack, id);
     } else if (asks && geometry::distance(there, v.navigation->blocked_at_in_map) < blocker_m) {
       blocker = &other;
       blocker_m = geometry::distance(there, v.navigation->blocked_at_in_map);
     }
   }
-  if (blocker != nullptr) add({blocker->pose.any()->position(), *blocker->radius_m}, Trigger::kVehicleBlocked, blocker->id);
+  if (blocker != nullptr) add({blocker->pose.any()->position(), blocker->shape.reach_m}, Trigger::kVehicleBlocked, blocker->id);
   return obstacles;
 }
 

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <utility>
 
+#include "common/kinematics/vehicle_model.hpp"
 #include "services/global-planner/core/drivable.hpp"
 #include "services/global-planner/core/nearest_reachable.hpp"
 #include "services/global-planner/core/passes/passes.hpp"
+#include "services/global-planner/core/variant.hpp"
 
 namespace aisle::global_planner {
 namespace {
@@ -32,6 +34,15 @@ bool is_arrived(const std::optional<Navigation>& navigation, const std::optional
 
 }  // namespace
 
+VehicleShape shape_of(const geometry::Footprint& footprint, const kinematics::Limits& limits) {
+  constexpr double kWider = 2.0;
+  const double reach_m = geometry::reach_m(footprint);
+  const double turning_radius_m = kinematics::least_turning_radius_m(limits);
+  if (!(turning_radius_m > 0.0)) return {reach_m, reach_m, 0.0, {}};
+  const geometry::CoveringDiscs discs = geometry::covering_discs(footprint);
+  return {discs.radius_m, reach_m, kWider * turning_radius_m, discs.ahead_m};
+}
+
 FleetPlanner::FleetPlanner(const FleetSettings& settings, std::unique_ptr<Planner> planner)
     : settings_(settings), planner_(std::move(planner)) {}
 
@@ -49,11 +60,13 @@ void FleetPlanner::set_map(const std::string& map_id, std::uint64_t revision, co
 
 void FleetPlanner::rebuild_clearance() { clearance_ = grid::ClearanceField(*grid_, reach_m_); }
 
-void FleetPlanner::set_vehicle(const std::string& agv_id, double radius_m) {
+void FleetPlanner::set_vehicle(const std::string& agv_id, const VehicleShape& shape) {
   Vehicle* v = vehicle(agv_id);
   if (v == nullptr) return;
-  v->radius_m = radius_m;
-  const double needed_m = std::max(radius_m + settings_.margin_m + 0.5, settings_.preferred_clearance_m);
+  v->radius_m = shape.radius_m;
+  v->shape = shape;
+  if (shape.turning_radius_m > 0.0 && !steered_) steered_ = find_variant("hybrid")->make();
+  const double needed_m = std::max(shape.radius_m + settings_.margin_m + 0.5, settings_.preferred_clearance_m);
   if (needed_m <= reach_m_) return;
   reach_m_ = needed_m;
   if (map_revision_ > 0) rebuild_clearance();
@@ -186,7 +199,8 @@ std::optional<FleetPlan> FleetPlanner::check_obstacles(Vehicle& v, Stamp now, co
   if (now < v.next_attempt) return {};
   const std::vector<Obstacle> around = obstacles_for(v, now);
   const Obstacle* on_the_way = first_on_the_way(v, around);
-  const bool is_stuck = is_blocked_on_its_plan(v, now) && v.progress.off_path_m() > kOffPath_m;
+  const bool is_off_path = v.progress.off_path_m() > kOffPath_m || (v.navigation && v.navigation->cause == Navigation::Cause::kOffPath);
+  const bool is_stuck = is_blocked_on_its_plan(v, now) && is_off_path;
   if (on_the_way == nullptr && !is_stuck) return {};
 
   const Plan found = search(v, around, out_of_time);
@@ -252,6 +266,9 @@ void FleetPlanner::put_off(Vehicle& v, Stamp now) {
 Problem FleetPlanner::problem_of(const Vehicle& v, Point2 start_in_map, Point2 goal_in_map) const {
   Problem problem{clearance_, start_in_map, goal_in_map, *v.radius_m + settings_.margin_m, *v.radius_m, settings_.tight_range_m};
   problem.preferred_clearance_m = settings_.preferred_clearance_m;
+  if (!(v.shape.turning_radius_m > 0.0)) return problem;
+  problem.steering = {v.shape.turning_radius_m, v.pose.any()->yaw, {}, false, v.shape.discs_ahead_m};
+  if (v.goal->yaw_tolerance_rad > 0.0) problem.steering.goal_yaw_rad = v.goal->pose_in_map.yaw;
   return problem;
 }
 
@@ -261,7 +278,8 @@ Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around,
   for (const Obstacle& obstacle : around) discs.push_back(obstacle.disc);
   const StampedDiscs stamped(*grid_, clearance_, discs);
   const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
-  Plan plan = planner_->plan(problem, out_of_time);
+  Planner& planner = v.shape.turning_radius_m > 0.0 ? *steered_ : *planner_;
+  Plan plan = planner.plan(problem, out_of_time);
   if (plan.outcome != Outcome::kFound) return plan;
   passes::collinear(Drivable(problem), plan.waypoints_in_map);
   if (plan.waypoints_in_map.size() > kMostWaypoints) passes::greedy_line_of_sight(Drivable(problem), plan.waypoints_in_map);

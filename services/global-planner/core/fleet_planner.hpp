@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "common/geometry/footprint.hpp"
 #include "common/grid/clearance.hpp"
+#include "common/kinematics/limits.hpp"
 #include "common/time/stamp.hpp"
 #include "services/global-planner/core/fleet_types.hpp"
 #include "services/global-planner/core/path_progress.hpp"
@@ -14,6 +16,10 @@
 #include "services/global-planner/core/stamped_discs.hpp"
 
 namespace aisle::global_planner {
+
+/// What a vehicle of this footprint and model needs of the floor. One that turns on the spot may turn anywhere: the circle around it
+/// keeps clear. One that does not gets plans with arcs twice as wide as its tightest, so that it can correct what it drives.
+VehicleShape shape_of(const geometry::Footprint& footprint, const kinematics::Limits& limits);
 
 /// Decides when each vehicle of a fleet needs a plan, and makes it. No clock, no DDS: whoever calls says what time it is.
 ///
@@ -33,7 +39,8 @@ class FleetPlanner {
   /// `grid` is not copied: it must live, unchanged, until the next call.
   void set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low, grid::Cell high);
   void set_map(const std::string& map_id, std::uint64_t revision, grid::OccupancyGrid&& grid, grid::Cell low, grid::Cell high) = delete;
-  void set_vehicle(const std::string& agv_id, double radius_m);
+  void set_vehicle(const std::string& agv_id, const VehicleShape& shape);
+  void set_vehicle(const std::string& agv_id, double radius_m) { set_vehicle(agv_id, VehicleShape{radius_m, radius_m, 0.0, {}}); }
   void set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, time::Stamp now);
   void set_goal(const std::string& agv_id, const Goal& goal);
   void set_navigation(const std::string& agv_id, const Navigation& navigation, time::Stamp now);
@@ -51,7 +58,10 @@ class FleetPlanner {
   std::optional<FleetPlan> step(time::Stamp now, const OutOfTime& out_of_time);
 
   /// Nothing will be asked for some time: the search's memory is given back until then.
-  void rest() { planner_->rest(); }
+  void rest() {
+    planner_->rest();
+    if (steered_) steered_->rest();
+  }
 
   /// What happened since the last call, one line each.
   std::vector<std::string> take_events();
@@ -68,7 +78,8 @@ class FleetPlanner {
   };
   struct Vehicle {
     std::string id;
-    std::optional<double> radius_m;
+    std::optional<double> radius_m;         // of what keeps clear of walls
+    VehicleShape shape;
     time::Latest<geometry::Pose2> pose;
     geometry::Point2 stands_at;             // anchor: left when it moves 5 cm away
     time::Stamp stands_since{};
@@ -113,6 +124,7 @@ class FleetPlanner {
 
   FleetSettings settings_;
   std::unique_ptr<Planner> planner_;
+  std::unique_ptr<Planner> steered_;        // for vehicles that cannot turn on the spot; made when the first of them is heard of
   std::string map_id_;
   std::uint64_t map_revision_{0};           // 0: no map yet
   const grid::OccupancyGrid* grid_{nullptr};

@@ -35,6 +35,14 @@ struct FleetSettings {
   }
 };
 
+/// What a vehicle needs of the floor.
+struct VehicleShape {
+  double radius_m{0.35};            // of the disc around its base that keeps clear of walls
+  double reach_m{0.35};             // of the circle around its base that holds all of it: where it stands, others go round that
+  double turning_radius_m{0.0};     // of the tightest arc that plans have; 0: it turns on the spot
+  std::vector<double> discs_ahead_m{};   // of one that does not: centres of the discs of radius_m that cover it
+};
+
 struct Goal {
   std::string id;
   geometry::Pose2 pose_in_map;

@@ -14,6 +14,9 @@ struct Steering {
   double turning_radius_m{0.0};             // of the tightest forward arc; 0: it turns on the spot, and headings do not matter
   double start_yaw_rad{0.0};
   std::optional<double> goal_yaw_rad;       // none: any heading will do
+  bool may_reverse{true};
+  /// Centres of further discs of the problem's radius, ahead of the vehicle's frame: together they cover a long footprint.
+  std::vector<double> discs_ahead_m{};
 };
 
 /// Plan from start to goal for a vehicle whose centre keeps `radius_m` (its radius and safety margin) from whatever is not free.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
+
+#include "common/kinematics/tricycle.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -30,39 +33,74 @@ std::size_t best_of(const std::vector<Sample>& samples, const Aim& aim, const Va
   return static_cast<std::size_t>(std::distance(total.begin(), std::max_element(total.begin(), total.end())));
 }
 
+
+/// Turn rates at this speed: those that the window reaches, straight on among them; of a tricycle those that its wheel can be steered to
+/// within the time that it takes to look there.
+std::vector<double> turns_at(const Scene& scene, double v, const DwaSettings& settings) {
+  const kinematics::Limits& limits = scene.limits;
+  std::vector<double> turns;
+  if (limits.model == kinematics::Model::kTricycle) {
+    const double reach = limits.axle.max_steering_rate_radps * settings.heading_s;
+    const double low = std::max(-limits.axle.max_steering_rad, scene.steering_rad - reach);
+    const double high = std::min(limits.axle.max_steering_rad, scene.steering_rad + reach);
+    for (const double steering : spread(low, high, v > 0.0 ? settings.angular_samples : 1)) turns.push_back(kinematics::turn_rate_radps(limits.axle, v, steering));
+    if (low < 0.0 && high > 0.0) turns.push_back(0.0);
+    return turns;
+  }
+  const double w0 = scene.twist.angular_radps;
+  const double reach = limits.max_turn_acceleration_radps2 * settings.window_s;
+  const double low = std::max(-limits.max_turn_radps, w0 - reach);
+  const double high = std::min(limits.max_turn_radps, w0 + reach);
+  turns = spread(low, high, settings.angular_samples);
+  if (low < 0.0 && high > 0.0) turns.push_back(0.0);
+  return turns;
+}
+
+/// Speeds to the left: none but for omnidirectional vehicles.
+std::vector<double> sideways_of(const Scene& scene, const DwaSettings& settings) {
+  const kinematics::Limits& limits = scene.limits;
+  if (limits.model != kinematics::Model::kOmnidirectional) return {0.0};
+  const double reach = limits.max_acceleration_mps2 * settings.window_s;
+  const double most = std::min(scene.speed_cap_mps, limits.max_speed_mps);
+  std::vector<double> speeds = spread(std::max(-most, scene.twist.sideways_mps - reach), std::min(most, scene.twist.sideways_mps + reach), 3);
+  if (std::find(speeds.begin(), speeds.end(), 0.0) == speeds.end()) speeds.push_back(0.0);
+  return speeds;
+}
+
+std::vector<Twist2> window(const Scene& scene, const DwaSettings& settings) {
+  const kinematics::Limits& limits = scene.limits;
+  const double v0 = scene.twist.linear_mps;
+  const double v_low = std::max(0.0, v0 - limits.max_deceleration_mps2 * settings.window_s);
+  const double v_high = std::max(v_low, std::min({v0 + limits.max_acceleration_mps2 * settings.window_s, scene.speed_cap_mps, limits.max_speed_mps}));
+  std::vector<Twist2> samples;
+  for (const double v : spread(v_low, v_high, settings.linear_samples)) {
+    const std::vector<double> turns = turns_at(scene, v, settings);
+    for (const double sideways : sideways_of(scene, settings))
+      for (const double w : turns) samples.push_back({v, w, sideways});
+  }
+  return samples;
+}
+
 }  // namespace
 
 Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const DwaSettings& settings) {
-  const kinematics::Limits& limits = scene.limits;
-  const double v0 = scene.twist.linear_mps;
-  const double w0 = scene.twist.angular_radps;
-  const double v_low = std::max(0.0, v0 - limits.max_deceleration_mps2 * settings.window_s);
-  const double v_high = std::max(v_low, std::min({v0 + limits.max_acceleration_mps2 * settings.window_s, scene.speed_cap_mps, limits.max_speed_mps}));
-  const double reach = limits.max_turn_acceleration_radps2 * settings.window_s;
-  const double w_low = std::max(-limits.max_turn_radps, w0 - reach);
-  const double w_high = std::min(limits.max_turn_radps, w0 + reach);
-
   const Needed needed = needed_gaps(scene, settings);
-  std::vector<double> turns = spread(w_low, w_high, settings.angular_samples);
-  if (w_low < 0.0 && w_high > 0.0) turns.push_back(0.0);
   Choice choice;
   std::vector<Sample> samples;
-  for (const double v : spread(v_low, v_high, settings.linear_samples))
-    for (const double w : turns) {
-      const Twist2 wanted{v, w, 0.0};
-      const Obstruction stopping = obstruction(scene, needed, wanted, settings);
-      if (stopping != Obstruction::kNone) {
-        ++choice.rejected[static_cast<int>(stopping)];
-        continue;
-      }
-      const Rollout rollout = roll_out(scene, needed, wanted, aim, settings);
-      if (rollout.collides != Obstruction::kNone && v > kStandingMps) {
-        ++choice.rejected[static_cast<int>(rollout.collides)];
-        continue;
-      }
-      if (v > kStandingMps) ++choice.moving;
-      samples.push_back(rollout.sample);
+  for (const Twist2& wanted : window(scene, settings)) {
+    const Obstruction stopping = obstruction(scene, needed, wanted, settings);
+    if (stopping != Obstruction::kNone) {
+      ++choice.rejected[static_cast<int>(stopping)];
+      continue;
     }
+    const Rollout rollout = roll_out(scene, needed, wanted, aim, settings);
+    if (rollout.collides != Obstruction::kNone && fastest_point_mps(scene, wanted) > kStandingMps) {
+      ++choice.rejected[static_cast<int>(rollout.collides)];
+      continue;
+    }
+    if (fastest_point_mps(scene, wanted) > kStandingMps) ++choice.moving;
+    samples.push_back(rollout.sample);
+  }
   if (samples.empty()) return choice;
   const Sample& best = samples[best_of(samples, aim, variant)];
   choice.found = true;

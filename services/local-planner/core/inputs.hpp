@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/pose.hpp"
+#include "common/geometry/footprint.hpp"
 #include "common/grid/clearance.hpp"
 #include "common/kinematics/vehicle_model.hpp"
 #include "common/time/stamp.hpp"
@@ -24,11 +24,15 @@ enum class Reason {
 const char* name(Phase phase);
 const char* name(Reason reason);
 
-/// The vehicle that this planner drives: a disc of `radius_m` around its base.
+/// The vehicle that this planner drives.
 struct Vehicle {
   std::string id;
-  double radius_m{0.35};
+  double radius_m{0.35};                               // of the circle around its base that holds all of it
   kinematics::Limits limits;
+  std::optional<geometry::Footprint> rectangle{};      // none: it is that circle
+
+  geometry::CoveringDiscs discs() const { return geometry::covering_discs(rectangle ? *rectangle : geometry::disc(radius_m)); }
+  bool turns_on_the_spot() const { return limits.model != kinematics::Model::kTricycle; }
 };
 
 struct VehicleState {
@@ -67,6 +71,7 @@ struct Peer {
   Reason reason{Reason::kNone};
   std::vector<IntentPoint> intent;                     // the way that it claims; empty or one point: it stays
   time::Stamp intent_arrived{};
+  std::optional<geometry::Footprint> rectangle{};      // none: a disc
 };
 
 struct SeenTrack {

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "common/kinematics/tricycle.hpp"
 #include "services/local-planner/core/rolling_window.hpp"
 
 namespace aisle::local_planner {
@@ -21,6 +22,8 @@ constexpr double kSearchPeriodS = 0.2;
 constexpr double kLookForObstaclesM = 4.0;
 constexpr double kTurnBeginRad = 0.9;
 constexpr double kTurnEndRad = 0.2;
+constexpr double kLostM = 0.6;
+constexpr double kLostRad = 1.2;
 constexpr double kIntentM = 24.0;
 constexpr double kWindowM = 10.0;         // WU's rolling window: the lidar's range
 constexpr double kMeetingS = 4.0;         // how far ahead it says what will be met
@@ -46,11 +49,14 @@ struct LocalPlanner::Cycle {
   double stop_at_m{1e18};
   Point2 target;
   bool cautious{false};
+  geometry::CoveringDiscs discs;
 
   Point2 here() const { return base_now.position(); }
   Room room(double wall_margin_m, double disc_margin_m) const {
-    return {*inputs.clearance, standing, vehicle.radius_m, wall_margin_m, disc_margin_m};
+    return {*inputs.clearance, standing, way_radius_m(), wall_margin_m, disc_margin_m};
   }
+  /// What keeps the way from walls: all of the vehicle where it may turn anywhere; of a tricycle, whose plan knows headings, its width.
+  double way_radius_m() const { return vehicle.turns_on_the_spot() ? vehicle.radius_m : discs.radius_m; }
   bool stands() const { return std::abs(measured_mps) < kStandingMps; }
 };
 
@@ -60,7 +66,8 @@ LocalPlanner::LocalPlanner(const Settings& settings, Variant variant)
 Output LocalPlanner::step(const Inputs& inputs, Stamp now) {
   static const Vehicle kUnknown;
   const VehicleState* state = inputs.state.any();
-  Cycle cycle{inputs, inputs.vehicle ? *inputs.vehicle : kUnknown, now, {}, {}, {}, 0.0, {}, {}, {}, 1e18, {}, false};
+  Cycle cycle{inputs, inputs.vehicle ? *inputs.vehicle : kUnknown, now, {}, {}, {}, 0.0, {}, {}, {}, 1e18, {}, false, {}};
+  cycle.discs = cycle.vehicle.discs();
   if (inputs.map_revision != seen_revision_) seen_revision_ = inputs.map_revision, revision_changed_ = now;
   if (last_step_ != Stamp{} && seconds(now - last_step_) > settings_.late_s) {     // the vehicle has braked by itself meanwhile
     late_ = now;
@@ -76,6 +83,8 @@ Output LocalPlanner::step(const Inputs& inputs, Stamp now) {
     const double slack = 0.1 + 0.35 * cycle.vehicle.limits.max_acceleration_mps2;
     if (inputs.state.fresh(now, time::from_seconds(settings_.stale_state_s)))
       last_command_.linear_mps = std::clamp(last_command_.linear_mps, cycle.measured_mps - slack - 0.1, cycle.measured_mps + slack);
+    if (!cycle.vehicle.turns_on_the_spot())
+      last_command_.angular_radps = kinematics::turn_rate_radps(cycle.vehicle.limits.axle, last_command_.linear_mps, steering_rad_);
   }
   if (const auto held = guard(inputs, now)) {
     hold(cycle, held->first, held->second);
@@ -152,8 +161,10 @@ void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
   plan_id_ = plan.id;
   plan_waypoints_ = plan.waypoints_in_map;
   lane_revision_ = inputs.map_revision;
-  Route lane = variant_.knows_path ? make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.radius_m, settings_.lane)
-                                   : Route(resample({cycle.here(), plan.waypoints_in_map.back()}, 0.2));
+  const bool as_planned = !cycle.vehicle.turns_on_the_spot();     // its arcs are the tightest that it should drive
+  Route lane = !variant_.knows_path ? Route(resample({cycle.here(), plan.waypoints_in_map.back()}, 0.2))
+               : as_planned         ? Route(resample(plan.waypoints_in_map, 0.2))
+                                    : make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.radius_m, settings_.lane);
   way_.adopt(std::move(lane), cycle.here(), same_plan);
   blocked_.reset();
   searched_ = {};
@@ -176,9 +187,9 @@ bool LocalPlanner::finish(Cycle& cycle) {
   way_.drop_aside();
   const double error = geometry::wrap(plan.goal_in_map.yaw - cycle.base_then.yaw);
   cycle.out.distance_left_m = 0.0;
-  if (!arrived_ && plan.yaw_tolerance_rad > 0.0 && std::abs(error) > 0.5 * plan.yaw_tolerance_rad) {
+  if (!arrived_ && cycle.vehicle.turns_on_the_spot() && plan.yaw_tolerance_rad > 0.0 && std::abs(error) > 0.5 * plan.yaw_tolerance_rad) {
     cycle.out.phase = Phase::kTurning;
-    if (cycle.stands()) turn(cycle, error);
+    if (cycle.stands()) command(cycle, turn_of(cycle, error));
     else command(cycle, {});
     return true;
   }
@@ -203,7 +214,7 @@ void LocalPlanner::find_detour(Cycle& cycle) {
     return;
   }
   const double rejoin = obstructed ? obstructed->end_m : std::min(lane.length_m(), s + 1.0);
-  if (rejoin <= lane.length_m()) {
+  if (rejoin <= lane.length_m() && cycle.vehicle.turns_on_the_spot()) {
     const Point2 join = lane.at(std::min(lane.length_m(), rejoin + 0.3));
     const auto accepts = [&](Point2 p) { return geometry::distance(p, join) < 0.21; };
     auto points = search_way(usual, cycle.here(), join, 7.0, accepts);
@@ -227,7 +238,7 @@ void LocalPlanner::find_detour(Cycle& cycle) {
 
 void LocalPlanner::advise_traffic(Cycle& cycle) {
   const kinematics::Limits& limits = cycle.vehicle.limits;
-  way_.profile(*cycle.inputs.clearance, cycle.vehicle.radius_m,
+  way_.profile(*cycle.inputs.clearance, cycle.way_radius_m(),
                {limits.max_speed_mps, limits.max_turn_radps, std::min(settings_.comfort_mps2, limits.max_deceleration_mps2), 0.6});
   const double speed = std::max(0.0, last_command_.linear_mps);
   const double stopping = kinematics::stopping_distance_m(speed, limits.max_deceleration_mps2) + speed * 0.15;
@@ -264,6 +275,7 @@ void LocalPlanner::step_aside(Cycle& cycle) {
 /// The nearest place, by the way there, that no claim of `for_whom` comes near to. With nobody: any place a metre away.
 bool LocalPlanner::find_spot(Cycle& cycle, const std::vector<std::string>& for_whom) {
   stepped_aside_ = cycle.now;
+  if (!cycle.vehicle.turns_on_the_spot()) return false;
   std::vector<Disc> discs = cycle.standing;
   for (const PeerView& peer : cycle.around.peers) discs.push_back({peer.base_in_map.position(), peer.radius_m});
   const Room room{*cycle.inputs.clearance, discs, cycle.vehicle.radius_m, 0.06, 0.10};
@@ -362,17 +374,27 @@ void LocalPlanner::drive(Cycle& cycle) {
   if (std::abs(error) > (near_end ? 0.45 : kTurnBeginRad) && !near_target) turning_ = true;
   if (std::abs(error) < kTurnEndRad || near_target) turning_ = false;
   const bool waits_before_it = blocked_ && !way_.is_aside() && cycle.stands() && way_.s_m() > blocked_->begin_m - 0.2;
-  if (waits_before_it) turning_ = false;
+  if (waits_before_it || !cycle.vehicle.turns_on_the_spot()) turning_ = false;
   cycle.out.phase = way_.is_on_detour() || way_.is_aside() ? Phase::kAvoiding : Phase::kDriving;
+  const Scene scene{*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.discs.radius_m, cycle.vehicle.limits, speed_cap(cycle),
+                    cycle.around.movers, cycle.around.peer_motions, steering_rad_, cycle.discs.ahead_m};
+  // A disc may always turn; whatever else turns on the spot looks where its corners go.
+  if (turning_ && cycle.vehicle.rectangle && obstruction(scene, turn_of(cycle, error), settings_.dwa) != Obstruction::kNone) turning_ = false;
+  if (is_lost(cycle)) {
+    cycle.out.phase = Phase::kBlocked;
+    cycle.out.reason = Reason::kOffPath;
+    cycle.out.detail = "cannot get back to the plan without turning on the spot";
+    cycle.out.blocked_at_in_map = cycle.here();
+    command(cycle, {});
+    return;
+  }
   if (turning_) {
     cycle.out.phase = Phase::kTurning;
-    if (std::abs(last_command_.linear_mps) < 0.02) turn(cycle, error);
+    if (std::abs(last_command_.linear_mps) < 0.02) command(cycle, turn_of(cycle, error));
     else command(cycle, {0.0, last_command_.angular_radps * 0.5, 0.0});
     moved_ = cycle.now;
     return;
   }
-  const Scene scene{*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.vehicle.radius_m, cycle.vehicle.limits,
-                    speed_cap(cycle), cycle.around.movers, cycle.around.peer_motions};
   const Choice choice = choose(scene, aim(cycle), variant_, settings_.dwa);
   const bool refused = scene.speed_cap_mps > 2.0 * kStandingMps && !waits_before_it && is_refused(choice);
   if (waits_before_it) command(cycle, {});
@@ -421,14 +443,26 @@ void LocalPlanner::tell_recovery(Cycle& cycle, const Scene& scene, bool refused)
       detail = std::string("avoids what is ") + name(meeting.encounter);
 }
 
-void LocalPlanner::turn(Cycle& cycle, double error_rad) {
+/// A vehicle that cannot turn on the spot has left its plan: it is far beside it, looks elsewhere, or is past its end.
+bool LocalPlanner::is_lost(const Cycle& cycle) const {
+  if (cycle.vehicle.turns_on_the_spot() || !variant_.knows_path) return false;
+  const Route& lane = way_.lane();
+  const double s = way_.lane_s_m();
+  const double turned = std::abs(geometry::wrap(lane.heading_at(s) - cycle.base_now.yaw));
+  const bool past_the_end = lane.length_m() - s < 0.05 && geometry::from_map(cycle.base_now, lane.points().back()).x < 0.0;
+  return geometry::distance(cycle.here(), lane.at(s)) > kLostM || turned > kLostRad || past_the_end;
+}
+
+Twist2 LocalPlanner::turn_of(const Cycle& cycle, double error_rad) const {
   const kinematics::Limits& limits = cycle.vehicle.limits;
   const double rate = std::min(limits.max_turn_radps, std::sqrt(2.0 * 0.5 * limits.max_turn_acceleration_radps2 * std::abs(error_rad)));
-  command(cycle, {0.0, std::copysign(rate, error_rad), 0.0});
+  return {0.0, std::copysign(rate, error_rad), 0.0};
 }
 
 void LocalPlanner::command(Cycle& cycle, const Twist2& wanted) {
-  last_command_ = kinematics::limit_change(last_command_, wanted, cycle.vehicle.limits, settings_.control_period_s);
+  const kinematics::DriveState next = kinematics::follow({last_command_, steering_rad_}, wanted, cycle.vehicle.limits, settings_.control_period_s);
+  last_command_ = next.twist;
+  steering_rad_ = next.steering_rad;
   cycle.out.twist = last_command_;
 }
 

@@ -38,7 +38,8 @@ class LocalPlanner {
   void drive(Cycle& cycle);
   static bool is_refused(const Choice& choice);
   void tell_recovery(Cycle& cycle, const Scene& scene, bool refused) const;
-  void turn(Cycle& cycle, double error_rad);
+  bool is_lost(const Cycle& cycle) const;
+  geometry::Twist2 turn_of(const Cycle& cycle, double error_rad) const;
   Aim aim(const Cycle& cycle) const;
   geometry::Point2 visible_target(const Cycle& cycle) const;
   double speed_cap(const Cycle& cycle) const;
@@ -50,6 +51,7 @@ class LocalPlanner {
   Observer observer_;
   Way way_;
   geometry::Twist2 last_command_;
+  double steering_rad_{0.0};                        // of a tricycle, after the last command
   time::Stamp last_step_{};
   time::Stamp late_{};                              // when a cycle last came too late
   std::uint64_t plan_id_{0};                        // of the lane

@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -47,7 +48,13 @@ struct Scene {
   double speed_cap_mps{1.2};
   const std::vector<Mover>& movers;
   const std::vector<PeerMotion>& peers;
+  double steering_rad{0.0};         // of a tricycle, in force then
+  std::vector<double> discs_ahead_m{0.0};   // the footprint's discs of radius_m: their centres before the base; at most kMostDiscs
 };
+inline constexpr std::size_t kMostDiscs = 5;
+
+/// The fastest that any point of the vehicle moves, in m/s: for a disc, turning on the spot moves nothing.
+double fastest_point_mps(const Scene& scene, const geometry::Twist2& twist);
 
 enum class Obstruction { kNone, kWall, kMover, kPeer };
 

@@ -35,8 +35,8 @@ Mover mover_of(const SeenTrack& seen, const SurroundingsSettings& settings, time
 }
 
 /// Where the peer can come while it brakes, after it went on for the time that it needs to react.
-std::vector<Point2> stopping_sweep(const PeerView& peer, const Peer& sample, double ahead_s) {
-  std::vector<Point2> sweep{peer.base_in_map.position()};
+std::vector<Pose2> stopping_sweep(const PeerView& peer, const Peer& sample, double ahead_s) {
+  std::vector<Pose2> sweep{peer.base_in_map};
   Twist2 twist = sample.state.twist;
   if (std::abs(twist.linear_mps) < 0.02) return sweep;
   Pose2 pose = peer.base_in_map;
@@ -44,27 +44,33 @@ std::vector<Point2> stopping_sweep(const PeerView& peer, const Peer& sample, dou
   const double reaction_s = kReactionS + ahead_s;
   for (double t = 0.0; t < reaction_s - 1e-9; t += dt) {
     pose = kinematics::advance(pose, twist, std::min(dt, reaction_s - t));
-    sweep.push_back(pose.position());
+    sweep.push_back(pose);
   }
   while (std::abs(twist.linear_mps) > 1e-3) {
     const double next = std::max(0.0, std::abs(twist.linear_mps) - sample.limits.max_deceleration_mps2 * dt);
     const double share = next / std::abs(twist.linear_mps);
     pose = kinematics::advance(pose, {0.5 * (1 + share) * twist.linear_mps, 0.5 * (1 + share) * twist.angular_radps, 0.0}, dt);
     twist = {share * twist.linear_mps, share * twist.angular_radps, 0.0};
-    sweep.push_back(pose.position());
+    sweep.push_back(pose);
   }
   return sweep;
 }
 
-Point2 claimed_at(const std::vector<IntentPoint>& claim, double t_s) {
+Pose2 claimed_at(const std::vector<IntentPoint>& claim, double t_s) {
   for (std::size_t j = 1; j < claim.size(); ++j) {
     if (claim[j].offset_s < t_s) continue;
     const double span = claim[j].offset_s - claim[j - 1].offset_s;
     const double share = span > 0.0 ? std::clamp((t_s - claim[j - 1].offset_s) / span, 0.0, 1.0) : 1.0;
-    const Point2 a = claim[j - 1].base_in_map.position();
-    return a + share * (claim[j].base_in_map.position() - a);
+    const Pose2& a = claim[j - 1].base_in_map;
+    const Pose2& b = claim[j].base_in_map;
+    const Point2 p = a.position() + share * (b.position() - a.position());
+    return {p.x, p.y, geometry::wrap(a.yaw + share * geometry::wrap(b.yaw - a.yaw))};
   }
-  return claim.back().base_in_map.position();
+  return claim.back().base_in_map;
+}
+
+Point2 ahead_of(const Pose2& base_in_map, double ahead_m) {
+  return ahead_m == 0.0 ? base_in_map.position() : geometry::to_map(base_in_map, {ahead_m, 0.0});
 }
 
 /// The claim from now on: the place now, then what is left of the intent.
@@ -116,13 +122,19 @@ Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, 
   for (const Peer& peer : inputs.peers) {
     if (peer.id == own_id) continue;
     PeerView seen = view(peer, now);
-    PeerMotion motion;
-    motion.radius_m = peer.radius_m;
-    motion.stopping_in_map = stopping_sweep(seen, peer, settings_.dead_time_s);
-    for (int k = 0; k <= steps; ++k) motion.intended_in_map.push_back(claimed_at(seen.claim, settings_.dead_time_s + k * step_s));
-    const bool stays = !seen.has_goal && seen.speed_mps < 0.05;
-    if (stays || seen.standing_s > settings_.peer_patience_s) out.standing.push_back({{seen.base_in_map.position(), peer.radius_m}, peer.id});
-    out.peer_motions.push_back(std::move(motion));
+    const std::vector<Pose2> stopping_in_map = stopping_sweep(seen, peer, settings_.dead_time_s);
+    std::vector<Pose2> intended_in_map;
+    for (int k = 0; k <= steps; ++k) intended_in_map.push_back(claimed_at(seen.claim, settings_.dead_time_s + k * step_s));
+    const bool stays = (!seen.has_goal && seen.speed_mps < 0.05) || seen.standing_s > settings_.peer_patience_s;
+    const geometry::CoveringDiscs discs = geometry::covering_discs(peer.rectangle ? *peer.rectangle : geometry::disc(peer.radius_m));
+    for (const double ahead_m : discs.ahead_m) {
+      PeerMotion motion;
+      motion.radius_m = discs.radius_m;
+      for (const Pose2& pose : stopping_in_map) motion.stopping_in_map.push_back(ahead_of(pose, ahead_m));
+      for (const Pose2& pose : intended_in_map) motion.intended_in_map.push_back(ahead_of(pose, ahead_m));
+      if (stays) out.standing.push_back({{ahead_of(seen.base_in_map, ahead_m), discs.radius_m}, peer.id});
+      out.peer_motions.push_back(std::move(motion));
+    }
     out.peers.push_back(std::move(seen));
   }
   return out;

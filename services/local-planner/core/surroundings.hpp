@@ -31,8 +31,8 @@ struct Standing {
 /// command acts, for the dynamic window.
 struct Surroundings {
   std::vector<Mover> movers;        // all tracks
-  std::vector<PeerMotion> peer_motions;
-  std::vector<PeerView> peers;      // same order
+  std::vector<PeerMotion> peer_motions;   // one of each disc that its footprint is covered by
+  std::vector<PeerView> peers;
   std::vector<Standing> standing;
 };
 

@@ -61,7 +61,7 @@ double SensorNoise::across_m(double range_m_of_hit) const {
 double distance_to_body_m(const KnownVehicle& vehicle, const Pose2& base_in_map, Point2 in_map) {
   if (!vehicle.is_rectangle) return std::max(0.0, geometry::distance(base_in_map.position(), in_map) - vehicle.radius_m);
   const Point2 in_base = geometry::from_map(base_in_map, in_map);
-  const double beyond_x_m = std::max(0.0, std::abs(in_base.x) - 0.5 * vehicle.length_m);
+  const double beyond_x_m = std::max(0.0, std::abs(in_base.x - vehicle.ahead_m) - 0.5 * vehicle.length_m);
   const double beyond_y_m = std::max(0.0, std::abs(in_base.y) - 0.5 * vehicle.width_m);
   return std::hypot(beyond_x_m, beyond_y_m);
 }

@@ -34,6 +34,7 @@ struct KnownVehicle {
   geometry::Pose2 base_in_map;
   geometry::Twist2 twist;
   time::Stamp stamp{};  // of pose and twist, on the tracker's clock
+  double ahead_m{0.0};  // of the rectangle's middle before the vehicle's frame
 };
 
 /// Why a scan was not used. Names for counters: name_of().

@@ -174,5 +174,43 @@ TEST(PoseNoise, HasTheGivenSpreadAndIsTheSameForASeed) {
   EXPECT_NEAR(std::sqrt(sum2 / 2000), parameters.pose_noise_m, 0.001);
 }
 
+TEST_F(Vehicle, ATricycleSteersWithinItsRateAndCannotTurnOnTheSpot) {
+  parameters_.limits.model = kinematics::Model::kTricycle;
+  parameters_.dead_time_s = 0.0;
+  SimulatedVehicle vehicle(parameters_, {5, 5, 0});
+  drive(vehicle, {0.0, 1.0, 0}, seconds(102));
+  EXPECT_EQ(vehicle.base_in_map().yaw, 0.0);
+  const time::Stamp begin = now_;
+  drive(vehicle, {0.4, 0.4, 0}, begin + milliseconds(500));
+  EXPECT_NEAR(vehicle.steering_rad(), 0.5 * parameters_.limits.axle.max_steering_rate_radps, 0.03);
+  drive(vehicle, {0.4, 0.4, 0}, begin + seconds(4));
+  EXPECT_NEAR(vehicle.steering_rad(), std::atan(1.5), 1e-6) << "tan(delta) = wheelbase / radius, 1 m";
+  EXPECT_NEAR(vehicle.twist().angular_radps, 0.4, 1e-6);
+  drive(vehicle, {}, begin + seconds(6));
+  EXPECT_NEAR(vehicle.steering_rad(), std::atan(1.5), 1e-6) << "the wheel stays where it points";
+}
+
+TEST_F(Vehicle, ALongOneStopsWithItsNoseAtTheWallAndItsCornerWhenItTurns) {
+  parameters_.length_m = 2.0;
+  parameters_.width_m = 0.8;
+  parameters_.ahead_m = 0.5;
+  SimulatedVehicle vehicle(parameters_, {36, 5, 0});
+  drive(vehicle, {0.5, 0, 0}, seconds(110));
+  EXPECT_EQ(vehicle.hold(), Hold::kContact);
+  EXPECT_NEAR(vehicle.base_in_map().x, 40.0 - 1.5, 0.01);
+  SimulatedVehicle turning(parameters_, {20, 9.5, 0});      // 0.5 m below the border, half as wide as 0.8 m, 1.5 m to its nose
+  drive(turning, {0, 0.5, 0}, now_ + seconds(5));
+  EXPECT_GE(turning.contacts(), 1U);
+  EXPECT_LT(turning.base_in_map().yaw, 0.2);
+}
+
+TEST_F(Vehicle, AnOmnidirectionalOneGoesSideways) {
+  parameters_.limits.model = kinematics::Model::kOmnidirectional;
+  SimulatedVehicle vehicle(parameters_, {5, 5, 0});
+  drive(vehicle, {0, 0, 0.5}, seconds(104));
+  EXPECT_NEAR(vehicle.base_in_map().x, 5.0, 1e-9);
+  EXPECT_GT(vehicle.base_in_map().y, 6.0);
+}
+
 }  // namespace
 }  // namespace aisle::fake_vehicle

@@ -130,6 +130,25 @@ TEST_F(ReadScenario, RefusesMissionsOfStrangers) {
   EXPECT_THAT(refusal(kOneVehicle + "missions: [{vehicle: agv-9, goals: [[1, 1]]}]\n"), HasSubstr("no vehicle 'agv-9'"));
 }
 
+TEST_F(ReadScenario, ReadsAForklift) {
+  const Scenario s = read("map: room.txt\nvehicles: [{id: f, model: tricycle, start: [1, 2], length_m: 2.4, width_m: 1.1, ahead_m: 0.4, "
+                          "axle: {wheelbase_m: 1.4, is_rear: true}}]\n");
+  const Vehicle& f = s.vehicles.at(0);
+  EXPECT_EQ(f.kinematic_model(), kinematics::Model::kTricycle);
+  EXPECT_FALSE(f.footprint().is_disc());
+  EXPECT_DOUBLE_EQ(f.footprint().ahead_m, 0.4);
+  EXPECT_DOUBLE_EQ(f.axle.wheelbase_m, 1.4);
+  EXPECT_TRUE(f.axle.is_rear);
+}
+
+TEST_F(ReadScenario, RefusesVehiclesThatCannotBe) {
+  const auto of = [&](const std::string& rest) { return refusal("map: room.txt\nvehicles: [{id: a, start: [1, 2], " + rest + "}]\n"); };
+  EXPECT_THAT(of("model: hovercraft"), HasSubstr("differential, omnidirectional or tricycle"));
+  EXPECT_THAT(of("length_m: 2.0"), HasSubstr("both, length_m and width_m"));
+  EXPECT_THAT(of("length_m: 2.0, width_m: 1.0, radius_m: 0.4"), HasSubstr("a rectangle has none"));
+  EXPECT_THAT(of("axle: {wheelbase_m: 1.4}"), HasSubstr("only a tricycle"));
+}
+
 TEST_F(ReadScenario, RefusesTwoThingsOfOneName) {
   EXPECT_THAT(refusal("map: room.txt\nvehicles: [{id: a, start: [1, 2]}, {id: a, start: [3, 2]}]\n"), HasSubstr("'a' names two things"));
   EXPECT_THAT(refusal(kOneVehicle + "blocks: [{id: agv-1, center: [1, 1]}]\n"), HasSubstr("'agv-1' names two things"));

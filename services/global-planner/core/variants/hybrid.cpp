@@ -25,6 +25,7 @@ using geometry::Pose2;
 
 constexpr int kHeadings = 72;
 constexpr double kReverseFactor = 2.0;         // a metre backwards costs as much as two forwards
+constexpr double kSteerRadii = 0.25;           // steering otherwise costs as much as this many turning radii: a wheel takes its time
 constexpr double kTurnBackRadii = 1.0;         // and changing between them as much as this many turning radii
 constexpr std::size_t kMostExpanded = 1000000;
 constexpr std::uint32_t kNoParent = std::numeric_limits<std::uint32_t>::max();
@@ -107,6 +108,7 @@ class Hybrid final : public Planner {
       }
       for (const double turn : {0.0, 1.0 / steering_.turning_radius_m, -1.0 / steering_.turning_radius_m}) {
         for (const double length_m : {step_m_, -step_m_}) {
+          if (length_m < 0.0 && !steering_.may_reverse) continue;
           if (const std::uint32_t next = drive(at, turn, length_m); next != kNoParent) {
             open.push({nodes_[next].cost_m + heuristic_m(nodes_[next].pose_in_map), next});
           }
@@ -122,7 +124,8 @@ class Hybrid final : public Planner {
     const Pose2 end = along_arc(from.pose_in_map, turn, length_m);
     if (!std::isfinite(heuristic_m(end))) return kNoParent;
     const bool turns_back = from.parent != kNoParent && (from.length_m < 0.0) != (length_m < 0.0);
-    const double cost_m = from.cost_m + std::abs(length_m) * (length_m < 0.0 ? kReverseFactor : 1.0) + (turns_back ? kTurnBackRadii * steering_.turning_radius_m : 0.0);
+    const bool steers = from.parent != kNoParent && from.turn != turn;
+    const double cost_m = from.cost_m + (steers ? kSteerRadii * steering_.turning_radius_m : 0.0) + std::abs(length_m) * (length_m < 0.0 ? kReverseFactor : 1.0) + (turns_back ? kTurnBackRadii * steering_.turning_radius_m : 0.0);
     const auto [known, is_new] = best_.try_emplace(key(end), std::numeric_limits<double>::infinity());
     if (cost_m >= known->second || !is_arc_free(from.pose_in_map, turn, length_m)) return kNoParent;
     known->second = cost_m;
@@ -163,6 +166,8 @@ class Hybrid final : public Planner {
     for (int i = 1, n = samples(length_m); i <= n; ++i) {
       const Pose2 here = along_arc(from, turn, length_m * i / n);
       if (!is_in_map(drivable_->geometry(), here.position()) || !drivable_->is_line_free(before.position(), here.position())) return false;
+      for (const double ahead_m : steering_.discs_ahead_m)
+        if (!drivable_->is_free(geometry::to_map(here, {ahead_m, 0.0}))) return false;
       before = here;
     }
     return true;

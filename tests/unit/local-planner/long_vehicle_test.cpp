@@ -1,0 +1,114 @@
+// Vehicles that are no disc, or cannot turn on the spot: what they must not sweep, and what they can drive.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/kinematics/tricycle.hpp"
+#include "services/local-planner/core/dwa.hpp"
+#include "services/local-planner/core/surroundings.hpp"
+#include "tests/unit/local-planner/hall.hpp"
+
+namespace aisle::local_planner {
+namespace {
+
+using geometry::Point2;
+using geometry::Pose2;
+using geometry::Twist2;
+
+const geometry::Footprint kForklift = geometry::rectangle(2.4, 1.1, 0.4);
+
+kinematics::Limits tricycle() {
+  kinematics::Limits limits;
+  limits.model = kinematics::Model::kTricycle;
+  return limits;
+}
+
+struct World {
+  explicit World(const grid::OccupancyGrid& grid) : clearance(grid) {}
+  Scene scene(const geometry::Footprint& footprint, const kinematics::Limits& limits, Pose2 base, Twist2 twist, double steering_rad = 0.0) const {
+    const geometry::CoveringDiscs discs = geometry::covering_discs(footprint);
+    return {clearance, base, twist, discs.radius_m, limits, 1.2, movers, peers, steering_rad, discs.ahead_m};
+  }
+  grid::ClearanceField clearance;
+  std::vector<Mover> movers;
+  std::vector<PeerMotion> peers;
+};
+
+TEST(LongVehicle, TheNoseStopsBeforeTheWall) {
+  const World world(hall(12.0, 10.0));      // the nose is 1.6 m before the base, and so is its last disc within 3 cm
+  EXPECT_EQ(obstruction(world.scene(kForklift, tricycle(), {9.8, 5.0, 0.0}, {}), {0.2, 0.0, 0.0}, {}), Obstruction::kNone);
+  EXPECT_EQ(obstruction(world.scene(kForklift, tricycle(), {10.25, 5.0, 0.0}, {}), {0.2, 0.0, 0.0}, {}), Obstruction::kWall);
+}
+
+TEST(LongVehicle, TurnsOnTheSpotOnlyWhereItsCornersHaveRoom) {
+  const World world(aisle(1.6));
+  const Twist2 turn{0.0, 0.8, 0.0};
+  const geometry::Footprint box = geometry::rectangle(1.8, 0.8);
+  EXPECT_EQ(obstruction(world.scene(box, {}, {10.0, 5.0, 0.5}, turn), turn, {}), Obstruction::kWall);
+  EXPECT_EQ(obstruction(world.scene(geometry::disc(0.4), {}, {10.0, 5.0, 0.5}, turn), turn, {}), Obstruction::kNone);
+  EXPECT_EQ(obstruction(World(aisle(4.0)).scene(box, {}, {10.0, 5.0, 0.5}, turn), turn, {}), Obstruction::kNone);
+}
+
+TEST(LongVehicle, MindsPeopleBesideItsNose) {
+  World world(hall(12.0, 10.0));
+  Mover person;
+  person.position_in_map = {6.5, 5.75};      // before the base and to the left, where the disc around the base would be well clear
+  person.velocity_in_map = {0.0, -0.3};
+  world.movers = {person};
+  const Twist2 ahead{0.6, 0.0, 0.0};
+  EXPECT_EQ(obstruction(world.scene(kForklift, tricycle(), {5.0, 5.0, 0.0}, ahead), ahead, {}), Obstruction::kMover);
+  EXPECT_EQ(obstruction(world.scene(geometry::disc(0.3), tricycle(), {5.0, 5.0, 0.0}, ahead), ahead, {}), Obstruction::kNone);
+}
+
+TEST(LongVehicle, APeerIsAsLongAsItIs) {
+  Observer observer{SurroundingsSettings{}};
+  Inputs inputs;
+  Peer peer;
+  peer.id = "forklift";
+  peer.radius_m = geometry::reach_m(kForklift);
+  peer.rectangle = kForklift;
+  peer.state = {{5.0, 5.0, geometry::kPi / 2}, {}};
+  peer.state_arrived = std::chrono::seconds(100);
+  inputs.peers = {peer};
+  const Surroundings around = observer.observe(inputs, "agv-1", 0.1, 20, std::chrono::seconds(100));
+  ASSERT_EQ(around.peer_motions.size(), 5U);
+  ASSERT_EQ(around.standing.size(), 5U);
+  double foremost = 0.0;
+  for (const PeerMotion& motion : around.peer_motions) foremost = std::max(foremost, motion.stopping_in_map.front().y + motion.radius_m);
+  EXPECT_GE(foremost, 5.0 + 1.6);
+  EXPECT_EQ(around.peers.size(), 1U);
+}
+
+TEST(LongVehicle, TheWindowHoldsOnlyWhatTheWheelCanSteer) {
+  const World world(hall(20.0, 20.0));
+  const kinematics::Limits limits = tricycle();
+  for (const double steering : {-0.9, 0.0, 0.5}) {
+    const double v = 0.6;
+    Scene scene = world.scene(kForklift, limits, {10.0, 10.0, 0.0}, {v, kinematics::turn_rate_radps(limits.axle, v, steering), 0.0}, steering);
+    for (const double bearing : {-3.0, -1.0, 0.0, 1.0, 3.0}) {
+      Aim aim;
+      aim.target_in_map = aim.sub_target_in_map = {10.0 + 3.0 * std::cos(bearing), 10.0 + 3.0 * std::sin(bearing)};
+      const Choice choice = choose(scene, aim, wang(), {});
+      ASSERT_TRUE(choice.found);
+      const double chosen = kinematics::steering_for_rad(limits.axle, choice.twist, steering);
+      EXPECT_LE(std::abs(chosen), limits.axle.max_steering_rad + 1e-9);
+      EXPECT_LE(std::abs(chosen - steering), limits.axle.max_steering_rate_radps * DwaSettings{}.heading_s + 1e-9);
+      EXPECT_LE(std::abs(choice.twist.angular_radps), std::abs(choice.twist.linear_mps) / kinematics::least_radius_m(limits.axle) + 1e-9);
+    }
+  }
+}
+
+TEST(Omnidirectional, TheWindowHasSidewaysSpeeds) {
+  const World world(hall(20.0, 20.0));
+  kinematics::Limits limits;
+  limits.model = kinematics::Model::kOmnidirectional;
+  Aim aim;
+  aim.target_in_map = aim.sub_target_in_map = {10.0, 13.0};
+  const Variant heading_only{"x", {{[](const Sample& s, const Aim& a) { return 10.0 - geometry::distance(s.end_in_map.position(), a.target_in_map); }, 1.0}}};
+  const Choice choice = choose(world.scene(geometry::disc(0.35), limits, {10.0, 10.0, 0.0}, {}), aim, heading_only, {});
+  ASSERT_TRUE(choice.found);
+  EXPECT_GT(choice.twist.sideways_mps, 0.1) << "the target is straight to its left";
+}
+
+}  // namespace
+}  // namespace aisle::local_planner

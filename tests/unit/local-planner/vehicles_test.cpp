@@ -1,0 +1,32 @@
+// Closed loop, in lock-step, of vehicles that are no differential discs.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tools/lockstep/families.hpp"
+
+namespace aisle::lockstep {
+namespace {
+
+void expect_good(const Setup& setup) {
+  const Result result = run(setup);
+  std::string log;
+  for (const std::string& line : result.log) log += line + "\n";
+  EXPECT_GT(result.goals_assigned, 0);
+  EXPECT_EQ(result.goals_reached, result.goals_assigned) << log;
+  EXPECT_EQ(result.contacts, 0) << log;
+  EXPECT_GT(result.least_clearance_m, 0.0);
+}
+
+Setup deployed(const std::string& name) { return read_setup(std::string(AISLE_SOURCE_DIR) + "/deploy/scenarios/" + name + ".yaml", 1); }
+
+TEST(Vehicles, AForkliftCompletesTheWarehouseWithoutContact) { expect_good(deployed("forklift-warehouse")); }
+
+TEST(Vehicles, OmnidirectionalOnesCrossWithoutContact) {
+  lockstep::Setup crossing = make_setup("crossing", 2);
+  for (scenario::Vehicle& vehicle : crossing.scenario.vehicles) vehicle.model = "omnidirectional";
+  expect_good(crossing);
+}
+
+}  // namespace
+}  // namespace aisle::lockstep
