@@ -13,7 +13,7 @@ struct Lifecycle {
   double gate{13.8};           // squared Mahalanobis distance within which a detection may be a track's (99.9 %)
   double gate_speed_mps{5.0};  // a thing may turn round at once: whatever the gate says, it reaches this far
   double turn_gate{9.2};       // beyond it (99 %) the thing turned or started, and more doubt is put on its velocity
-  double turn_speed_sigma_mps{1.5};  // the more, the worse a chance outlier hurts the velocity
+  double turn_speed_sigma_mps{0.3};  // more, and a chance outlier of every hundred sets the velocity wrong
   int confirming_scans{2};  // scans that must show it before it is published
   int confirming_rays{3};   // and rays in all, at most two a scan counted
   double unconfirmed_timeout_s{0.5};
@@ -24,7 +24,7 @@ struct Lifecycle {
   double static_reach_m{0.25};  // it stands while it stays this near to where it was
   double merge_m{0.28};         // two tracks nearer than this are one
   double max_radius_m{1.5};
-  double mark_gate{0.0};  // squared Mahalanobis distance within which a track tells of the error of the vehicle's pose; 0: none does
+  double mark_gate{6.0};  // squared Mahalanobis distance within which a track tells of the error of the vehicle's pose; 0: none does
 
   template <class Reader>
   void describe(Reader& r) {
