@@ -29,6 +29,8 @@ TEST(FusedDrive, IsHardlyLongerThanItsPlan) {
 TEST(FusedDrive, AvoidsWhatThePaperPutsInTheWay) {
   const DriveFigures figures = drive_fused(wang_drive({1, 1}), kMaps);
   EXPECT_TRUE(figures.arrived());
+  EXPECT_EQ(figures.movers, 1);
+  EXPECT_TRUE(figures.met_a_mover()) << "nothing to avoid: " << figures.nearest_mover_m;
   EXPECT_EQ(figures.result.contacts_moving_vehicle, 0);
 }
 

@@ -126,8 +126,13 @@ DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& m
   setup.scenario.duration_s = 200.0;
   if (drive.surprises.any()) surprise(setup.scenario, drive, map);
   DriveFigures figures{{}, {}, map.grid};
+  figures.movers = static_cast<int>(setup.scenario.movers.size());
   figures.result = lockstep::run(setup, [&](const lockstep::Snapshot& now) {
     figures.points.push_back({now.t_s, now.vehicles[0], now.outputs[0].twist.linear_mps, now.outputs[0].twist.angular_radps});
+    for (const geometry::Body& thing : now.things) {
+      if (thing.shape != geometry::Body::Shape::kDisc) continue;
+      figures.nearest_mover_m = std::min(figures.nearest_mover_m, geometry::distance_m(thing, now.vehicles[0].position()) - kRadiusM);
+    }
   });
   return figures;
 }

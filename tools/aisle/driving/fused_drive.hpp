@@ -36,6 +36,10 @@ struct DriveFigures {
   lockstep::Result result;
   std::vector<DrivePoint> points;         // ten a second
   grid::OccupancyGrid grid;
+  int movers{0};                          // that there was room for
+  double nearest_mover_m{1e9};            // between the outlines, while both were there
+  /// Did a mover come so near that something had to be done about it?
+  bool met_a_mover() const { return movers > 0 && nearest_mover_m < 1.5; }
   bool arrived() const { return result.goals_reached == result.goals_assigned; }
   /// Sums of all changes, up and down: m/s and rad/s.
   double changes_of_v() const;

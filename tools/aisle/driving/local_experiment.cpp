@@ -26,7 +26,8 @@ std::string local_section(const LocalExperiment& orders, const Progress& progres
       "One vehicle with the limits of the paper, a disc of 0.35 m, on maps of the same kind as in the section above, cells of 1 m. The papers drive a point; "
       "their maps are not printed, so directions can agree, figures cannot. *A\\* + DWA* drives along an A\\* that cuts no corner with the traditional critics, "
       "*improved + DWA* along the paper's own path with the paper's critics, *DWA* straight at the goal. Movers cross the planned way at 0.5 m/s and stop for "
-      "nobody; boxes of 0.5 m stand on it, unknown to the map.\n\n";
+      "nobody; boxes of 0.5 m stand on it, unknown to the map. Where a map has no room for a mover to cross there is none: *movers there* says how many, *nearest* "
+      "how near one came to the vehicle of the improved drive.\n\n";
   text += fusion_tables(orders.maps, orders.pictures, orders.pictures_from_page, progress);
   text +=
       "### WU's rolling window\n\n"
