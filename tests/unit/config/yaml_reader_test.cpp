@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -143,10 +142,9 @@ TEST(YamlReader, NamesTheLineOfBrokenYaml) {
   EXPECT_EQ(error_of("domain: 1\n---\ndomain: 2\n"), "site.yaml: more than one YAML document; keep one, without a second '---'");
 }
 
-TEST(YamlReader, RefusesBombsQuickly) {
-  const auto start = std::chrono::steady_clock::now();
+TEST(YamlReader, RefusesBombsBeforeTheyUnfold) {
   std::string laughs = "a: &a [x, x, x, x, x, x, x, x, x]\n";
-  for (char c = 'b'; c < 'k'; ++c) {
+  for (char c = 'b'; c < 'z'; ++c) {
     const std::string before(1, static_cast<char>(c - 1));
     laughs += std::string(1, c) + ": &" + c + " [*" + before + ", *" + before + ", *" + before + "]\n";
   }
@@ -155,7 +153,6 @@ TEST(YamlReader, RefusesBombsQuickly) {
   std::string steps;
   for (int i = 0; i < 400; ++i) steps += std::string(static_cast<std::size_t>(i), ' ') + "a:\n";
   EXPECT_THAT(error_of(steps), HasSubstr("nested deeper than 32 levels"));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 TEST(YamlReader, WhereAndRejectNameTheKey) {
