@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -26,6 +27,7 @@ bool append(int fd, std::string& text) {
 }
 
 [[noreturn]] void become(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment, int out, int err) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);   // no orphan when the test dies first
   for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
