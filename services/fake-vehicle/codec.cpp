@@ -53,16 +53,18 @@ aisle::VehicleState encode(const Report& report) {
   return sample;
 }
 
-aisle::Scan encode_scan(const Report& report, const LidarParameters& lidar, const std::vector<float>& ranges_m) {
+aisle::Scan encode_scan(const Report& report, const Parameters& vehicle, const std::vector<float>& ranges_m) {
   aisle::Scan sample;
   sample.agv_id(report.agv_id);
   sample.base_in_map(wire::encode(report.base_in_map));
+  sample.position_sigma_m(vehicle.pose_noise_m);
+  sample.yaw_sigma_rad(vehicle.yaw_noise_rad);
   sample.twist(wire::encode(report.twist));
   sample.first_angle_rad(0.0);
   sample.angle_step_rad(2.0 * geometry::kPi / static_cast<double>(ranges_m.size()));
   sample.sweep_s(0.0);
-  sample.range_min_m(lidar.range_min_m);
-  sample.range_max_m(lidar.range_max_m);
+  sample.range_min_m(vehicle.lidar.range_min_m);
+  sample.range_max_m(vehicle.lidar.range_max_m);
   sample.ranges_m(ranges_m);
   return sample;
 }

@@ -25,7 +25,7 @@ struct Report {
 };
 aisle::VehicleState encode(const Report& report);
 
-aisle::Scan encode_scan(const Report& report, const LidarParameters& lidar, const std::vector<float>& ranges_m);
+aisle::Scan encode_scan(const Report& report, const Parameters& vehicle, const std::vector<float>& ranges_m);
 
 /// As it came: CommandAuthority looks at every field.
 Command decode(const aisle::VelocityCommand& sample);

@@ -164,7 +164,7 @@ void FakeVehicleService::publish() {
 
 void FakeVehicleService::publish_scan() {
   const std::vector<float> ranges_m = scan({map_.grid(), bodies_.bodies()}, vehicle_.base_in_map(), config_.vehicle.lidar, random_);
-  aisle::Scan sample = encode_scan(report(), config_.vehicle.lidar, ranges_m);
+  aisle::Scan sample = encode_scan(report(), config_.vehicle, ranges_m);
   sample.by(scan_stamper_.next());
   scans_.write(sample);
 }

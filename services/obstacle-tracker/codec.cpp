@@ -49,6 +49,8 @@ Decoded<Scan> decode(const aisle::Scan& sample) {
   Scan scan;
   scan.agv_id = sample.agv_id().to_string();
   scan.base_in_map = {sample.base_in_map().x_m(), sample.base_in_map().y_m(), sample.base_in_map().yaw_rad()};
+  scan.position_sigma_m = sample.position_sigma_m();
+  scan.yaw_sigma_rad = sample.yaw_sigma_rad();
   scan.twist = {sample.twist().linear_mps(), sample.twist().angular_radps(), 0.0};
   scan.first_angle_rad = sample.first_angle_rad();
   scan.angle_step_rad = sample.angle_step_rad();

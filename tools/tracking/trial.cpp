@@ -105,6 +105,8 @@ class Trial {
     scan.agv_id = carrier.agv_id;
     scan.stamp = stamp(t_s_ - sensing_.sweep_s);
     scan.base_in_map = believed(at_first);
+    scan.position_sigma_m = sensing_.pose_noise_m;
+    scan.yaw_sigma_rad = sensing_.yaw_noise_rad;
     scan.twist = carrier.twist;
     scan.sweep_s = sensing_.sweep_s;
     scan.angle_step_rad = 2.0 * geometry::kPi / sensing_.rays;

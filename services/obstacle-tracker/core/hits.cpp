@@ -54,6 +54,10 @@ class Sweep {
 
 }  // namespace
 
+SensorNoise SensorNoise::in(const Scan& scan) const {
+  return {range_m, std::max(pose_m, scan.position_sigma_m), std::max(yaw_rad, scan.yaw_sigma_rad)};
+}
+
 double SensorNoise::across_m(double range_m_of_hit) const {
   return std::sqrt(range_m * range_m + pose_m * pose_m + yaw_rad * yaw_rad * range_m_of_hit * range_m_of_hit);
 }

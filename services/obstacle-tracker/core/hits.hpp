@@ -14,6 +14,8 @@ struct SensorNoise {
   double pose_m{0.02};    // of the vehicle's position, each axis
   double yaw_rad{0.009};  // of its heading: 0.5 degrees
 
+  /// This, but for a vehicle that says it is less sure of its pose.
+  SensorNoise in(const Scan& scan) const;
   /// Of a hit's place in map, across the view, at this range.
   double across_m(double range_m_of_hit) const;
 

@@ -9,6 +9,8 @@ namespace {
 constexpr double kMaxRangeM = 1000.0;
 constexpr double kMaxSweepS = 1.0;
 constexpr double kMaxCoordinateM = 1e6;
+constexpr double kMaxPositionSigmaM = 1.0;
+constexpr double kMaxYawSigmaRad = 0.5;
 
 bool is_finite(const geometry::Twist2& t) {
   return std::isfinite(t.linear_mps) && std::isfinite(t.angular_radps) && std::isfinite(t.sideways_mps);
@@ -53,7 +55,7 @@ const char* explain(DropReason reason) {
     case DropReason::kWrongCount:
       return "no rays, more than a full turn, or not as many as its scans have";
     case DropReason::kBadGeometry:
-      return "angle step, sweep, range limits or pose make no sense";
+      return "angle step, sweep, range limits, pose or its sigma make no sense";
     case DropReason::kNotNewer:
       return "its stamp is not newer than that of the scan before";
     case DropReason::kFuture:
@@ -65,7 +67,8 @@ const char* explain(DropReason reason) {
 }
 
 std::optional<DropReason> find_fault(const Scan& scan) {
-  if (!geometry::is_finite(scan.base_in_map) || !is_finite(scan.twist) || !std::isfinite(scan.first_angle_rad) ||
+  if (!geometry::is_finite(scan.base_in_map) || !is_finite(scan.twist) || !std::isfinite(scan.position_sigma_m) || !std::isfinite(scan.yaw_sigma_rad) ||
+      !std::isfinite(scan.first_angle_rad) ||
       !std::isfinite(scan.angle_step_rad) || !std::isfinite(scan.sweep_s) || !std::isfinite(scan.range_min_m) ||
       !std::isfinite(scan.range_max_m)) {
     return DropReason::kNotFinite;
@@ -73,6 +76,10 @@ std::optional<DropReason> find_fault(const Scan& scan) {
   if (scan.angle_step_rad <= 0.0 || scan.sweep_s < 0.0 || scan.sweep_s > kMaxSweepS || scan.range_min_m < 0.0 ||
       scan.range_max_m <= scan.range_min_m || scan.range_max_m > kMaxRangeM || std::abs(scan.base_in_map.x) > kMaxCoordinateM ||
       std::abs(scan.base_in_map.y) > kMaxCoordinateM || std::abs(scan.first_angle_rad) > 4.0 * geometry::kPi) {
+    return DropReason::kBadGeometry;
+  }
+  if (scan.position_sigma_m < 0.0 || scan.position_sigma_m > kMaxPositionSigmaM || scan.yaw_sigma_rad < 0.0 ||
+      scan.yaw_sigma_rad > kMaxYawSigmaRad) {
     return DropReason::kBadGeometry;
   }
   const double turn_rad = scan.angle_step_rad * static_cast<double>(scan.ranges_m.size());

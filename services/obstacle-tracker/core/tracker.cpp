@@ -46,9 +46,10 @@ TakeResult Tracker::take(const Scan& scan, const std::vector<KnownVehicle>& vehi
   }
   ++scans_used_;
   move_on(scan.stamp + time::from_seconds(scan.sweep_s));
-  const SortedScan sorted = sort_rays(scan, *clearance, vehicles, params_.noise, params_.explained);
+  const SensorNoise noise = params_.noise.in(scan);
+  const SortedScan sorted = sort_rays(scan, *clearance, vehicles, noise, params_.explained);
   const std::vector<Cluster> clusters = find_clusters(scan, sorted, params_.clustering);
-  std::vector<Detection> detections = find_detections(scan, sorted, clusters, expected_at(scan.stamp), params_.noise, params_.shape);
+  std::vector<Detection> detections = find_detections(scan, sorted, clusters, expected_at(scan.stamp), noise, params_.shape);
   Matching matching = match(detections, scan);
   if (params_.lifecycle.mark_gate > 0.0) take_out_pose_error(detections, matching, scan, sorted);
   take_in(detections, scan, matching, result);
@@ -186,7 +187,7 @@ void Tracker::take_out_pose_error(std::vector<Detection>& detections, const Matc
     const auto expected = track.filter().innovation(seen, Eigen::Matrix2d::Zero(), lag_s);
     predictions[d] = Prediction{seen - expected.residual, expected.covariance};
   }
-  align(detections, predictions, sorted.sensor_in_map, params_.noise, params_.lifecycle.mark_gate);
+  align(detections, predictions, sorted.sensor_in_map, params_.noise.in(scan), params_.lifecycle.mark_gate);
 }
 
 void Tracker::take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching, TakeResult& result) {

@@ -121,6 +121,8 @@ void fill(Scan& sample) {
   sample.agv_id("agv-1");
   sample.by(origin());
   sample.base_in_map(pose(1.0, 2.0, -0.5));
+  sample.position_sigma_m(0.02);
+  sample.yaw_sigma_rad(0.009);
   sample.twist(twist(0.9, -0.1));
   sample.first_angle_rad(-3.0);
   sample.angle_step_rad(0.0175);

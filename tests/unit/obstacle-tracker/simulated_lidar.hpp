@@ -135,6 +135,8 @@ class Lidar {
     scan.agv_id = vehicle.agv_id;
     scan.stamp = stamp;
     scan.base_in_map = believed(vehicle.base_in_map);
+    scan.position_sigma_m = noise_.pose_m;
+    scan.yaw_sigma_rad = noise_.yaw_rad;
     scan.twist = vehicle.twist;
     scan.sweep_s = sweep_s;
     scan.first_angle_rad = -geometry::kPi;

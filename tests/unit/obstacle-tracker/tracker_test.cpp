@@ -97,6 +97,15 @@ TEST(Tracker, SeesNoGhostsStanding) {
   }
 }
 
+TEST(Tracker, SeesNoGhostsOfAVehicleThatSaysItIsLessSureOfItsPose) {
+  const Noise lost{0.02, 0.05, geometry::kPi / 180.0};
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Stage stage(room_with_racks(), {vehicle_at("a", 2.0, 2.0, 0.3), vehicle_at("b", 16.0, 7.0, 2.0), vehicle_at("c", 9.0, 5.0)}, seed, lost);
+    stage.run(60.0, kNobodyMoves);
+    EXPECT_EQ(stage.ids.size(), 0U) << "seed " << seed;
+  }
+}
+
 TEST(Tracker, SeesNoGhostsDriving) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     Stage stage(room_with_racks(), {vehicle_at("a", 2.0, 1.5), vehicle_at("b", 16.0, 5.0, 1.5)}, seed);
@@ -438,13 +447,16 @@ TEST(Tracker, DropsWhatItCannotUseAndCountsWhy) {
   EXPECT_EQ(reason_of([](Scan& s) { s.ranges_m.clear(); }), DropReason::kWrongCount);
   EXPECT_EQ(reason_of([](Scan& s) { s.ranges_m.resize(1000, 1.0F); }), DropReason::kWrongCount);
   EXPECT_EQ(reason_of([](Scan& s) { s.angle_step_rad = 0.0; }), DropReason::kBadGeometry);
+  EXPECT_EQ(reason_of([](Scan& s) { s.position_sigma_m = std::nan(""); }), DropReason::kNotFinite);
+  EXPECT_EQ(reason_of([](Scan& s) { s.position_sigma_m = 50.0; }), DropReason::kBadGeometry);
+  EXPECT_EQ(reason_of([](Scan& s) { s.yaw_sigma_rad = -0.1; }), DropReason::kBadGeometry);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp += std::chrono::seconds(2); }), DropReason::kFuture);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp -= std::chrono::seconds(2); }), DropReason::kTooOld);
   EXPECT_EQ(reason_of([](Scan&) {}), std::nullopt);
   EXPECT_EQ(reason_of([](Scan&) {}), DropReason::kNotNewer);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp += std::chrono::milliseconds(10), s.ranges_m.resize(100); }), DropReason::kWrongCount);
   EXPECT_EQ(tracker.scans_used(), 1U);
-  EXPECT_EQ(tracker.scans_dropped(), 12U);
+  EXPECT_EQ(tracker.scans_dropped(), 15U);
   EXPECT_EQ(tracker.scans_dropped(DropReason::kWrongCount), 3U);
 }
 

@@ -47,6 +47,8 @@ Json to_json(const aisle::Scan& sample) {
   return Json{{"agv_id", sample.agv_id().to_string()},
               {"by", to_json(sample.by())},
               {"base_in_map", to_json(sample.base_in_map())},
+              {"position_sigma_m", sample.position_sigma_m()},
+              {"yaw_sigma_rad", sample.yaw_sigma_rad()},
               {"twist", to_json(sample.twist())},
               {"first_angle_rad", sample.first_angle_rad()},
               {"angle_step_rad", sample.angle_step_rad()},
