@@ -78,6 +78,7 @@ void add_map_unblock(CLI::App& parent, Cli& cli);
 void add_map_save(CLI::App& parent, Cli& cli);
 void add_experiment_global(CLI::App& parent, Cli& cli);
 void add_experiment_local(CLI::App& parent, Cli& cli);
+void add_experiment_tracking(CLI::App& parent, Cli& cli);
 void add_plan(CLI::App& parent, Cli& cli);
 void add_doctor(CLI::App& parent, Cli& cli);
 void add_health(CLI::App& parent, Cli& cli);

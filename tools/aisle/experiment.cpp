@@ -12,6 +12,7 @@
 #include "tools/aisle/driving/local_experiment.hpp"
 #include "tools/aisle/planning/global_experiment.hpp"
 #include "tools/aisle/planning/markdown.hpp"
+#include "tools/aisle/tracking/tracking_experiment.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -24,6 +25,9 @@ struct ExperimentOrders {
   int random_maps{1000};
   int queries{50};
   int seeds{30};
+  std::string empty_place{"deploy/scenarios/depot-pedestrians.yaml"};
+  double longest_s{3600.0};
+  double empty_s{600.0};
 };
 
 /// Empty when the reference data is not there.
@@ -75,6 +79,20 @@ int run_local(const ExperimentOrders& orders) {
   return process::kDone;
 }
 
+int run_tracking(const ExperimentOrders& orders) {
+  const fs::path page(orders.page);
+  TrackingExperiment experiment;
+  experiment.people = reference_data(orders.maps) / "pedestrians";
+  experiment.empty_place = orders.empty_place;
+  experiment.pictures = page.parent_path() / "experiments";
+  experiment.pictures_from_page = "experiments";
+  experiment.longest_s = orders.longest_s;
+  experiment.empty_s = orders.empty_s;
+  fs::create_directories(experiment.pictures);
+  write_section(page, "obstacle tracking", tracking_section(experiment, say));
+  return process::kDone;
+}
+
 }  // namespace
 
 void add_experiment_global(CLI::App& parent, Cli& cli) {
@@ -94,6 +112,16 @@ void add_experiment_local(CLI::App& parent, Cli& cli) {
       .option("--maps", orders->maps, "folder of the papers' maps")
       .option("--seeds", orders->seeds, 0, 1000, "of each of the suite's ten families; 0: no suite")
       .runs([orders] { return run_local(*orders); });
+}
+
+void add_experiment_tracking(CLI::App& parent, Cli& cli) {
+  auto orders = std::make_shared<ExperimentOrders>();
+  Verb(parent, cli, "tracking", "the obstacle tracker and a baseline on recorded people; what several vehicles see; ghosts in an empty place")
+      .option("--page", orders->page, "the page whose section is written anew; pictures go to experiments/ beside it")
+      .option("--empty-place", orders->empty_place, "scenario whose people and hidden blocks are left out to count ghosts")
+      .option("--seconds", orders->longest_s, 10.0, 1e6, "of each recording, at most")
+      .option("--empty-seconds", orders->empty_s, 1.0, 1e6, "in the empty place, at least")
+      .runs([orders] { return run_tracking(*orders); });
 }
 
 }  // namespace aisle::cli

@@ -39,6 +39,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   CLI::App& experiment = *add_group("experiment", "compare with what is published; write docs/experiments.md anew");
   add_experiment_global(experiment, cli);
   add_experiment_local(experiment, cli);
+  add_experiment_tracking(experiment, cli);
   add_doctor(app, cli);
   add_health(app, cli);
   add_drive(app, cli);

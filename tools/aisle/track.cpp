@@ -24,6 +24,7 @@ struct Options {
   int vehicles{0};
   int seed{1};
   bool drive{false};
+  bool empty{false};
   double seconds{3600.0};
   tracking::Sensing sensing;
   double yaw_noise_deg{0.5};
@@ -38,8 +39,10 @@ std::unique_ptr<tracking::Scene> scene_of(const Options& options) {
   }
   if (!options.scenario.empty()) {
     if (options.drive) throw config::BadInput("--drive is for --pedestrians: a scenario's vehicles drive anyway");
-    return tracking::driven_scenario(options.scenario, options.vehicles, static_cast<std::uint64_t>(options.seed));
+    return tracking::driven_scenario(options.scenario, options.vehicles, static_cast<std::uint64_t>(options.seed),
+                                     options.empty ? tracking::Cast::kVehiclesOnly : tracking::Cast::kAll);
   }
+  if (options.empty) throw config::BadInput("--empty is for --scenario: recorded people are all there is to see in --pedestrians");
   return tracking::recorded_people(options.pedestrians, options.vehicles > 0 ? options.vehicles : kUsualVehicles, options.drive);
 }
 
@@ -103,6 +106,7 @@ void add_track(CLI::App& parent, Cli& cli) {
       .option("--scenario", options->scenario, "a scenario file, driven in lock-step")
       .option("--vehicles", options->vehicles, 0, 64, "how many have eyes (0: all of a scenario, two among recorded people)")
       .flag("--drive", options->drive, "the vehicles among recorded people drive, not stand")
+      .flag("--empty", options->empty, "the scenario without its people and hidden blocks: every track is a ghost")
       .option("--seed", options->seed, 0, 1'000'000'000, "of the noise")
       .option("--seconds", options->seconds, 1.0, 1e6, "at most")
       .option("--pose-noise", options->sensing.pose_noise_m, 0.0, 1.0, "m, standard deviation of a vehicle's position, each axis")

@@ -75,8 +75,15 @@ class DrivenScenario final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> driven_scenario(const std::filesystem::path& file, int vehicles, std::uint64_t seed) {
-  return std::make_unique<DrivenScenario>(lockstep::read_setup(file, seed), vehicles);
+std::unique_ptr<Scene> driven_scenario(const std::filesystem::path& file, int vehicles, std::uint64_t seed, Cast cast) {
+  lockstep::Setup setup = lockstep::read_setup(file, seed);
+  if (cast == Cast::kVehiclesOnly) {
+    setup.scenario.movers.clear();
+    setup.scenario.recordings.clear();
+    setup.scenario.blocks.clear();
+    setup.people.clear();
+  }
+  return std::make_unique<DrivenScenario>(setup, vehicles);
 }
 
 }  // namespace aisle::tracking

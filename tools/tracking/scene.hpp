@@ -48,8 +48,13 @@ class Scene {
 /// @throws config::BadInput
 std::unique_ptr<Scene> recorded_people(const std::filesystem::path& file, int vehicles, bool drive);
 
+enum class Cast {
+  kAll,
+  kVehiclesOnly,  // no people, no hidden blocks: every track is a ghost
+};
+
 /// A scenario file driven in lock-step with tracks from the truth; at most `vehicles` of its vehicles have eyes (0: all).
 /// @throws config::BadInput
-std::unique_ptr<Scene> driven_scenario(const std::filesystem::path& file, int vehicles, std::uint64_t seed);
+std::unique_ptr<Scene> driven_scenario(const std::filesystem::path& file, int vehicles, std::uint64_t seed, Cast cast = Cast::kAll);
 
 }  // namespace aisle::tracking
