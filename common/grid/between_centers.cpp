@@ -32,20 +32,48 @@ bool enters_lower_left(Point a, Point b) {
   return from <= to;
 }
 
-/// Least distance, in cells, of the piece to the quarter of the square that belongs to the lower left cell.
+/// Distance, in cells, to the quarter of the square that belongs to the lower left cell.
+double distance_to_lower_left(Point p) {
+  const double s = std::max(p.s - 0.5, 0.0);
+  const double t = std::max(p.t - 0.5, 0.0);
+  return std::sqrt(s * s + t * t);
+}
+
+/// Least distance of the piece to that quarter.
 double distance_to_lower_left(Point a, Point b) {
   if (enters_lower_left(a, b)) return 0.0;
-  const auto from_end = [](Point p) { return std::hypot(std::max(p.s - 0.5, 0.0), std::max(p.t - 0.5, 0.0)); };
-  return std::min({from_end(a), from_end(b), distance_to_piece({0.5, 0.5}, a, b)});
+  return std::min({distance_to_lower_left(a), distance_to_lower_left(b), distance_to_piece({0.5, 0.5}, a, b)});
 }
+
+/// Quick: true only when the piece is more than `least` cells away from that quarter, and true for nearly all that are. The quarter
+/// then lies left of it, below it, or below its line, which falls to the right and passes the quarter's upper right corner.
+bool is_surely_beyond_lower_left(Point a, Point b, double least) {
+  if (std::min(a.s, b.s) > 0.5 + least || std::min(a.t, b.t) > 0.5 + least) return true;
+  const double ds = b.s - a.s;
+  const double dt = b.t - a.t;
+  if (ds * dt >= 0.0) return false;
+  const double above = std::abs(dt) * (a.s - 0.5) + std::abs(ds) * (a.t - 0.5);   // times the length
+  return above > 0.0 && above * above > least * least * (ds * ds + dt * dt);
+}
+
+/// The point as seen when the square is turned so that this corner is the lower left one.
+Point turned(Point p, std::size_t corner) { return {(corner & 1U) != 0 ? 1.0 - p.s : p.s, (corner & 2U) != 0 ? 1.0 - p.t : p.t}; }
+
+constexpr double kRounding = 1e-12;
 
 }  // namespace
 
-BetweenCenters::BetweenCenters(const ClearanceField& field, int x, int y)
-    : cell_m_(field.geometry().resolution_m),
-      corner_m_{field.clearance_m(Cell{x, y}), field.clearance_m(Cell{x + 1, y}), field.clearance_m(Cell{x, y + 1}),
-                field.clearance_m(Cell{x + 1, y + 1})},
-      least_m_(std::min({corner_m_[0], corner_m_[1], corner_m_[2], corner_m_[3]})) {}
+BetweenCenters::BetweenCenters(const ClearanceField& field, int x, int y) : cell_m_(field.geometry().resolution_m), least_m_(0.0) {
+  const Geometry& g = field.geometry();
+  if (x >= 0 && y >= 0 && x + 1 < g.width && y + 1 < g.height) {
+    const float* below = field.cells_m().data() + g.index({x, y});
+    const float* above = below + g.width;
+    corner_m_ = {below[0], below[1], above[0], above[1]};
+  } else {
+    corner_m_ = {field.clearance_m(Cell{x, y}), field.clearance_m(Cell{x + 1, y}), field.clearance_m(Cell{x, y + 1}), field.clearance_m(Cell{x + 1, y + 1})};
+  }
+  least_m_ = std::min(std::min(corner_m_[0], corner_m_[1]), std::min(corner_m_[2], corner_m_[3]));
+}
 
 double BetweenCenters::blended_m(Point p) const {
   const double below = corner_m_[0] + p.s * (corner_m_[1] - corner_m_[0]);
@@ -53,14 +81,26 @@ double BetweenCenters::blended_m(Point p) const {
   return below + p.t * (above - below);
 }
 
-double BetweenCenters::nearest_of_four_m(Point a, Point b) const {
+double BetweenCenters::nearest_of_four_m(Point p) const {
   double nearest = 0.5;
   for (std::size_t i = 0; i < corner_m_.size(); ++i) {
-    if (corner_m_[i] > 0.0) continue;
-    const auto turned = [&](Point p) { return Point{(i & 1U) != 0 ? 1.0 - p.s : p.s, (i & 2U) != 0 ? 1.0 - p.t : p.t}; };
-    nearest = std::min(nearest, distance_to_lower_left(turned(a), turned(b)));
+    if (corner_m_[i] <= 0.0) nearest = std::min(nearest, distance_to_lower_left(turned(p, i)));
   }
   return nearest * cell_m_;
+}
+
+bool BetweenCenters::is_clear_of_four(Point a, Point b, double radius_m) const {
+  if (radius_m > 0.5 * cell_m_) return false;
+  const double least = radius_m / cell_m_ + kRounding;
+  for (std::size_t i = 0; i < corner_m_.size(); ++i) {
+    if (corner_m_[i] > 0.0) continue;
+    const Point from = turned(a, i);
+    const Point to = turned(b, i);
+    if (is_surely_beyond_lower_left(from, to, least)) continue;
+    const double distance_m = distance_to_lower_left(from, to) * cell_m_;
+    if (distance_m <= 0.0 || distance_m < radius_m) return false;
+  }
+  return true;
 }
 
 double BetweenCenters::least_around_m(Point a, Point b) const {
@@ -77,7 +117,7 @@ double BetweenCenters::least_around_m(Point a, Point b) const {
 
 double BetweenCenters::clearance_m(Point p) const {
   const double least = least_around_m(p, p);
-  if (least_m_ <= 0.0) return std::max(least, nearest_of_four_m(p, p));
+  if (least_m_ <= 0.0) return std::max(least, nearest_of_four_m(p));
   const double slack = std::min(kWorst, kSlope * (p.s * (1.0 - p.s) + p.t * (1.0 - p.t)));
   return std::max(least, blended_m(p) - slack * cell_m_);
 }
@@ -86,7 +126,7 @@ bool BetweenCenters::is_free_along(Point a, Point b, double radius_m) const {
   const auto is_enough = [radius_m](double clearance) { return clearance > 0.0 && clearance >= radius_m; };
   if (a.s == b.s && a.t == b.t) return is_enough(clearance_m(a));
   if (is_enough(least_around_m(a, b))) return true;
-  if (least_m_ <= 0.0) return is_enough(nearest_of_four_m(a, b));
+  if (least_m_ <= 0.0) return is_clear_of_four(a, b, radius_m);
   return is_enough(least_blended_m(a, b) - kWorst * cell_m_);
 }
 

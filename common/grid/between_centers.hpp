@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "common/grid/clearance.hpp"
 
@@ -29,7 +30,7 @@ class BetweenCenters {
 
   /// The coordinate itself, or the centre line that rounding has just missed.
   static double snapped(double cells) {
-    const double whole = std::round(cells);
+    const auto whole = static_cast<double>(static_cast<std::int64_t>(cells + (cells < 0.0 ? -0.5 : 0.5)));
     return std::fabs(cells - whole) < 1e-9 ? whole : cells;
   }
 
@@ -60,7 +61,9 @@ class BetweenCenters {
   double least_blended_m(Point a, Point b) const;
   /// Of the centres that surround the piece: all four, or two when it lies on the line between them, or one.
   double least_around_m(Point a, Point b) const;
-  double nearest_of_four_m(Point a, Point b) const;
+  double nearest_of_four_m(Point p) const;
+  /// Is the piece nowhere nearer than `radius_m` to those of the four cells that are occupied, and touches none?
+  bool is_clear_of_four(Point a, Point b, double radius_m) const;
 
   double cell_m_;
   std::array<double, 4> corner_m_{};  // lower left, lower right, upper left, upper right

@@ -207,8 +207,10 @@ double ClearanceField::clearance_m(geometry::Point2 in_map) const {
   if (const double quick = clearance_between_free_m(x - 0.5, y - 0.5); quick > 0.0) return quick;
   const double u = BetweenCenters::snapped(x - 0.5);
   const double v = BetweenCenters::snapped(y - 0.5);
-  const BetweenCenters square(*this, static_cast<int>(std::floor(u)), static_cast<int>(std::floor(v)));
-  return square.clearance_m({u - std::floor(u), v - std::floor(v)});
+  const auto below = [](double cells) { return cells < 0.0 ? -1 : static_cast<int>(cells); };   // -1/2 and more
+  const Cell lower_left{below(u), below(v)};
+  if (u == lower_left.x && v == lower_left.y) return clearance_m(lower_left);
+  return BetweenCenters(*this, lower_left.x, lower_left.y).clearance_m({u - lower_left.x, v - lower_left.y});
 }
 
 /// The usual case, without BetweenCenters and to the bit what it says: four free cells around the point, which lies on no line of

@@ -24,8 +24,8 @@ struct Axis {
   /// The square that the walk goes through right after `time`.
   void enter(double time) {
     const double u = BetweenCenters::snapped(at(time));
-    square = static_cast<int>(std::floor(u));
-    if (change < 0.0 && u == std::floor(u)) --square;
+    square = static_cast<int>(u);   // toward zero
+    if (u < square || (change < 0.0 && u == square)) --square;
   }
   double next_border_time() const {
     if (change == 0.0) return kNever;
@@ -87,11 +87,31 @@ Box shrunk_cell(const Geometry& g, Cell cell) {
   return {center - Point2{half_m, half_m}, center + Point2{half_m, half_m}};
 }
 
-/// What a disc that stands between the centres of this square may touch.
-std::optional<Cell> nearest_not_free(const ClearanceField& clearance, const Axis& x, const Axis& y, double time, double radius_m) {
+/// The cell that is not free which one comes to by steps down the field; nothing where it is flat, beyond the field's cap.
+std::optional<Cell> downhill(const ClearanceField& clearance, Cell at) {
+  for (double here_m = clearance.clearance_m(at); here_m > 0.0;) {
+    const Cell from = at;
+    const double from_m = here_m;
+    for (int y = from.y - 1; y <= from.y + 1; ++y) {
+      for (int x = from.x - 1; x <= from.x + 1; ++x) {
+        const double there_m = clearance.clearance_m(Cell{x, y});
+        if (there_m >= here_m) continue;
+        here_m = there_m;
+        at = {x, y};
+      }
+    }
+    if (here_m == from_m) return {};
+  }
+  return at;
+}
+
+/// What a disc that stands between the centres of this square may touch: the cell downhill when it does, which is nearly always so.
+std::optional<Cell> touched_cell(const ClearanceField& clearance, const Axis& x, const Axis& y, double time, double radius_m) {
   const Geometry& g = clearance.geometry();
   const Point2 here{g.origin_in_map.x + (x.at(time) + 0.5) * g.resolution_m, g.origin_in_map.y + (y.at(time) + 0.5) * g.resolution_m};
-  const int reach = std::min(64, static_cast<int>(std::ceil(radius_m / g.resolution_m)));
+  const int reach = std::clamp(static_cast<int>(std::ceil(radius_m / g.resolution_m - 0.5)), 0, 64);   // beyond it none can touch
+  const std::optional<Cell> likely = downhill(clearance, g.cell_at(here));
+  if (likely && squared_distance(here, shrunk_cell(g, *likely)) < radius_m * radius_m) return likely;
   std::optional<Cell> nearest;
   double nearest_m2 = kNever;
   for (int cy = y.square - reach; cy <= y.square + 1 + reach; ++cy) {
@@ -196,11 +216,11 @@ bool is_line_free(const ClearanceField& clearance, Point2 from_in_map, Point2 to
   Axis y{in_cells(from_in_map.y, g.origin_in_map.y), 0.0};
   x.change = in_cells(to_in_map.x, g.origin_in_map.x) - x.start;
   y.change = in_cells(to_in_map.y, g.origin_in_map.y) - y.start;
-  const double length_m = std::hypot(x.change, y.change) * g.resolution_m;
+  const double length_m = std::sqrt(x.change * x.change + y.change * y.change) * g.resolution_m;
   if (length_m == 0.0) return true;
   double blocked_at = 0.0;
   if (is_walk_free(clearance, x, y, length_m, radius_m, blocked_at)) return true;
-  if (blocker != nullptr) *blocker = Blocker(nearest_not_free(clearance, x, y, blocked_at, radius_m));
+  if (blocker != nullptr) *blocker = Blocker(touched_cell(clearance, x, y, blocked_at, radius_m));
   return false;
 }
 

@@ -278,8 +278,9 @@ Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around,
   for (const Obstacle& obstacle : around) discs.push_back(obstacle.disc);
   const StampedDiscs stamped(*grid_, clearance_, discs);
   const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
-  Planner& planner = v.shape.turning_radius_m > 0.0 ? *steered_ : *planner_;
-  Plan plan = planner.plan(problem, out_of_time);
+  const bool is_steered = v.shape.turning_radius_m > 0.0;
+  if (!is_steered && is_known_unreachable(problem)) return {};
+  Plan plan = (is_steered ? *steered_ : *planner_).plan(problem, out_of_time);
   if (plan.outcome != Outcome::kFound) return plan;
   passes::collinear(Drivable(problem), plan.waypoints_in_map);
   if (plan.waypoints_in_map.size() > kMostWaypoints) passes::greedy_line_of_sight(Drivable(problem), plan.waypoints_in_map);
@@ -287,9 +288,16 @@ Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around,
   return plan;
 }
 
+/// The parts of the map are only made to explain the first goal without a way after an edit; for the next ones they spare the search.
+bool FleetPlanner::is_known_unreachable(const Problem& problem) const {
+  const grid::Geometry& geometry = clearance_.geometry();
+  if (!is_in_map(geometry, problem.start_in_map) || !is_in_map(geometry, problem.goal_in_map)) return false;
+  return parts_.is_made_for(Drivable(problem)) && parts_.are_apart(geometry.cell_at(problem.start_in_map), geometry.cell_at(problem.goal_in_map));
+}
+
 Plan FleetPlanner::search_nearest(const Vehicle& v, const OutOfTime& out_of_time) {
   const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
-  const std::optional<Point2> point = nearest_reachable(problem, out_of_time);
+  const std::optional<Point2> point = nearest_reachable(problem, parts_, out_of_time);
   if (!point) return {};
   return planner_->plan(problem_of(v, problem.start_in_map, *point), out_of_time);
 }
@@ -308,12 +316,12 @@ bool FleetPlanner::is_rest_free(const Vehicle& v) const {
   return drivable.is_free(rest.back());
 }
 
-std::string FleetPlanner::why(const Vehicle& v, Outcome outcome, const OutOfTime& out_of_time) const {
+std::string FleetPlanner::why(const Vehicle& v, Outcome outcome, const OutOfTime& out_of_time) {
   const Point2 start = v.pose.any()->position();
   const Point2 goal = v.goal->pose_in_map.position();
   const grid::Geometry& geometry = clearance_.geometry();
   const auto nearest = [&] {
-    const std::optional<Point2> point = nearest_reachable(problem_of(v, start, goal), out_of_time);
+    const std::optional<Point2> point = nearest_reachable(problem_of(v, start, goal), parts_, out_of_time);
     return point ? fmt::format("; the nearest reachable point is ({:.2f}, {:.2f}), {:.2f} m from the goal", point->x, point->y,
                                geometry::distance(*point, goal))
                  : std::string{};

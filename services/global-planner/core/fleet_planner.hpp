@@ -10,6 +10,7 @@
 #include "common/grid/clearance.hpp"
 #include "common/kinematics/limits.hpp"
 #include "common/time/stamp.hpp"
+#include "services/global-planner/core/connected_parts.hpp"
 #include "services/global-planner/core/fleet_types.hpp"
 #include "services/global-planner/core/path_progress.hpp"
 #include "services/global-planner/core/planner.hpp"
@@ -110,10 +111,11 @@ class FleetPlanner {
   void put_off(Vehicle& vehicle, time::Stamp now);
   /// To the point nearest to the goal that can be reached.
   Plan search_nearest(const Vehicle& v, const OutOfTime& out_of_time);
+  bool is_known_unreachable(const Problem& problem) const;
   Plan search(const Vehicle& vehicle, const std::vector<Obstacle>& around, const OutOfTime& out_of_time);
   Problem problem_of(const Vehicle& vehicle, geometry::Point2 start_in_map, geometry::Point2 goal_in_map) const;
   bool is_rest_free(const Vehicle& vehicle) const;
-  std::string why(const Vehicle& vehicle, Outcome outcome, const OutOfTime& out_of_time) const;
+  std::string why(const Vehicle& vehicle, Outcome outcome, const OutOfTime& out_of_time);
 
   std::vector<Obstacle> obstacles_for(const Vehicle& vehicle, time::Stamp now) const;
   const Obstacle* first_on_the_way(const Vehicle& vehicle, const std::vector<Obstacle>& obstacles) const;
@@ -129,6 +131,7 @@ class FleetPlanner {
   std::uint64_t map_revision_{0};           // 0: no map yet
   const grid::OccupancyGrid* grid_{nullptr};
   grid::ClearanceField clearance_;
+  ConnectedParts parts_;                    // of the map, for the radius last asked for
   double reach_m_{2.0};                     // the clearance field's cap; grows with the largest vehicle
   std::map<std::string, Vehicle> vehicles_;
   std::map<std::uint64_t, Disc> static_tracks_;

@@ -15,6 +15,8 @@ class BitLines {
   void resize(int lines, int length);
   /// 64 cells from `at` on, a multiple of 64; those beyond the line's end must be 0.
   void set(int line, int at, std::uint64_t cells) { words_[static_cast<std::size_t>(line + 1) * per_line_ + index(at)] = cells; }
+  /// 64 cells from `at` on, a multiple of 64.
+  std::uint64_t cells(int line, int at) const { return words(line)[index(at)]; }
   bool is_open(int line, int at) const { return ((words(line)[index(at)] >> bit(at)) & 1U) != 0; }
 
   struct Stop {

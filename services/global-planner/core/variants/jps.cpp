@@ -81,6 +81,7 @@ class JumpPointSearch final : public Planner {
 
   /// Opens the first jump point straight ahead; `cost` is that of `cell`.
   void jump_straight(Cell cell, std::uint32_t cost, int direction) {
+    if (is_too_late(cell, cost)) return;
     const bool is_row = direction % 2 == 0;
     const bool is_up = direction < 2;
     const BitLines& lines = is_row ? bits_.rows() : bits_.columns();
@@ -104,11 +105,14 @@ class JumpPointSearch final : public Planner {
       cell = {cell.x + step.dx, cell.y + step.dy};
       cost += kDiagonalCost;
       if (cell == goal_) return reach(cell, cost, first);
-      if (found_ && cost + octile(cell, goal_) >= nodes_.cost(index(goal_))) return;
+      if (is_too_late(cell, cost)) return;
       jump_straight(cell, cost, first);
       jump_straight(cell, cost, second);
     }
   }
+
+  /// Is the path that was found no longer than any through this cell?
+  bool is_too_late(Cell cell, std::uint32_t cost) const { return found_ && cost + octile(cell, goal_) >= nodes_.cost(index(goal_)); }
 
   void reach(Cell cell, std::uint32_t cost, int direction) {
     const std::uint32_t at = index(cell);
