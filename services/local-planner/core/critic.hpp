@@ -10,7 +10,7 @@ namespace aisle::local_planner {
 struct Sample {
   geometry::Twist2 twist;
   geometry::Pose2 look_in_map;      // where it is after the heading time
-  geometry::Pose2 end_in_map;       // where it is at the horizon
+  geometry::Point2 end_in_map;      // where it is at the horizon
   double wall_gap_m{0.0};           // least distance to walls, vehicle's radius taken off, at the cap at most
   double mover_gap_m{0.0};          // the same to predicted tracks and peers, margins taken off
   double standing_gap_m{0.0};       // to tracks that stand, radii taken off

@@ -86,19 +86,21 @@ std::vector<Twist2> window(const Scene& scene, const DwaSettings& settings) {
 Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const DwaSettings& settings) {
   const Needed needed = needed_gaps(scene, settings);
   Choice choice;
+  const std::vector<Twist2> wanted = window(scene, settings);
+  const std::vector<Obstruction> stopping = obstructions(scene, needed, wanted, settings);
+  std::vector<Twist2> stoppable;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (stopping[i] == Obstruction::kNone) stoppable.push_back(wanted[i]);
+    else ++choice.rejected[static_cast<int>(stopping[i])];
+  }
   std::vector<Sample> samples;
-  for (const Twist2& wanted : window(scene, settings)) {
-    const Obstruction stopping = obstruction(scene, needed, wanted, settings);
-    if (stopping != Obstruction::kNone) {
-      ++choice.rejected[static_cast<int>(stopping)];
-      continue;
-    }
-    const Rollout rollout = roll_out(scene, needed, wanted, aim, settings);
-    if (rollout.collides != Obstruction::kNone && fastest_point_mps(scene, wanted) > kStandingMps) {
+  for (const Rollout& rollout : roll_out(scene, needed, stoppable, aim, settings)) {
+    const bool moves = fastest_point_mps(scene, rollout.sample.twist) > kStandingMps;
+    if (moves && rollout.collides != Obstruction::kNone) {
       ++choice.rejected[static_cast<int>(rollout.collides)];
       continue;
     }
-    if (fastest_point_mps(scene, wanted) > kStandingMps) ++choice.moving;
+    if (moves) ++choice.moving;
     samples.push_back(rollout.sample);
   }
   if (samples.empty()) return choice;

@@ -3,240 +3,195 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
+
+#include "services/local-planner/core/lanes.hpp"
 
 namespace aisle::local_planner {
 namespace {
 
 using geometry::Point2;
-using geometry::Pose2;
 using geometry::Twist2;
 
-constexpr double kStandingMps = 0.05;
 constexpr int kPathEvery = 4;             // steps; of a smooth trajectory that is enough
 
-/// A pose with its heading as a unit vector: stepping it costs no call of libm.
-struct Motion {
-  Point2 position;
-  Point2 heading;
-
-  explicit Motion(const Pose2& pose) : position(pose.position()), heading{std::cos(pose.yaw), std::sin(pose.yaw)} {}
-  Pose2 pose() const { return {position.x, position.y, std::atan2(heading.y, heading.x)}; }
-
-  /// Along the arc's chord, which points half the turn to the side.
-  void advance(const Twist2& twist, double dt_s) {
-    const double half = 0.5 * twist.angular_radps * dt_s;
-    const double h2 = half * half;
-    const Point2 rotation = std::abs(half) < 0.15 ? Point2{1.0 - 0.5 * h2 + h2 * h2 / 24.0, half * (1.0 - h2 / 6.0 + h2 * h2 / 120.0)}
-                                                  : Point2{std::cos(half), std::sin(half)};
-    rotate(rotation);
-    const double chord_m = twist.linear_mps * dt_s * (1.0 - h2 / 6.0);
-    position = position + chord_m * heading;
-    if (twist.sideways_mps != 0.0) position = position + (twist.sideways_mps * dt_s * (1.0 - h2 / 6.0)) * Point2{-heading.y, heading.x};
-    rotate(rotation);
-  }
-
- private:
-  void rotate(Point2 by) { heading = {by.x * heading.x - by.y * heading.y, by.y * heading.x + by.x * heading.y}; }
+/// Somebody at one step, who may come near to some sample.
+struct Foreseen {
+  Point2 there_in_map;
+  double radius_m;
+  double margin_m;
+  double growth_m;                        // by then
+  bool stands;
+  Obstruction kind;
+  double reach_m;                         // centres farther apart than this earn nothing and cost nothing
 };
+using ForeseenByStep = std::vector<std::vector<Foreseen>>;
 
-double length(Point2 p) { return std::sqrt(geometry::dot(p, p)); }
+bool is_same(const Twist2& a, const Twist2& b) { return a.linear_mps == b.linear_mps && a.angular_radps == b.angular_radps && a.sideways_mps == b.sideways_mps; }
 
-/// To the nearest of the points, which lie close together.
-double distance_to(const std::vector<Point2>& points, Point2 p) {
-  double least2 = 1e18;
-  for (const Point2 q : points) least2 = std::min(least2, geometry::dot(p - q, p - q));
-  return std::sqrt(least2);
-}
-
-/// The centres of the footprint's discs; a vehicle that is a disc has one, in its base.
-struct Outline {
-  std::array<Point2, kMostDiscs> centers;
-  std::size_t count{1};
-
-  Outline(const Scene& scene, const Motion& motion) : centers{motion.position} {
-    if (is_disc(scene)) return;
-    count = 0;
-    for (const double ahead_m : scene.discs_ahead_m) centers[count++] = motion.position + ahead_m * motion.heading;
+/// Whom the samples can meet at each step: predicted once, and left out where no sample can have come near by then.
+ForeseenByStep foresee(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted, const Aim& aim, int steps, double dt_s) {
+  double fastest_mps = speed_of(scene.twist);
+  for (const Twist2& twist : wanted) fastest_mps = std::max(fastest_mps, speed_of(twist));
+  ForeseenByStep by_step(static_cast<std::size_t>(steps) + 1);
+  const auto add = [&](std::size_t k, Foreseen whom) {
+    constexpr double kRoundingM = 1e-6;
+    whom.reach_m = scene.radius_m + whom.radius_m + aim.mover_cap_m + whom.margin_m + whom.growth_m + swing_m(scene) + kRoundingM;
+    const Point2 apart = whom.there_in_map - scene.base_in_map.position();
+    const double reach_m = whom.reach_m + fastest_mps * static_cast<double>(k) * dt_s;
+    if (geometry::dot(apart, apart) < reach_m * reach_m) by_step[k].push_back(whom);
+  };
+  for (std::size_t k = 1; k < by_step.size(); ++k) {
+    const double t = static_cast<double>(k) * dt_s;
+    for (const Mover* mover : needed.foreseen)
+      add(k, {mover->position_in_map + t * mover->velocity_in_map, mover->radius_m, mover->margin_m, mover->growth_mps * std::min(t, 1.0),
+              mover->velocity_in_map == Point2{}, Obstruction::kMover, 0.0});
+    for (const PeerMotion* peer : needed.met)
+      add(k, {peer->intended_in_map[std::min(k, peer->intended_in_map.size() - 1)], peer->radius_m, 0.0, 0.0, false, Obstruction::kPeer, 0.0});
   }
-  static bool is_disc(const Scene& scene) { return scene.discs_ahead_m.size() == 1 && scene.discs_ahead_m.front() == 0.0; }
-
-  double distance_to(Point2 p) const {
-    double least2 = geometry::dot(centers[0] - p, centers[0] - p);
-    for (std::size_t i = 1; i < count; ++i) least2 = std::min(least2, geometry::dot(centers[i] - p, centers[i] - p));
-    return std::sqrt(least2);
-  }
-};
-
-/// Farthest centre of a disc from the base: what a turn swings.
-double swing_m(const Scene& scene) {
-  double most = 0.0;
-  for (const double ahead_m : scene.discs_ahead_m) most = std::max(most, std::abs(ahead_m));
-  return most;
+  return by_step;
 }
 
-double speed_of(const Twist2& twist) {
-  return twist.sideways_mps == 0.0 ? std::abs(twist.linear_mps) : std::hypot(twist.linear_mps, twist.sideways_mps);
-}
-
-double wall_gap(const Scene& scene, const Outline& outline) {
-  double least = scene.clearance.clearance_m(outline.centers[0]);
-  for (std::size_t i = 1; i < outline.count; ++i) least = std::min(least, scene.clearance.clearance_m(outline.centers[i]));
-  return least - scene.radius_m;
-}
-
-double mover_gap(const Scene& scene, const Mover& mover, const Outline& outline, double t_s) {
-  const Point2 there = mover.position_in_map + t_s * mover.velocity_in_map;
-  return outline.distance_to(there) - scene.radius_m - mover.radius_m - mover.margin_m - mover.growth_mps * t_s;
-}
-
-double peer_gap(const Scene& scene, const PeerMotion& peer, const Outline& outline) {
-  double least2 = 1e18;
-  for (std::size_t i = 0; i < outline.count; ++i)
-    for (const Point2 q : peer.stopping_in_map) least2 = std::min(least2, geometry::dot(outline.centers[i] - q, outline.centers[i] - q));
-  return std::sqrt(least2) - scene.radius_m - peer.radius_m;
-}
-
-/// Looks up distances to walls along a trajectory; where there was plenty a moment ago it does not look again:
-/// the distance shrinks by at most what was driven.
-class WallWatch {
+/// A bundle of samples: from the twist in force towards theirs, then on with it.
+class Bundle {
  public:
-  WallWatch(const Scene& scene, double enough_m) : scene_(scene), enough_m_(enough_m) {}
-  /// The gap there, or at least `enough_m`.
-  double gap_m(const Outline& outline, double driven_m) {
-    known_m_ -= driven_m;
-    if (known_m_ < enough_m_) known_m_ = wall_gap(scene_, outline);
-    return known_m_;
+  Bundle(const Scene& scene, const ForeseenByStep& foreseen, const Aim& aim, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
+      : scene_(scene), foreseen_(foreseen), aim_(aim), dt_(settings.step_s), look_(static_cast<int>(std::lround(settings.heading_s / dt_))),
+        swing_(swing_m(scene)), least_wall_m_(std::min(0.0, wall_gap_m(scene))), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(aim.wall_cap_m) {
+    for (std::size_t i = 0; i < kLanes; ++i) wanted_[i] = wanted[std::min(i, count - 1)];
+    drives_.fill({scene.twist, scene.steering_rad});
+    wall_m_.fill(aim.wall_cap_m);
+    mover_m_.fill(aim.mover_cap_m);
+    standing_m_.fill(aim.mover_cap_m);
+    moving_m_.fill(aim.mover_cap_m);
+    path_m_.fill(0.0);
+    hit_.fill(static_cast<double>(Obstruction::kNone));
+    looks_in_map_.fill(scene.base_in_map);
+    is_done_.fill(false);
+  }
+
+  void run(Rollout* out) {
+    const int steps = static_cast<int>(foreseen_.size()) - 1;
+    for (int k = 1; k <= steps && left_ > 0; ++k) {
+      if (is_changing_) follow(k);
+      lanes_.step();
+      outlines_.follow(lanes_);
+      meet_walls(out);
+      meet(foreseen_[static_cast<std::size_t>(k)]);
+      if (k == look_)
+        for (std::size_t i = 0; i < count_; ++i) looks_in_map_[i] = lanes_.pose(i);
+      if (!aim_.path_in_map.empty() && k % kPathEvery == 0) compare_with_path();
+    }
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (is_done_[i]) continue;
+      out[i] = so_far(i, static_cast<Obstruction>(static_cast<int>(hit_[i])));
+      out[i].sample.end_in_map = {lanes_.x[i], lanes_.y[i]};
+      if (path_looks_ > 0) out[i].sample.path_distance_m = path_m_[i] / path_looks_;
+    }
   }
 
  private:
+  /// Twists change until they are what is wanted.
+  void follow(int k) {
+    is_changing_ = k == 1;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const Twist2& twist = drives_[i].twist;
+      if (!is_same(twist, wanted_[i])) {
+        drives_[i] = kinematics::follow(drives_[i], wanted_[i], scene_.limits, dt_);
+        is_changing_ = true;
+      }
+      v_[i] = twist.linear_mps, w_[i] = twist.angular_radps, s_[i] = twist.sideways_mps;
+      driven_m_[i] = speed_of(twist) * dt_ + swing_ * std::abs(twist.angular_radps) * dt_;
+    }
+    lanes_.set_steps(v_, w_, s_, dt_);
+  }
+
+  void meet_walls(Rollout* out) {
+    if (!walls_.look(outlines_, driven_m_, count_)) return;
+    const Lane& gaps = walls_.gaps_m();
+    for (std::size_t i = 0; i < kLanes; ++i) wall_m_[i] = least(wall_m_[i], gaps[i]);
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (is_done_[i] || gaps[i] >= least_wall_m_) continue;
+      out[i] = so_far(i, Obstruction::kWall);
+      is_done_[i] = true;
+      --left_;
+    }
+  }
+
+  void meet(const std::vector<Foreseen>& all) {
+    if (all.empty()) return;
+    const Box box(lanes_);
+    Lane squared;
+    for (const Foreseen& whom : all) {
+      if (box.distance2(whom.there_in_map) >= whom.reach_m * whom.reach_m) continue;
+      outlines_.distances2_to(whom.there_in_map, squared);
+      meet(whom, squared, whom.stands ? standing_m_ : moving_m_);
+    }
+  }
+
+  /// Loops of one line each, over values that do not alias: so they become vectors.
+  void meet(const Foreseen& whom, const Lane& squared, Lane& gap_of_kind) {
+    const double own_m = scene_.radius_m;
+    const double its_m = whom.radius_m;
+    const double margin_m = whom.margin_m;
+    const double growth_m = whom.growth_m;
+    const auto kind = static_cast<double>(whom.kind);
+    Lane distance;
+    for (std::size_t i = 0; i < kLanes; ++i) distance[i] = std::sqrt(squared[i]) - own_m - its_m;
+    for (std::size_t i = 0; i < kLanes; ++i) gap_of_kind[i] = least(gap_of_kind[i], distance[i]);
+    for (std::size_t i = 0; i < kLanes; ++i) mover_m_[i] = least(mover_m_[i], distance[i] - margin_m - growth_m);
+    for (std::size_t i = 0; i < kLanes; ++i) hit_[i] = distance[i] < 0.0 ? kind : hit_[i];
+  }
+
+  void compare_with_path() {
+    constexpr std::size_t kAtOnce = 16;     // so that the nearest stay in registers
+    for (std::size_t first = 0; first < kLanes; first += kAtOnce) {
+      std::array<double, kAtOnce> nearest;
+      nearest.fill(1e18);
+      for (const Point2 q : aim_.path_in_map)
+        for (std::size_t j = 0; j < kAtOnce; ++j) {
+          const double x = lanes_.x[first + j] - q.x;
+          const double y = lanes_.y[first + j] - q.y;
+          nearest[j] = least(nearest[j], x * x + y * y);
+        }
+      for (std::size_t j = 0; j < kAtOnce; ++j) path_m_[first + j] += std::sqrt(nearest[j]);
+    }
+    ++path_looks_;
+  }
+
+  Rollout so_far(std::size_t i, Obstruction collides) const {
+    return {{wanted_[i], looks_in_map_[i], scene_.base_in_map.position(), wall_m_[i], mover_m_[i], standing_m_[i], moving_m_[i], 0.0}, collides};
+  }
+
   const Scene& scene_;
-  double enough_m_;
-  double known_m_{-1e9};
+  const ForeseenByStep& foreseen_;
+  const Aim& aim_;
+  double dt_;
+  int look_;
+  double swing_, least_wall_m_;
+  std::size_t count_;
+  std::size_t left_{count_};
+  Lanes lanes_;
+  Outlines outlines_;
+  WallWatch walls_;
+  std::array<Twist2, kLanes> wanted_;
+  std::array<kinematics::DriveState, kLanes> drives_;
+  bool is_changing_{true};
+  Lane v_, w_, s_, driven_m_;
+  Lane wall_m_, mover_m_, standing_m_, moving_m_, path_m_, hit_;
+  int path_looks_{0};
+  std::array<geometry::Pose2, kLanes> looks_in_map_;
+  std::array<bool, kLanes> is_done_;
 };
 
 }  // namespace
 
-double fastest_point_mps(const Scene& scene, const Twist2& twist) { return std::max(speed_of(twist), swing_m(scene) * std::abs(twist.angular_radps)); }
-
-Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
-  const Outline here(scene, Motion(scene.base_in_map));
-  const double v = fastest_point_mps(scene, scene.twist) + scene.limits.max_acceleration_mps2 * settings.window_s;
-  const double stopping_m = v * settings.step_s + kinematics::stopping_distance_m(v, settings.braking_share * scene.limits.max_deceleration_mps2);
-  const double stopping_s = settings.step_s + v / (settings.braking_share * scene.limits.max_deceleration_mps2);
-  Needed needed;
-  needed.wall = std::min(settings.wall_margin_m, wall_gap(scene, here));
-  for (const PeerMotion& peer : scene.peers) {
-    const double gap = peer_gap(scene, peer, here);
-    if (gap < settings.peer_margin_m + stopping_m) needed.peers.emplace_back(&peer, std::min(settings.peer_margin_m, gap));
-    if (!peer.intended_in_map.empty() && here.distance_to(peer.intended_in_map.front()) < scene.radius_m + peer.radius_m + 1.0 + 2.0 * v * settings.horizon_s + 1.5 * settings.horizon_s)
-      needed.met.push_back(&peer);
-  }
-  for (const Mover& mover : scene.movers) {
-    const double speed = length(mover.velocity_in_map);
-    const double gap = mover_gap(scene, mover, here, 0.0);
-    // Somebody who walks right beside us: stand until they are past, whichever way they go.
-    if (speed > 0.0 && gap + mover.margin_m < 0.08) needed.somebody_touches = true;
-    if (gap < stopping_m + (speed + mover.growth_mps) * stopping_s) needed.movers.emplace_back(&mover, std::min(0.0, gap));
-    if (gap < (speed + mover.growth_mps + v) * settings.horizon_s + 1.0) needed.foreseen.push_back(&mover);
-  }
-  return needed;
-}
-
-namespace {
-
-Obstruction touched(const Scene& scene, const Needed& needed, const Outline& p, double t_s, bool moving) {
-  constexpr double kTiny = 1e-6;
-  for (const auto& [peer, gap] : needed.peers)
-    if (peer_gap(scene, *peer, p) < gap - kTiny) return Obstruction::kPeer;
-  for (const auto& [mover, gap] : needed.movers)
-    if ((moving || mover->velocity_in_map == Point2{}) && mover_gap(scene, *mover, p, t_s) < gap - kTiny) return Obstruction::kMover;
-  return Obstruction::kNone;
-}
-
-}  // namespace
-
-Obstruction obstruction(const Scene& scene, const Needed& needed, const Twist2& wanted, const DwaSettings& settings) {
-  const double dt = settings.step_s;
-  const double swing = swing_m(scene);
-  const auto fastest = [swing](const Twist2& twist) { return std::max(speed_of(twist), swing * std::abs(twist.angular_radps)); };
-  Twist2 twist = kinematics::follow({scene.twist, scene.steering_rad}, wanted, scene.limits, dt).twist;
-  double speed = fastest(twist);
-  if (speed < 1e-3 && fastest(scene.twist) < 1e-3) return Obstruction::kNone;
-  if (needed.somebody_touches && speed > 0.5 * kStandingMps) return Obstruction::kMover;
-  const double braking = settings.braking_share * scene.limits.max_deceleration_mps2;
-  Motion motion(scene.base_in_map);
-  WallWatch walls(scene, needed.wall);
-  Twist2 mean{0.5 * (scene.twist.linear_mps + twist.linear_mps), 0.5 * (scene.twist.angular_radps + twist.angular_radps),
-              0.5 * (scene.twist.sideways_mps + twist.sideways_mps)};
-  motion.advance(mean, dt);
-  for (double t = dt;; t += dt) {
-    const Outline outline(scene, motion);
-    if (walls.gap_m(outline, speed_of(mean) * dt + swing * std::abs(mean.angular_radps) * dt) < needed.wall - 1e-6) return Obstruction::kWall;
-    const Obstruction found = touched(scene, needed, outline, t, speed > kStandingMps);
-    if (found != Obstruction::kNone) return found;
-    if (speed < 1e-3) return Obstruction::kNone;
-    const double share = std::max(0.0, speed - braking * dt) / speed;
-    const double half = 0.5 * (1.0 + share);
-    mean = {half * twist.linear_mps, half * twist.angular_radps, half * twist.sideways_mps};
-    motion.advance(mean, dt);
-    twist = {share * twist.linear_mps, share * twist.angular_radps, share * twist.sideways_mps};
-    speed = fastest(twist);
-  }
-}
-
-Rollout roll_out(const Scene& scene, const Needed& needed, const Twist2& wanted, const Aim& aim, const DwaSettings& settings) {
-  Rollout out;
-  out.sample = {wanted, scene.base_in_map, scene.base_in_map, aim.wall_cap_m, aim.mover_cap_m, aim.mover_cap_m, aim.mover_cap_m};
-  const double dt = settings.step_s;
-  const int steps = static_cast<int>(std::lround(settings.horizon_s / dt));
-  const int look = static_cast<int>(std::lround(settings.heading_s / dt));
-  const double swing = swing_m(scene);
-  kinematics::DriveState drive{scene.twist, scene.steering_rad};
-  const Twist2& twist = drive.twist;
-  Motion motion(scene.base_in_map);
-  double path_sum_m = 0.0;
-  int path_looks = 0;
-  WallWatch walls(scene, aim.wall_cap_m);
-  const double allowed = std::min(0.0, wall_gap(scene, Outline(scene, motion)));
-  for (int k = 1; k <= steps; ++k) {
-    if (twist.linear_mps != wanted.linear_mps || twist.angular_radps != wanted.angular_radps || twist.sideways_mps != wanted.sideways_mps)
-      drive = kinematics::follow(drive, wanted, scene.limits, dt);
-    motion.advance(twist, dt);
-    const Outline outline(scene, motion);
-    const double t = k * dt;
-    const double gap = walls.gap_m(outline, speed_of(twist) * dt + swing * std::abs(twist.angular_radps) * dt);
-    out.sample.wall_gap_m = std::min(out.sample.wall_gap_m, gap);
-    if (gap < allowed) {
-      out.collides = Obstruction::kWall;
-      return out;
-    }
-    for (const Mover* mover : needed.foreseen) {
-      const Point2 there = mover->position_in_map + t * mover->velocity_in_map;
-      const double distance = outline.distance_to(there) - scene.radius_m - mover->radius_m;
-      out.sample.mover_gap_m = std::min(out.sample.mover_gap_m, distance - mover->margin_m - mover->growth_mps * std::min(t, 1.0));
-      double& gap_of_kind = mover->velocity_in_map == Point2{} ? out.sample.standing_gap_m : out.sample.moving_gap_m;
-      gap_of_kind = std::min(gap_of_kind, distance);
-      if (distance < 0.0) out.collides = Obstruction::kMover;
-    }
-    for (const PeerMotion* peer : needed.met) {
-      const auto& intended = peer->intended_in_map;
-      const Point2 there = intended[std::min<std::size_t>(static_cast<std::size_t>(k), intended.size() - 1)];
-      const double distance = outline.distance_to(there) - scene.radius_m - peer->radius_m;
-      out.sample.mover_gap_m = std::min(out.sample.mover_gap_m, distance);
-      out.sample.moving_gap_m = std::min(out.sample.moving_gap_m, distance);
-      if (distance < 0.0) out.collides = Obstruction::kPeer;
-    }
-    if (k == look) out.sample.look_in_map = motion.pose();
-    if (!aim.path_in_map.empty() && k % kPathEvery == 0) path_sum_m += distance_to(aim.path_in_map, motion.position), ++path_looks;
-  }
-  out.sample.end_in_map = motion.pose();
-  if (path_looks > 0) out.sample.path_distance_m = path_sum_m / path_looks;
-  return out;
-}
-
-Obstruction obstruction(const Scene& scene, const Twist2& wanted, const DwaSettings& settings) {
-  return obstruction(scene, needed_gaps(scene, settings), wanted, settings);
+std::vector<Rollout> roll_out(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted, const Aim& aim, const DwaSettings& settings) {
+  const int steps = static_cast<int>(std::lround(settings.horizon_s / settings.step_s));
+  const ForeseenByStep foreseen = foresee(scene, needed, wanted, aim, steps, settings.step_s);
+  std::vector<Rollout> rollouts(wanted.size());
+  for (std::size_t first = 0; first < wanted.size(); first += kLanes)
+    Bundle(scene, foreseen, aim, settings, wanted.data() + first, std::min(kLanes, wanted.size() - first)).run(rollouts.data() + first);
+  return rollouts;
 }
 
 }  // namespace aisle::local_planner

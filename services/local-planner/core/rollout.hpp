@@ -75,14 +75,19 @@ struct Needed {
 };
 Needed needed_gaps(const Scene& scene, const DwaSettings& settings);
 
-Obstruction obstruction(const Scene& scene, const Needed& needed, const geometry::Twist2& wanted, const DwaSettings& settings);
+/// From the vehicle, where it is now, to the nearest wall, in metres; negative: overlaps.
+double wall_gap_m(const Scene& scene);
+
+/// The same of many samples at once, in their order.
+std::vector<Obstruction> obstructions(const Scene& scene, const Needed& needed, const std::vector<geometry::Twist2>& wanted, const DwaSettings& settings);
 
 struct Rollout {
   Sample sample;
   Obstruction collides{Obstruction::kNone};
 };
 
-/// From the twist in force towards (v, w), then on with it, to the horizon.
-Rollout roll_out(const Scene& scene, const Needed& needed, const geometry::Twist2& wanted, const Aim& aim, const DwaSettings& settings);
+/// From the twist in force towards each of `wanted`, then on with it, to the horizon. In the order of `wanted`; what collides with a
+/// wall ends there.
+std::vector<Rollout> roll_out(const Scene& scene, const Needed& needed, const std::vector<geometry::Twist2>& wanted, const Aim& aim, const DwaSettings& settings);
 
 }  // namespace aisle::local_planner

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "tests/unit/local-planner/hall.hpp"
 
@@ -78,6 +81,84 @@ TEST(Obstruction, IsTheBrakingDistanceOfAPeer) {
   EXPECT_EQ(obstruction(world.scene({6.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kNone);
   world.peers[0].stopping_in_map = {{8.0, 5.0}, {7.6, 5.0}, {7.2, 5.0}};   // it comes towards us
   EXPECT_EQ(obstruction(world.scene({6.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kPeer);
+}
+
+/// A hall with people anywhere, as many as one cycle may meet.
+World crowded(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> place(0.5, 11.5), speed(-1.5, 1.5);
+  grid::OccupancyGrid grid = hall(12.0, 12.0);
+  for (int i = 0; i < 6; ++i) {
+    const double x = place(random), y = place(random);
+    block(grid, x, y, x + 0.6, y + 0.6);
+  }
+  World world(grid);
+  for (int i = 0; i < 20; ++i) world.movers.push_back(person({place(random), place(random)}, {speed(random), speed(random)}));
+  PeerMotion peer;
+  peer.stopping_in_map = {{place(random), place(random)}};
+  for (int k = 0; k < 15; ++k) peer.intended_in_map.push_back({place(random), 6.0 + 0.1 * k});
+  world.peers = {peer};
+  return world;
+}
+
+std::vector<Twist2> many_twists() {
+  std::vector<Twist2> twists;
+  for (int v = 0; v < 9; ++v)
+    for (int w = -5; w <= 5; ++w) twists.push_back({0.1 * v, 0.15 * w, 0.0});
+  return twists;
+}
+
+TEST(RollOut, GivesEachSampleWhatItGetsAlone) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const World world = crowded(seed);
+    const Scene scene = world.scene({6.0, 6.0, 0.3 * static_cast<double>(seed)}, {0.5, 0.2, 0.0});
+    const Needed needed = needed_gaps(scene, {});
+    Aim aim;
+    aim.path_in_map = {{6.0, 6.0}, {6.5, 6.2}, {7.0, 6.4}};
+    const std::vector<Twist2> twists = many_twists();
+    const std::vector<Rollout> together = roll_out(scene, needed, twists, aim, {});
+    const std::vector<Obstruction> stopping = obstructions(scene, needed, twists, {});
+    for (std::size_t i = 0; i < twists.size(); ++i) {
+      const Rollout alone = roll_out(scene, needed, {twists[i]}, aim, {}).front();
+      EXPECT_EQ(together[i].collides, alone.collides);
+      EXPECT_EQ(together[i].sample.wall_gap_m, alone.sample.wall_gap_m);
+      EXPECT_EQ(together[i].sample.mover_gap_m, alone.sample.mover_gap_m);
+      EXPECT_EQ(together[i].sample.moving_gap_m, alone.sample.moving_gap_m);
+      EXPECT_EQ(together[i].sample.path_distance_m, alone.sample.path_distance_m);
+      EXPECT_EQ(together[i].sample.end_in_map, alone.sample.end_in_map);
+      EXPECT_EQ(stopping[i], obstruction(scene, twists[i], {}));
+    }
+  }
+}
+
+/// The same by one step after the other, of everybody, with the models' own exact arcs.
+TEST(RollOut, MeetsWhomAPlainLoopMeets) {
+  const DwaSettings settings;
+  const Aim aim;
+  int met = 0;
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const World world = crowded(seed);
+    const Scene scene = world.scene({6.0, 6.0, 0.3 * static_cast<double>(seed)}, {0.5, 0.2, 0.0});
+    for (const Rollout& rollout : roll_out(scene, needed_gaps(scene, settings), many_twists(), aim, settings)) {
+      if (rollout.collides == Obstruction::kWall) continue;
+      Pose2 pose = scene.base_in_map;
+      Twist2 twist = scene.twist;
+      double moving_gap_m = aim.mover_cap_m;
+      for (int k = 1; k <= 20; ++k) {
+        twist = kinematics::limit_change(twist, rollout.sample.twist, scene.limits, 0.1);
+        pose = kinematics::advance(pose, twist, 0.1);
+        for (const Mover& mover : world.movers)
+          moving_gap_m = std::min(moving_gap_m, geometry::distance(pose.position(), mover.position_in_map + 0.1 * k * mover.velocity_in_map) - 0.35 - mover.radius_m);
+        const auto& intended = world.peers.front().intended_in_map;
+        moving_gap_m = std::min(moving_gap_m, geometry::distance(pose.position(), intended[std::min<std::size_t>(static_cast<std::size_t>(k), 14)]) - 0.7);
+      }
+      EXPECT_NEAR(rollout.sample.moving_gap_m, moving_gap_m, 1e-3);
+      EXPECT_NEAR(geometry::distance(rollout.sample.end_in_map, pose.position()), 0.0, 1e-3);
+      EXPECT_EQ(rollout.collides != Obstruction::kNone, moving_gap_m < 0.0);
+      if (moving_gap_m < aim.mover_cap_m) ++met;
+    }
+  }
+  EXPECT_GT(met, 100);
 }
 
 TEST(Choose, DrivesFastAndStraightWhenNothingIsInTheWay) {

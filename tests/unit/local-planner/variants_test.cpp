@@ -53,7 +53,7 @@ TEST_P(AnyVariant, ScoresWithFiniteNumbersFromZeroOn) {
     Sample sample;
     sample.twist = {std::abs(gap(random)), yaw(random), 0.0};
     sample.look_in_map = {place(random), place(random), yaw(random)};
-    sample.end_in_map = {place(random), place(random), yaw(random)};
+    sample.end_in_map = {place(random), place(random)};
     sample.wall_gap_m = gap(random);
     sample.mover_gap_m = gap(random);
     sample.standing_gap_m = gap(random);

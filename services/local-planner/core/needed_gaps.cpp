@@ -1,0 +1,60 @@
+#include <algorithm>
+#include <cmath>
+
+#include "services/local-planner/core/lanes.hpp"
+
+namespace aisle::local_planner {
+namespace {
+
+using geometry::Point2;
+
+/// The centres of the footprint's discs, now.
+std::vector<Point2> centers_in_map(const Scene& scene) {
+  const Point2 heading{std::cos(scene.base_in_map.yaw), std::sin(scene.base_in_map.yaw)};
+  std::vector<Point2> centers;
+  for (const double ahead_m : scene.discs_ahead_m) centers.push_back(ahead_m == 0.0 ? scene.base_in_map.position() : scene.base_in_map.position() + ahead_m * heading);
+  return centers;
+}
+
+double least_distance(const std::vector<Point2>& a, const std::vector<Point2>& b) {
+  double least2 = 1e18;
+  for (const Point2 p : a)
+    for (const Point2 q : b) least2 = std::min(least2, geometry::dot(p - q, p - q));
+  return std::sqrt(least2);
+}
+
+}  // namespace
+
+double fastest_point_mps(const Scene& scene, const geometry::Twist2& twist) { return std::max(speed_of(twist), swing_m(scene) * std::abs(twist.angular_radps)); }
+
+double wall_gap_m(const Scene& scene) {
+  double least = 1e18;
+  for (const Point2 p : centers_in_map(scene)) least = std::min(least, scene.clearance.clearance_m(p));
+  return least - scene.radius_m;
+}
+
+Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
+  const std::vector<Point2> here = centers_in_map(scene);
+  const double v = fastest_point_mps(scene, scene.twist) + scene.limits.max_acceleration_mps2 * settings.window_s;
+  const double stopping_m = v * settings.step_s + kinematics::stopping_distance_m(v, settings.braking_share * scene.limits.max_deceleration_mps2);
+  const double stopping_s = settings.step_s + v / (settings.braking_share * scene.limits.max_deceleration_mps2);
+  Needed needed;
+  needed.wall = std::min(settings.wall_margin_m, wall_gap_m(scene));
+  for (const PeerMotion& peer : scene.peers) {
+    const double gap = least_distance(here, peer.stopping_in_map) - scene.radius_m - peer.radius_m;
+    if (gap < settings.peer_margin_m + stopping_m) needed.peers.emplace_back(&peer, std::min(settings.peer_margin_m, gap));
+    if (!peer.intended_in_map.empty() && least_distance(here, {peer.intended_in_map.front()}) < scene.radius_m + peer.radius_m + 1.0 + 2.0 * v * settings.horizon_s + 1.5 * settings.horizon_s)
+      needed.met.push_back(&peer);
+  }
+  for (const Mover& mover : scene.movers) {
+    const double speed = std::sqrt(geometry::dot(mover.velocity_in_map, mover.velocity_in_map));
+    const double gap = least_distance(here, {mover.position_in_map}) - scene.radius_m - mover.radius_m - mover.margin_m;
+    // Somebody who walks right beside us: stand until they are past, whichever way they go.
+    if (speed > 0.0 && gap + mover.margin_m < 0.08) needed.somebody_touches = true;
+    if (gap < stopping_m + (speed + mover.growth_mps) * stopping_s) needed.movers.emplace_back(&mover, std::min(0.0, gap));
+    if (gap < (speed + mover.growth_mps + v) * settings.horizon_s + 1.0) needed.foreseen.push_back(&mover);
+  }
+  return needed;
+}
+
+}  // namespace aisle::local_planner

@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "services/local-planner/core/lanes.hpp"
+
+namespace aisle::local_planner {
+namespace {
+
+using geometry::Point2;
+using geometry::Twist2;
+
+constexpr double kStandingMps = 0.05;
+constexpr double kStoodMps = 1e-3;
+constexpr double kTinyM = 1e-6;
+
+/// A bundle of samples that take up their speeds for one step and then brake along their arcs.
+class Braking {
+ public:
+  Braking(const Scene& scene, const Needed& needed, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
+      : scene_(scene), needed_(needed), dt_(settings.step_s), braking_mps2_(settings.braking_share * scene.limits.max_deceleration_mps2),
+        swing_(swing_m(scene)), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(needed.wall) {
+    is_done_.fill(false);
+    for (std::size_t i = 0; i < kLanes; ++i) take_up(i, wanted[std::min(i, count - 1)]);
+  }
+
+  void run(Obstruction* out) {
+    lanes_.set_steps(mean_v_, mean_w_, mean_s_, dt_);
+    for (double t = dt_; left_ > 0; t += dt_) {
+      lanes_.step();
+      outlines_.follow(lanes_);
+      look(t);
+      if (left_ > 0) brake();
+    }
+    std::copy_n(found_.begin(), count_, out);
+  }
+
+ private:
+  double fastest(const Twist2& twist) const { return std::max(speed_of(twist), swing_ * std::abs(twist.angular_radps)); }
+
+  void take_up(std::size_t i, const Twist2& wanted) {
+    const Twist2& now = scene_.twist;
+    const Twist2 twist = kinematics::follow({now, scene_.steering_rad}, wanted, scene_.limits, dt_).twist;
+    v_[i] = twist.linear_mps, w_[i] = twist.angular_radps, s_[i] = twist.sideways_mps;
+    speed_[i] = fastest(twist);
+    mean_v_[i] = 0.5 * (now.linear_mps + v_[i]), mean_w_[i] = 0.5 * (now.angular_radps + w_[i]), mean_s_[i] = 0.5 * (now.sideways_mps + s_[i]);
+    driven_m_[i] = speed_of({mean_v_[i], mean_w_[i], mean_s_[i]}) * dt_ + swing_ * std::abs(mean_w_[i]) * dt_;
+    if (i >= count_) return;
+    ++left_;
+    if (speed_[i] < kStoodMps && fastest(now) < kStoodMps) finish(i, Obstruction::kNone);
+    else if (needed_.somebody_touches && speed_[i] > 0.5 * kStandingMps) finish(i, Obstruction::kMover);
+  }
+
+  void finish(std::size_t i, Obstruction found) {
+    if (is_done_[i]) return;
+    is_done_[i] = true;
+    found_[i] = found;
+    --left_;
+  }
+
+  /// Walls before peers before movers; who stands by now and has touched nothing is through.
+  void look(double t_s) {
+    if (walls_.look(outlines_, driven_m_, count_))
+      for (std::size_t i = 0; i < count_; ++i)
+        if (walls_.gaps_m()[i] < needed_.wall - kTinyM) finish(i, Obstruction::kWall);
+    if (!needed_.peers.empty() || !needed_.movers.empty()) {
+      const Box box(lanes_);
+      for (const auto& [peer, gap] : needed_.peers) look_at(*peer, gap, box);
+      for (const auto& [mover, gap] : needed_.movers) look_at(*mover, gap, t_s, box);
+    }
+    for (std::size_t i = 0; i < count_; ++i)
+      if (speed_[i] < kStoodMps) finish(i, Obstruction::kNone);
+  }
+
+  /// May a lane come nearer than `least_m` to the point?
+  bool is_near(const Box& box, Point2 p, double least_m) const {
+    const double reach_m = std::max(0.0, least_m) + swing_ + kTinyM;
+    return box.distance2(p) < reach_m * reach_m;
+  }
+
+  void look_at(const PeerMotion& peer, double gap_m, const Box& box) {
+    Lane squared, nearest;
+    bool is_any = false;
+    for (const Point2 q : peer.stopping_in_map) {
+      if (!is_near(box, q, scene_.radius_m + peer.radius_m + gap_m)) continue;
+      if (!is_any) nearest.fill(1e18);
+      is_any = true;
+      outlines_.distances2_to(q, squared);
+      for (std::size_t i = 0; i < kLanes; ++i) nearest[i] = least(nearest[i], squared[i]);
+    }
+    for (std::size_t i = 0; is_any && i < count_; ++i)
+      if (std::sqrt(nearest[i]) - scene_.radius_m - peer.radius_m < gap_m - kTinyM) finish(i, Obstruction::kPeer);
+  }
+
+  void look_at(const Mover& mover, double gap_m, double t_s, const Box& box) {
+    const Point2 there = mover.position_in_map + t_s * mover.velocity_in_map;
+    if (!is_near(box, there, scene_.radius_m + mover.radius_m + mover.margin_m + mover.growth_mps * t_s + gap_m)) return;
+    Lane squared;
+    outlines_.distances2_to(there, squared);
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (speed_[i] <= kStandingMps && mover.velocity_in_map != Point2{}) continue;
+      const double gap = std::sqrt(squared[i]) - scene_.radius_m - mover.radius_m - mover.margin_m - mover.growth_mps * t_s;
+      if (gap < gap_m - kTinyM) finish(i, Obstruction::kMover);
+    }
+  }
+
+  void brake() {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const double share = most(0.0, speed_[i] - braking_mps2_ * dt_) / most(speed_[i], kStoodMps);
+      const double half = 0.5 * (1.0 + share);
+      mean_v_[i] = half * v_[i], mean_w_[i] = half * w_[i], mean_s_[i] = half * s_[i];
+      v_[i] *= share, w_[i] *= share, s_[i] *= share;
+      speed_[i] = most(std::abs(v_[i]), swing_ * std::abs(w_[i]));
+      driven_m_[i] = std::abs(mean_v_[i]) * dt_ + swing_ * std::abs(mean_w_[i]) * dt_;
+    }
+    lanes_.set_steps(mean_v_, mean_w_, mean_s_, dt_);
+    for (std::size_t i = 0; scene_.limits.model == kinematics::Model::kOmnidirectional && i < kLanes; ++i) {
+      speed_[i] = fastest({v_[i], w_[i], s_[i]});
+      driven_m_[i] = speed_of({mean_v_[i], mean_w_[i], mean_s_[i]}) * dt_ + swing_ * std::abs(mean_w_[i]) * dt_;
+    }
+  }
+
+  const Scene& scene_;
+  const Needed& needed_;
+  double dt_, braking_mps2_, swing_;
+  std::size_t count_;
+  std::size_t left_{0};
+  Lanes lanes_;
+  Outlines outlines_;
+  WallWatch walls_;
+  Lane v_, w_, s_, speed_;
+  Lane mean_v_, mean_w_, mean_s_, driven_m_;
+  std::array<bool, kLanes> is_done_;
+  std::array<Obstruction, kLanes> found_{};
+};
+
+}  // namespace
+
+std::vector<Obstruction> obstructions(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted, const DwaSettings& settings) {
+  std::vector<Obstruction> found(wanted.size());
+  for (std::size_t first = 0; first < wanted.size(); first += kLanes)
+    Braking(scene, needed, settings, wanted.data() + first, std::min(kLanes, wanted.size() - first)).run(found.data() + first);
+  return found;
+}
+
+Obstruction obstruction(const Scene& scene, const Twist2& wanted, const DwaSettings& settings) {
+  return obstructions(scene, needed_gaps(scene, settings), {wanted}, settings).front();
+}
+
+}  // namespace aisle::local_planner
