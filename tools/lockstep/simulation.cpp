@@ -57,6 +57,7 @@ struct Agv {
   double last_mps{0.0};
   double last_mps2{0.0};
   double done_s{0.0};
+  bool moved{false};                            // before this cycle; a vehicle that touches something stands at once
   bool is_done() const { return goal >= goals_in_map.size(); }
 };
 
@@ -181,6 +182,7 @@ class Run {
         if (k != i) others.push_back(vehicles[k]);
       for (const fake_world::Thing& thing : world_.things()) others.push_back(thing.body);
       const Pose2 before = agv.body.base_in_map();
+      agv.moved = is_moving(agv);
       agv.body.advance_to(now(), {grid_, others});
       result_.distance_m += geometry::distance(before.position(), agv.body.base_in_map().position());
       hash(agv.body.base_in_map());
@@ -317,7 +319,7 @@ class Run {
 
   void judge() {
     std::vector<Judge::Vehicle> vehicles;
-    for (const Agv& a : agvs_) vehicles.push_back({a.id, body_of(a), is_moving(a)});
+    for (const Agv& a : agvs_) vehicles.push_back({a.id, body_of(a), a.moved || is_moving(a)});
     std::vector<Judge::Thing> things;
     for (const fake_world::Thing& thing : world_.things()) things.push_back({thing.id, thing.body});
     for (const std::string& line : judge_.look(vehicles, things, grid_, clearance_, result_)) note(line);

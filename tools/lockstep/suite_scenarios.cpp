@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "common/scenario/data_path.hpp"
 #include "services/global-planner/core/variant.hpp"
@@ -128,6 +130,22 @@ Setup junction(Dice& dice) {
   return setup;
 }
 
+/// Who is first seen in the middle of the hall has come from its edge, as fast as they walked then: people do not appear from nothing.
+fake_world::RecordedPerson walking_in(const fake_world::RecordedPerson& person, const grid::Geometry& hall) {
+  constexpr double kFromWallM = 0.3;
+  std::vector<fake_world::RecordedPerson::Row> rows = person.rows();
+  const auto& first = rows.front();
+  const auto& later = rows[std::min<std::size_t>(2, rows.size() - 1)];
+  if (later.t_s - first.t_s < 0.1) return person;
+  const Point2 velocity = (1.0 / (later.t_s - first.t_s)) * (later.in_map - first.in_map);
+  if (geometry::norm(velocity) < 0.3) return person;
+  const auto since = [](double at_m, double mps, double length_m) { return mps > 0.0 ? (at_m - kFromWallM) / mps : mps < 0.0 ? (at_m - length_m + kFromWallM) / mps : 1e9; };
+  const double walked_s = std::min(since(first.in_map.x, velocity.x, hall.width * hall.resolution_m), since(first.in_map.y, velocity.y, hall.height * hall.resolution_m));
+  if (walked_s <= 0.0) return person;
+  rows.insert(rows.begin(), {first.t_s - walked_s, first.in_map - walked_s * velocity});
+  return {person.id(), std::move(rows)};
+}
+
 Setup racks(Dice& dice) {
   Setup setup;
   setup.grid = hall(26.0, 14.0, kCellM);
@@ -246,7 +264,8 @@ Setup crowd(Dice& dice) {
   recording.frame_in_map = place.frame_in_map;
   recording.begin_s = dice.between(0.0, place.last_begin_s);
   recording.end_s = recording.begin_s + 100.0;
-  setup.people.push_back(fake_world::read_recording(recording));
+  setup.people.emplace_back();
+  for (const fake_world::RecordedPerson& person : fake_world::read_recording(recording)) setup.people.back().push_back(walking_in(person, setup.grid.geometry()));
   setup.scenario.recordings.push_back(recording);
   const bool upwards = dice.below(2) == 0;
   if (upwards) add_vehicle(setup, 1, {dice.between(4.0, 14.0), 1.2, 1.57}, {{dice.between(4.0, 14.0), 12.8, 0.0}});

@@ -16,8 +16,8 @@ std::string local_section(const LocalExperiment& orders, const Progress& progres
     text += "### The suite\n\n" + std::to_string(orders.seeds * static_cast<int>(lockstep::suite_families().size())) + " scenarios a planner, " +
             std::to_string(orders.seeds) +
             " seeds of each family; each vehicle has one goal. A goal is missed when it takes longer than five times what the vehicle would need alone, at full "
-            "speed along the shortest way. A contact counts for the vehicle that moved faster than 0.05 m/s; people of the crowd follow their recording whatever "
-            "stands in their way, and so do half of the others. Time and length are means of a scenario. `dwa` drives straight at the goal without a path and is "
+            "speed along the shortest way. A contact counts for the vehicle that moved faster than 0.05 m/s then or 20 ms before; people of the crowd follow their recording "
+            "whatever stands in their way, from the hall's edge on, and half of the others stop for nobody either. Time and length are means of a scenario. `dwa` drives straight at the goal without a path and is "
             "there for comparison.\n\n" +
             suite_tables(orders.seeds, progress);
   }
