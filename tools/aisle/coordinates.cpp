@@ -12,6 +12,7 @@ namespace aisle::cli {
 namespace {
 
 constexpr double kFarthestM = 1e6;
+constexpr double kLargest_m = 100.0;   // of a vehicle
 
 std::vector<double> split_numbers(const std::string& what, const std::string& text, const std::string& example) {
   const auto fail = [&](const std::string& why) {
@@ -41,6 +42,18 @@ TypedPose parse_pose(const std::string& what, const std::string& text) {
   }
   const bool has_yaw = numbers.size() == 3;
   return {{numbers[0], numbers[1], has_yaw ? geometry::wrap(numbers[2]) : 0.0}, has_yaw};
+}
+
+geometry::Footprint parse_footprint(const std::string& what, const std::string& text) {
+  const std::string example = "2.4,1.1 or 2.4,1.1,0.4 (length, width and how far the middle lies ahead of the vehicle's frame, in metres)";
+  const std::vector<double> numbers = split_numbers(what, text, example);
+  const auto fail = [&](const std::string& why) { throw config::BadInput(what + ": '" + text + "' " + why + "; write e.g. " + example); };
+  if (numbers.size() != 2 && numbers.size() != 3) fail("has " + std::to_string(numbers.size()) + " numbers");
+  if (numbers[0] <= 0.0 || numbers[1] <= 0.0) fail("has a length or width that is not above 0");
+  for (const double number : numbers) {
+    if (std::abs(number) > kLargest_m) fail("is more than 100 m");
+  }
+  return geometry::rectangle(numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0);
 }
 
 std::vector<double> parse_numbers(const std::string& what, const std::string& text, std::size_t count, const std::string& example) {

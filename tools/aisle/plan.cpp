@@ -27,9 +27,10 @@ using global_planner::Problem;
 using global_planner::Variant;
 
 struct PlanOrders {
-  std::string map, start, goal, scen, svg;
+  std::string map, start, goal, scen, svg, footprint;
   std::vector<std::string> planners;
   double radius_m{0.0};
+  geometry::Footprint outline{geometry::disc(0.0)};   // what `footprint` says
   double safe_distance_m{0.0};
   double preferred_clearance_m{0.0};
   double turning_radius_m{0.0};
@@ -48,10 +49,21 @@ std::vector<Query> queries_of(const PlanOrders& orders, const grid::Geometry& ge
   return {{parse_pose("--start", orders.start).in_map.position(), parse_pose("--goal", orders.goal).in_map.position(), 0.0}};
 }
 
-Problem problem_of(const PlanOrders& orders, const grid::ClearanceField& clearance, const Query& query) {
-  Problem problem{clearance, query.start_in_map, query.goal_in_map, orders.radius_m};
+/// Discs that hold the vehicle: some along it for a planner that knows where it heads; else the one in which it can turn.
+void cover(const PlanOrders& orders, const Variant& variant, Problem& problem) {
+  problem.radius_m = orders.outline.is_disc() ? orders.radius_m : geometry::reach_m(orders.outline);
+  const bool is_steered = variant.knows_headings && orders.turning_radius_m > 0.0 && orders.scen.empty();
+  if (orders.outline.is_disc() || !is_steered) return;
+  const geometry::CoveringDiscs discs = geometry::covering_discs(orders.outline);
+  problem.radius_m = discs.radius_m;
+  problem.steering.discs_ahead_m = discs.ahead_m;
+}
+
+Problem problem_of(const PlanOrders& orders, const Variant& variant, const grid::ClearanceField& clearance, const Query& query) {
+  Problem problem{clearance, query.start_in_map, query.goal_in_map};
   problem.safe_distance_m = orders.safe_distance_m;
   problem.preferred_clearance_m = orders.preferred_clearance_m;
+  cover(orders, variant, problem);
   if (orders.scen.empty()) {
     problem.steering.turning_radius_m = orders.turning_radius_m;
     problem.steering.start_yaw_rad = parse_pose("--start", orders.start).in_map.yaw;
@@ -59,6 +71,16 @@ Problem problem_of(const PlanOrders& orders, const grid::ClearanceField& clearan
     if (goal.has_yaw) problem.steering.goal_yaw_rad = goal.in_map.yaw;
   }
   return problem;
+}
+
+global_planner::Outline outline_of(const PlanOrders& orders) {
+  global_planner::Outline outline{orders.outline, {}, {}};
+  if (!orders.scen.empty()) return outline;
+  const TypedPose start = parse_pose("--start", orders.start);
+  const TypedPose goal = parse_pose("--goal", orders.goal);
+  if (start.has_yaw) outline.start_yaw_rad = start.in_map.yaw;
+  if (goal.has_yaw) outline.goal_yaw_rad = goal.in_map.yaw;
+  return outline;
 }
 
 /// The grid's optimum for this vehicle, which the file does not know.
@@ -77,15 +99,16 @@ struct Run {
 
 Run run(const PlanOrders& orders, const std::vector<const Variant*>& variants, const grid::ClearanceField& clearance, const std::vector<Query>& queries) {
   Run result;
+  const global_planner::Outline outline = outline_of(orders);
   for (const Variant* variant : variants) {
     Tally tally(variant->name);
     const std::unique_ptr<global_planner::Planner> planner = variant->make();
     for (std::size_t i = 0; i < queries.size() && !is_interrupted(); ++i) {
-      Problem problem = problem_of(orders, clearance, queries[i]);
-      Answer answer = ask(*planner, problem);
+      Problem problem = problem_of(orders, *variant, clearance, queries[i]);
+      Answer answer = ask(*planner, problem, outline);
       if (orders.nearest && is_helped_by_nearest(answer.plan.outcome)) {
         problem.goal_in_map = global_planner::nearest_reachable(problem, is_interrupted).value_or(problem.goal_in_map);
-        answer = ask(*planner, problem);
+        answer = ask(*planner, problem, outline);
       }
       tally.add(answer, queries[i].optimum_m > 0.0 ? queries[i].optimum_m : queries.size() == 1 ? optimum_m(problem) : 0.0);
       if (i == 0 && answer.plan.outcome == Outcome::kFound) result.paths.push_back({variant->name, answer.plan.waypoints_in_map});
@@ -108,7 +131,7 @@ int plan_offline(const Cli& cli, const PlanOrders& orders) {
   const std::vector<const Variant*> variants = chosen_planners(orders.planners);
   const grid::OccupancyGrid grid = grid::read_map_file(orders.map);
   const std::vector<Query> queries = queries_of(orders, grid.geometry());
-  const double needed_m = std::max({orders.radius_m, orders.safe_distance_m, orders.preferred_clearance_m});
+  const double needed_m = std::max({orders.radius_m, geometry::reach_m(orders.outline), orders.safe_distance_m, orders.preferred_clearance_m});
   const grid::ClearanceField clearance(grid, std::max(kFarthestLook_m, needed_m + 1.0));
   const Run result = run(orders, variants, clearance, queries);
 
@@ -132,7 +155,8 @@ void add_plan(CLI::App& parent, Cli& cli) {
       .option("--start", orders->start, "X,Y in metres in the map's frame (X,Y,YAW for hybrid)")
       .option("--goal", orders->goal, "X,Y or X,Y,YAW")
       .list("--planner", orders->planners, "one or more names; all planners when left out")
-      .option("--radius", orders->radius_m, 0.0, 100.0, "of the vehicle with its margin, in metres")
+      .option("--radius", orders->radius_m, 0.0, 100.0, "of a round vehicle with its margin, in metres")
+      .option("--footprint", orders->footprint, "LENGTH,WIDTH or LENGTH,WIDTH,AHEAD in metres: a rectangle instead of --radius, its middle AHEAD of the vehicle's frame; paths are checked for it")
       .option("--safe-distance", orders->safe_distance_m, 0.0, 100.0, "that qu and yu keep beside the lines they draw")
       .option("--prefer-clearance", orders->preferred_clearance_m, 0.0, 100.0, "nearer to obstacles than this a metre costs more (clear)")
       .option("--turning-radius", orders->turning_radius_m, 0.0, 100.0, "of a vehicle that cannot turn on the spot (hybrid)")
@@ -142,6 +166,8 @@ void add_plan(CLI::App& parent, Cli& cli) {
       .option("--svg", orders->svg, "write the map with the paths of the first query here")
       .runs([&cli, orders] {
         if (orders->map.empty()) throw config::BadInput("give --map FILE");
+        if (!orders->footprint.empty() && orders->radius_m != 0.0) throw config::BadInput("--radius is for a disc, --footprint for a rectangle: give one");
+        if (!orders->footprint.empty()) orders->outline = parse_footprint("--footprint", orders->footprint);
         return plan_offline(cli, *orders);
       });
 }

@@ -33,13 +33,18 @@ RefusalReport blocked(const Problem& problem, bool is_start) {
     return {is_start ? Refusal::kStartInObstacle : Refusal::kGoalInObstacle, fmt::format("the {} {} lies on an obstacle or in unknown space", what, text(end))};
   }
   return {is_start ? Refusal::kStartTooTight : Refusal::kGoalTooTight,
-          fmt::format("the {} {} has {:.2f} m of clearance, the vehicle needs {:.2f} m", what, text(end), here_m, problem.radius_m)};
+          here_m >= problem.radius_m ? fmt::format("the vehicle does not fit at the {} {} with its heading there", what, text(end))
+                                     : fmt::format("the {} {} has {:.2f} m of clearance, the vehicle needs {:.2f} m", what, text(end), here_m, problem.radius_m)};
 }
 
 RefusalReport no_path(const Problem& problem, const OutOfTime& out_of_time) {
   const double widest_m = widest_way_m(problem, out_of_time);
   const std::string ends = text(problem.start_in_map) + " to " + text(problem.goal_in_map);
   if (widest_m <= 0.0) return {Refusal::kNoWay, "no way from " + ends + ", however small the vehicle"};
+  if (widest_m >= problem.radius_m && problem.steering.turning_radius_m > 0.0) {
+    return {Refusal::kTooStiff, fmt::format("no way from {} with a turning radius of {:.2f} m was found, though a radius of {:.2f} m fits through", ends,
+                                            problem.steering.turning_radius_m, problem.radius_m)};
+  }
   return {Refusal::kTooWide, fmt::format("no way from {} for a radius of {:.2f} m; the widest one lets {:.2f} m pass", ends, problem.radius_m, widest_m)};
 }
 
@@ -99,6 +104,7 @@ const char* name(Refusal refusal) {
     case Refusal::kStartTooTight: return "start too tight";
     case Refusal::kGoalTooTight: return "goal too tight";
     case Refusal::kTooWide: return "too wide";
+    case Refusal::kTooStiff: return "cannot steer";
     case Refusal::kNoWay: return "no way";
     case Refusal::kOutOfTime: return "out of time";
   }

@@ -15,6 +15,7 @@ enum class Refusal {
   kStartTooTight,      // free, but the vehicle does not fit
   kGoalTooTight,
   kTooWide,            // there is a way for a smaller vehicle
+  kTooStiff,           // wide enough, but not for its turning radius and headings
   kNoWay,              // not even for a point
   kOutOfTime,
 };

@@ -14,6 +14,7 @@ struct Variant {
   bool is_optimal{false}; // among 8-connected paths that cut no corner
   std::unique_ptr<Planner> (*make)();
   bool is_never_longer{false};   // than that optimum, even where it is not a path from cell to cell
+  bool knows_headings{false};    // plans for the steering and its discs ahead, where the problem has some
 };
 
 /// Every variant, by name.

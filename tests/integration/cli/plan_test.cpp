@@ -86,6 +86,21 @@ TEST_F(PlanOffline, SaysInOneLineWhatIsWrongWithTheQuestion) {
   EXPECT_THAT(refused(kNegative, "3.5,4.5", "3.5,0.5"), HasSubstr("no way"));
 }
 
+TEST_F(PlanOffline, PlansForARectangle) {
+  // Through the gap of one metre: a steered vehicle of 0.5 m width passes it, but is too long to turn on the spot there.
+  const auto report = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{AISLE_CLI, "plan", "--map", map_, "--start", "2,4.5,0", "--goal", "10,4.5,0", "--footprint", "1.6,0.5,0.3", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    ChildProcess aisle(arguments);
+    aisle.wait(seconds(60));
+    return nlohmann::json::parse(aisle.out()).at(0);
+  };
+  const nlohmann::json steered = report({"--planner", "hybrid", "--turning-radius", "1"});
+  EXPECT_EQ(steered["solved"], 1);
+  EXPECT_EQ(steered["checker_failures"], 0);
+  EXPECT_EQ(report({"--planner", "direct"})["solved"], 0);
+}
+
 TEST_F(PlanOffline, SaysInOneLineWhatIsWrongWithTheCommand) {
   EXPECT_THAT(refused(kBadInput, "nan,1", "1.5,5.5"), HasSubstr("--start: 'nan,1' is not a list of numbers"));
   EXPECT_THAT(refused(kBadInput, "1.5,5.5", "inf,2"), HasSubstr("--goal"));
@@ -94,6 +109,8 @@ TEST_F(PlanOffline, SaysInOneLineWhatIsWrongWithTheCommand) {
   EXPECT_THAT(refused(kNegative, "1.5,5.5", "1.5,4.5", "nan"), HasSubstr("not finite: the radius"));
   EXPECT_THAT(refused(kBadInput, "1.5,5.5", "1.5,4.5", "-1"), HasSubstr("--radius"));
   EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--planner", "drect"}), HasSubstr("did you mean direct?"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--footprint", "1.6"}), HasSubstr("--footprint: '1.6' has 1 numbers"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--footprint", "1.6,1", "--radius", "1"}), HasSubstr("give one"));
   EXPECT_THAT(refusal(kBadInput, {"--start", "1.5,5.5", "--goal", "1.5,4.5"}), HasSubstr("--map"));
   EXPECT_THAT(refusal(kBadInput, {"--map", map_}), HasSubstr("--start"));
 }

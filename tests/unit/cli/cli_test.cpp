@@ -48,6 +48,18 @@ TEST(Coordinates, ThatDoNotFitAreRefusedWithAnExample) {
   }
 }
 
+TEST(Coordinates, OfAFootprintAreLengthWidthAndHowFarItLiesAhead) {
+  const geometry::Footprint centred = parse_footprint("--footprint", "2.4,1.1");
+  EXPECT_FALSE(centred.is_disc());
+  EXPECT_EQ(centred.length_m, 2.4);
+  EXPECT_EQ(centred.width_m, 1.1);
+  EXPECT_EQ(centred.ahead_m, 0.0);
+  EXPECT_EQ(parse_footprint("--footprint", "2.4,1.1,-0.4").ahead_m, -0.4);
+  for (const char* text : {"", "2.4", "1,2,3,4", "2.4,0", "-1,1", "2.4,nan", "2.4x1.1", "101,1", "1,1,-200"}) {
+    EXPECT_THAT(refusal_of([&] { parse_footprint("--footprint", text); }), HasSubstr("write e.g. 2.4,1.1")) << text;
+  }
+}
+
 TEST(Arguments, WithAMinusAndADigitAreNoFlags) {
   const char* argv[] = {"aisle", "goal", "send", "agv-1", "-4,5", "-.5,1", "--json", "-h", "-"};
   EXPECT_THAT(protect_negative_numbers(9, argv), ElementsAre("aisle", "goal", "send", "agv-1", " -4,5", " -.5,1", "--json", "-h", "-"));

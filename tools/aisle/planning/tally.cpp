@@ -6,21 +6,19 @@
 #include <limits>
 #include <numeric>
 
-#include "services/global-planner/core/path_checker.hpp"
-
 namespace aisle::cli {
 namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 }
 
-Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem) {
+Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem, const global_planner::Outline& outline) {
   Answer answer;
   const auto begun = std::chrono::steady_clock::now();
   answer.plan = planner.plan(problem, nullptr);
   answer.time_us = 1e6 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   if (answer.plan.outcome != global_planner::Outcome::kFound) return answer;
   answer.figures = global_planner::path_figures(problem.clearance, answer.plan.waypoints_in_map);
-  answer.fault = global_planner::why_not_drivable(problem, answer.plan.waypoints_in_map);
+  answer.fault = global_planner::why_not_drivable(problem, answer.plan, outline);
   return answer;
 }
 

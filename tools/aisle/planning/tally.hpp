@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "services/global-planner/core/path_checker.hpp"
 #include "services/global-planner/core/path_figures.hpp"
 #include "services/global-planner/core/planner.hpp"
 
@@ -15,8 +16,8 @@ struct Answer {
   double time_us{0.0};
 };
 
-/// Asks, checks and measures.
-Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem);
+/// Asks, checks and measures; checks a rectangle as such.
+Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem, const global_planner::Outline& outline = {});
 
 /// What one planner did over many queries.
 class Tally {

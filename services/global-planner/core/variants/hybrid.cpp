@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <queue>
 #include <unordered_map>
 #include <vector>
@@ -83,10 +84,35 @@ class Hybrid final : public Planner {
     lattice_m_ = std::max(cell_m, 0.15 * steering_.turning_radius_m);
     step_m_ = std::max(1.5 * lattice_m_, 1.1 * 2.0 * geometry::kPi / kHeadings * steering_.turning_radius_m);
     sample_m_ = 0.5 * cell_m;
+    cover(problem);
+    if (problem.least_radius_m >= problem.radius_m && !fits(start_of(problem))) return {Outcome::kStartBlocked, {}, 0.0, 0, {}};
+    if (steering_.goal_yaw_rad && !fits({goal_in_map_.x, goal_in_map_.y, *steering_.goal_yaw_rad})) return {Outcome::kGoalBlocked, {}, 0.0, 0, {}};
     to_goal_m_ = distances_to_goal(drivable, drivable.geometry().cell_at(goal_in_map_));
     Plan plan;
-    plan.outcome = run({problem.start_in_map.x, problem.start_in_map.y, geometry::wrap(steering_.start_yaw_rad)}, out_of_time, plan);
+    plan.outcome = run(start_of(problem), out_of_time, plan);
     return plan;
+  }
+
+  static Pose2 start_of(const Problem& problem) {
+    return {problem.start_in_map.x, problem.start_in_map.y, geometry::wrap(problem.steering.start_yaw_rad)};
+  }
+
+  /// What the discs ahead must keep: between two samples they move on arcs beside the chords that are looked at, and who interpolates
+  /// between the samples' poses moves a little beside those arcs.
+  void cover(const Problem& problem) {
+    double farthest_m = 0.0;
+    for (const double ahead_m : steering_.discs_ahead_m) farthest_m = std::max(farthest_m, std::abs(ahead_m));
+    arc_radii_ = std::hypot(1.0, farthest_m / steering_.turning_radius_m);
+    Problem wider = problem;
+    wider.radius_m += sample_m_ * sample_m_ * (1.0 + arc_radii_) / (8.0 * steering_.turning_radius_m);
+    beside_chords_.emplace(wider);
+    clearance_ = &problem.clearance;
+    radius_m_ = std::max(wider.radius_m, 1e-3);
+  }
+
+  bool fits(const Pose2& pose) const {
+    return std::all_of(steering_.discs_ahead_m.begin(), steering_.discs_ahead_m.end(),
+                       [&](double ahead_m) { return beside_chords_->is_free(geometry::to_map(pose, {ahead_m, 0.0})); });
   }
 
   Outcome run(const Pose2& start, const OutOfTime& out_of_time, Plan& plan) {
@@ -163,14 +189,29 @@ class Hybrid final : public Planner {
 
   bool is_arc_free(const Pose2& from, double turn, double length_m) const {
     Pose2 before = from;
-    for (int i = 1, n = samples(length_m); i <= n; ++i) {
+    const int n = samples(length_m);
+    const double piece_m = std::abs(length_m) / n * arc_radii_;   // what the disc moves that moves most
+    for (int i = 1; i <= n; ++i) {
+      if (const int passed = i - 1 + static_cast<int>(std::clamp(room_m(before) / piece_m, 0.0, n - i + 1.0)); passed >= i) {
+        before = along_arc(from, turn, length_m * passed / n);
+        i = passed;
+        continue;
+      }
       const Pose2 here = along_arc(from, turn, length_m * i / n);
       if (!is_in_map(drivable_->geometry(), here.position()) || !drivable_->is_line_free(before.position(), here.position())) return false;
-      for (const double ahead_m : steering_.discs_ahead_m)
-        if (!drivable_->is_free(geometry::to_map(here, {ahead_m, 0.0}))) return false;
+      for (const double ahead_m : steering_.discs_ahead_m) {
+        if (!beside_chords_->is_line_free(geometry::to_map(before, {ahead_m, 0.0}), geometry::to_map(here, {ahead_m, 0.0}))) return false;
+      }
       before = here;
     }
     return true;
+  }
+
+  /// How far every disc may move from here, wherever to: clearance changes no faster than one moves.
+  double room_m(const Pose2& pose) const {
+    double least_m = clearance_->clearance_m(pose.position());
+    for (const double ahead_m : steering_.discs_ahead_m) least_m = std::min(least_m, clearance_->clearance_m(geometry::to_map(pose, {ahead_m, 0.0})));
+    return least_m - radius_m_;
   }
 
   void write(std::uint32_t at, const DubinsPath& shot, Plan& plan) const {
@@ -213,6 +254,10 @@ class Hybrid final : public Planner {
 
   std::unique_ptr<Planner> on_the_spot_{theta().make()};
   const Drivable* drivable_{nullptr};   // of the search under way
+  std::optional<Drivable> beside_chords_;
+  const grid::ClearanceField* clearance_{nullptr};
+  double radius_m_{0.0};                // that a disc ahead must keep
+  double arc_radii_{1.0};               // of the circle on which the farthest disc turns, in turning radii
   Steering steering_;
   Point2 goal_in_map_;
   double lattice_m_{0.0}, step_m_{0.0}, sample_m_{0.0};
@@ -225,7 +270,7 @@ class Hybrid final : public Planner {
 
 Variant hybrid() {
   return {"hybrid", "hybrid A* with a turning radius and headings at start and goal; without one as theta", false,
-          []() -> std::unique_ptr<Planner> { return std::make_unique<Hybrid>(); }, true};
+          []() -> std::unique_ptr<Planner> { return std::make_unique<Hybrid>(); }, true, true};
 }
 
 }  // namespace aisle::global_planner
