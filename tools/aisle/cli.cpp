@@ -3,7 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <string>
 #include <utility>
 
 #include "common/process/clock.hpp"
@@ -11,6 +14,14 @@
 #include "tools/aisle/text.hpp"
 
 namespace aisle::cli {
+namespace {
+
+/// A range alone lets NaN pass.
+std::string is_number(const std::string& text) {
+  return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is not a number" : std::string{};
+}
+
+}  // namespace
 
 Verb::Verb(CLI::App& parent, Cli& cli, const std::string& name, const std::string& purpose)
     : app_(parent.add_subcommand(name, purpose)), cli_(cli) {
@@ -35,7 +46,7 @@ Verb& Verb::option(const std::string& name, std::string& value, const std::strin
 }
 
 Verb& Verb::option(const std::string& name, double& value, double low, double high, const std::string& help) {
-  app_->add_option(name, value, help)->check(CLI::Range(low, high))->capture_default_str();
+  app_->add_option(name, value, help)->check(is_number)->check(CLI::Range(low, high))->capture_default_str();
   return *this;
 }
 

@@ -43,6 +43,7 @@ constexpr double kFarthestLook_m = 5.0;   // clearances are looked at this far
 std::vector<Query> queries_of(const PlanOrders& orders, const grid::Geometry& geometry) {
   if (!orders.scen.empty()) {
     if (!orders.start.empty() || !orders.goal.empty()) throw config::BadInput("--scen has starts and goals: leave out --start and --goal");
+    if (orders.turning_radius_m > 0.0) throw config::BadInput("--turning-radius needs headings, which --scen has not: give --start and --goal");
     return read_queries(orders.scen, geometry, static_cast<std::size_t>(orders.limit));
   }
   if (orders.start.empty() || orders.goal.empty()) throw config::BadInput("give --start X,Y and --goal X,Y, or --scen FILE");
@@ -52,7 +53,7 @@ std::vector<Query> queries_of(const PlanOrders& orders, const grid::Geometry& ge
 /// Discs that hold the vehicle: some along it for a planner that knows where it heads; else the one in which it can turn.
 void cover(const PlanOrders& orders, const Variant& variant, Problem& problem) {
   problem.radius_m = orders.outline.is_disc() ? orders.radius_m : geometry::reach_m(orders.outline);
-  const bool is_steered = variant.knows_headings && orders.turning_radius_m > 0.0 && orders.scen.empty();
+  const bool is_steered = variant.knows_headings && orders.turning_radius_m > 0.0;
   if (orders.outline.is_disc() || !is_steered) return;
   const geometry::CoveringDiscs discs = geometry::covering_discs(orders.outline);
   problem.radius_m = discs.radius_m;

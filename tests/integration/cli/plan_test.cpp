@@ -106,7 +106,11 @@ TEST_F(PlanOffline, SaysInOneLineWhatIsWrongWithTheCommand) {
   EXPECT_THAT(refused(kBadInput, "1.5,5.5", "inf,2"), HasSubstr("--goal"));
   EXPECT_THAT(refused(kBadInput, "1.5,5.5", "1e7,2"), HasSubstr("farther than"));
   EXPECT_THAT(refused(kBadInput, "1.5", "1.5,5.5"), HasSubstr("--start: '1.5' has 1 numbers"));
-  EXPECT_THAT(refused(kNegative, "1.5,5.5", "1.5,4.5", "nan"), HasSubstr("not finite: the radius"));
+  EXPECT_THAT(refused(kBadInput, "1.5,5.5", "1.5,4.5", "nan"), HasSubstr("--radius: nan is not a number"));
+  EXPECT_THAT(refused(kBadInput, "1.5,5.5", "1.5,4.5", "1000"), HasSubstr("--radius: Value 1000 not in range"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--turning-radius", "nan"}), HasSubstr("--turning-radius: nan is not a number"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--planner", "xyz"}), HasSubstr("'xyz' is unknown. There are ant-colony, "));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--scen", write("rooms.scen", "version 1\n0 rooms 12 7 0 0 11 0 11\n"), "--turning-radius", "1"}), HasSubstr("needs headings"));
   EXPECT_THAT(refused(kBadInput, "1.5,5.5", "1.5,4.5", "-1"), HasSubstr("--radius"));
   EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--planner", "drect"}), HasSubstr("did you mean direct?"));
   EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--footprint", "1.6"}), HasSubstr("--footprint: '1.6' has 1 numbers"));
