@@ -143,18 +143,15 @@ class Bundle {
   }
 
   void compare_with_path() {
-    constexpr std::size_t kAtOnce = 16;     // so that the nearest stay in registers
-    for (std::size_t first = 0; first < kLanes; first += kAtOnce) {
-      std::array<double, kAtOnce> nearest;
-      nearest.fill(1e18);
-      for (const Point2 q : aim_.path_in_map)
-        for (std::size_t j = 0; j < kAtOnce; ++j) {
-          const double x = lanes_.x[first + j] - q.x;
-          const double y = lanes_.y[first + j] - q.y;
-          nearest[j] = least(nearest[j], x * x + y * y);
-        }
-      for (std::size_t j = 0; j < kAtOnce; ++j) path_m_[first + j] += std::sqrt(nearest[j]);
-    }
+    Lane nearest;
+    nearest.fill(1e18);
+    for (const Point2 q : aim_.path_in_map)
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        const double x = lanes_.x[i] - q.x;
+        const double y = lanes_.y[i] - q.y;
+        nearest[i] = least(nearest[i], x * x + y * y);
+      }
+    for (std::size_t i = 0; i < kLanes; ++i) path_m_[i] += std::sqrt(nearest[i]);
     ++path_looks_;
   }
 
