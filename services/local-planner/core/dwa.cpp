@@ -15,6 +15,7 @@ constexpr double kStandingMps = 0.05;
 
 std::vector<double> spread(double low, double high, int count) {
   std::vector<double> values;
+  values.reserve(static_cast<std::size_t>(std::max(count, 1)) + 1);
   if (high - low < 1e-6 || count < 2) return {high};
   for (int i = 0; i < count; ++i) values.push_back(low + (high - low) * i / (count - 1));
   return values;
@@ -89,11 +90,13 @@ Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const 
   const std::vector<Twist2> wanted = window(scene, settings);
   const std::vector<Obstruction> stopping = obstructions(scene, needed, wanted, settings);
   std::vector<Twist2> stoppable;
+  stoppable.reserve(wanted.size());
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (stopping[i] == Obstruction::kNone) stoppable.push_back(wanted[i]);
     else ++choice.rejected[static_cast<int>(stopping[i])];
   }
   std::vector<Sample> samples;
+  samples.reserve(stoppable.size());
   for (const Rollout& rollout : roll_out(scene, needed, stoppable, aim, settings)) {
     const bool moves = fastest_point_mps(scene, rollout.sample.twist) > kStandingMps;
     if (moves && rollout.collides != Obstruction::kNone) {

@@ -2,12 +2,13 @@
 #include <array>
 #include <cstddef>
 
+#include "common/grid/clearance_lanes.hpp"
 #include "services/local-planner/core/rollout.hpp"
 
 namespace aisle::local_planner {
 
 /// So many samples are rolled out side by side, in arrays that compilers make vectors of.
-inline constexpr std::size_t kLanes = 32;
+inline constexpr std::size_t kLanes = grid::kClearanceLanes;
 using Lane = std::array<double, kLanes>;
 
 /// By value, which loops over lanes need to become vectors; std::min takes references.
@@ -31,6 +32,10 @@ struct Lanes {
   void set_steps(const Lane& linear_mps, const Lane& angular_radps, const Lane& sideways_mps, double dt_s);
   void step();
   geometry::Pose2 pose(std::size_t i) const;
+
+ private:
+  void step_sideways();
+  bool goes_sideways_{false};
 };
 
 /// A rectangle that holds all lanes' bases.
@@ -50,6 +55,7 @@ class Outlines {
   /// Squared, from each lane's nearest centre.
   void distances2_to(geometry::Point2 p, Lane& squared) const;
   double wall_gap_m(std::size_t lane) const;
+  void wall_gaps_m(Lane& gaps_m) const;
 
  private:
   const Scene& scene_;
@@ -65,7 +71,7 @@ class WallWatch {
  public:
   explicit WallWatch(double enough_m) : enough_m_(enough_m) { known_m_.fill(-1e9); }
   /// One step on. Returns whether some gap is less than `enough_m`.
-  bool look(const Outlines& outlines, const Lane& driven_m, std::size_t lanes);
+  bool look(const Outlines& outlines, const Lane& driven_m);
   /// The gaps, or at least `enough_m` where there is as much.
   const Lane& gaps_m() const { return known_m_; }
 

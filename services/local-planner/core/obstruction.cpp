@@ -3,7 +3,9 @@
 #include <cmath>
 #include <utility>
 
+#include "common/geometry/wide_vectors.hpp"
 #include "services/local-planner/core/lanes.hpp"
+#include "services/local-planner/core/twist_lanes.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -20,13 +22,17 @@ class Braking {
  public:
   Braking(const Scene& scene, const Needed& needed, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
       : scene_(scene), needed_(needed), dt_(settings.step_s), braking_mps2_(settings.braking_share * scene.limits.max_deceleration_mps2),
-        swing_(swing_m(scene)), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(needed.wall) {
+        swing_(swing_m(scene)), count_(count), left_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(needed.wall), twists_(scene.twist) {
     is_done_.fill(false);
-    for (std::size_t i = 0; i < kLanes; ++i) take_up(i, wanted[std::min(i, count - 1)]);
+    take_up(TwistLanes(wanted, count));
+    const bool stands = fastest(scene.twist) < kStoodMps;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (stands && speed_[i] < kStoodMps) finish(i, Obstruction::kNone);
+      else if (needed_.somebody_touches && speed_[i] > 0.5 * kStandingMps) finish(i, Obstruction::kMover);
+    }
   }
 
   void run(Obstruction* out) {
-    lanes_.set_steps(mean_v_, mean_w_, mean_s_, dt_);
     for (double t = dt_; left_ > 0; t += dt_) {
       lanes_.step();
       outlines_.follow(lanes_);
@@ -39,17 +45,35 @@ class Braking {
  private:
   double fastest(const Twist2& twist) const { return std::max(speed_of(twist), swing_ * std::abs(twist.angular_radps)); }
 
-  void take_up(std::size_t i, const Twist2& wanted) {
-    const Twist2& now = scene_.twist;
-    const Twist2 twist = kinematics::follow({now, scene_.steering_rad}, wanted, scene_.limits, dt_).twist;
-    v_[i] = twist.linear_mps, w_[i] = twist.angular_radps, s_[i] = twist.sideways_mps;
-    speed_[i] = fastest(twist);
-    mean_v_[i] = 0.5 * (now.linear_mps + v_[i]), mean_w_[i] = 0.5 * (now.angular_radps + w_[i]), mean_s_[i] = 0.5 * (now.sideways_mps + s_[i]);
-    driven_m_[i] = speed_of({mean_v_[i], mean_w_[i], mean_s_[i]}) * dt_ + swing_ * std::abs(mean_w_[i]) * dt_;
-    if (i >= count_) return;
-    ++left_;
-    if (speed_[i] < kStoodMps && fastest(now) < kStoodMps) finish(i, Obstruction::kNone);
-    else if (needed_.somebody_touches && speed_[i] > 0.5 * kStandingMps) finish(i, Obstruction::kMover);
+  void take_up(const TwistLanes& wanted) {
+    if (scene_.limits.model == kinematics::Model::kDifferential) {
+      follow_differential(twists_, wanted, scene_.limits, dt_);
+    } else {
+      for (std::size_t i = 0; i < kLanes; ++i) twists_.set(i, kinematics::follow({scene_.twist, scene_.steering_rad}, wanted.at(i), scene_.limits, dt_).twist);
+    }
+    const TwistLanes now(scene_.twist);
+    average(now.linear_mps, twists_.linear_mps, mean_.linear_mps);
+    average(now.angular_radps, twists_.angular_radps, mean_.angular_radps);
+    average(now.sideways_mps, twists_.sideways_mps, mean_.sideways_mps);
+    find_speeds();
+    set_steps();
+  }
+
+  AISLE_WIDE_VECTORS static void average(const Lane& before, const Lane& after, Lane& mean) {
+    for (std::size_t i = 0; i < kLanes; ++i) mean[i] = 0.5 * (before[i] + after[i]);
+  }
+
+  /// Of the fastest point of each vehicle.
+  AISLE_WIDE_VECTORS void find_speeds() {
+    for (std::size_t i = 0; i < kLanes; ++i) speed_[i] = most(std::abs(twists_.linear_mps[i]), swing_ * std::abs(twists_.angular_radps[i]));
+    for (std::size_t i = 0; scene_.limits.model == kinematics::Model::kOmnidirectional && i < kLanes; ++i) speed_[i] = fastest(twists_.at(i));
+    standing_ = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) standing_ += speed_[i] < kStoodMps ? 1 : 0;
+  }
+
+  void set_steps() {
+    lanes_.set_steps(mean_.linear_mps, mean_.angular_radps, mean_.sideways_mps, dt_);
+    driven_m(mean_, swing_, dt_, driven_m_);
   }
 
   void finish(std::size_t i, Obstruction found) {
@@ -61,7 +85,7 @@ class Braking {
 
   /// Walls before peers before movers; who stands by now and has touched nothing is through.
   void look(double t_s) {
-    if (walls_.look(outlines_, driven_m_, count_))
+    if (walls_.look(outlines_, driven_m_))
       for (std::size_t i = 0; i < count_; ++i)
         if (walls_.gaps_m()[i] < needed_.wall - kTinyM) finish(i, Obstruction::kWall);
     if (!needed_.peers.empty() || !needed_.movers.empty()) {
@@ -69,6 +93,8 @@ class Braking {
       for (const auto& [peer, gap] : needed_.peers) look_at(*peer, gap, box);
       for (const auto& [mover, gap] : needed_.movers) look_at(*mover, gap, t_s, box);
     }
+    if (standing_ == stood_) return;
+    stood_ = standing_;
     for (std::size_t i = 0; i < count_; ++i)
       if (speed_[i] < kStoodMps) finish(i, Obstruction::kNone);
   }
@@ -106,18 +132,18 @@ class Braking {
   }
 
   void brake() {
+    slow_down();
+    find_speeds();
+    set_steps();
+  }
+
+  AISLE_WIDE_VECTORS void slow_down() {
     for (std::size_t i = 0; i < kLanes; ++i) {
       const double share = most(0.0, speed_[i] - braking_mps2_ * dt_) / most(speed_[i], kStoodMps);
       const double half = 0.5 * (1.0 + share);
-      mean_v_[i] = half * v_[i], mean_w_[i] = half * w_[i], mean_s_[i] = half * s_[i];
-      v_[i] *= share, w_[i] *= share, s_[i] *= share;
-      speed_[i] = most(std::abs(v_[i]), swing_ * std::abs(w_[i]));
-      driven_m_[i] = std::abs(mean_v_[i]) * dt_ + swing_ * std::abs(mean_w_[i]) * dt_;
-    }
-    lanes_.set_steps(mean_v_, mean_w_, mean_s_, dt_);
-    for (std::size_t i = 0; scene_.limits.model == kinematics::Model::kOmnidirectional && i < kLanes; ++i) {
-      speed_[i] = fastest({v_[i], w_[i], s_[i]});
-      driven_m_[i] = speed_of({mean_v_[i], mean_w_[i], mean_s_[i]}) * dt_ + swing_ * std::abs(mean_w_[i]) * dt_;
+      mean_.linear_mps[i] = half * twists_.linear_mps[i], mean_.angular_radps[i] = half * twists_.angular_radps[i];
+      mean_.sideways_mps[i] = half * twists_.sideways_mps[i];
+      twists_.linear_mps[i] *= share, twists_.angular_radps[i] *= share, twists_.sideways_mps[i] *= share;
     }
   }
 
@@ -125,12 +151,13 @@ class Braking {
   const Needed& needed_;
   double dt_, braking_mps2_, swing_;
   std::size_t count_;
-  std::size_t left_{0};
+  std::size_t left_;
   Lanes lanes_;
   Outlines outlines_;
   WallWatch walls_;
-  Lane v_, w_, s_, speed_;
-  Lane mean_v_, mean_w_, mean_s_, driven_m_;
+  TwistLanes twists_, mean_;              // at the end of the step, and over it
+  Lane speed_, driven_m_;
+  int standing_{0}, stood_{0};            // lanes that stand, and did so at the step before
   std::array<bool, kLanes> is_done_;
   std::array<Obstruction, kLanes> found_{};
 };

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "common/geometry/wide_vectors.hpp"
 #include "services/local-planner/core/lanes.hpp"
+#include "services/local-planner/core/twist_lanes.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -12,6 +14,7 @@ namespace {
 using geometry::Point2;
 using geometry::Twist2;
 
+constexpr double kFarM = 1e9;
 constexpr int kPathEvery = 4;             // steps; of a smooth trajectory that is enough
 
 /// Somebody at one step, who may come near to some sample.
@@ -56,9 +59,10 @@ class Bundle {
  public:
   Bundle(const Scene& scene, const ForeseenByStep& foreseen, const Aim& aim, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
       : scene_(scene), foreseen_(foreseen), aim_(aim), dt_(settings.step_s), look_(static_cast<int>(std::lround(settings.heading_s / dt_))),
-        swing_(swing_m(scene)), least_wall_m_(std::min(0.0, wall_gap_m(scene))), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(aim.wall_cap_m) {
-    for (std::size_t i = 0; i < kLanes; ++i) wanted_[i] = wanted[std::min(i, count - 1)];
-    drives_.fill({scene.twist, scene.steering_rad});
+        swing_(swing_m(scene)), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(aim.wall_cap_m),
+        wanted_(wanted, count), twists_(scene.twist) {
+    steering_rad_.fill(scene.steering_rad);
+    least_wall_m_.fill(std::min(0.0, wall_gap_m(scene)));
     wall_m_.fill(aim.wall_cap_m);
     mover_m_.fill(aim.mover_cap_m);
     standing_m_.fill(aim.mover_cap_m);
@@ -78,7 +82,8 @@ class Bundle {
       meet_walls(out);
       meet(foreseen_[static_cast<std::size_t>(k)]);
       if (k == look_)
-        for (std::size_t i = 0; i < count_; ++i) looks_in_map_[i] = lanes_.pose(i);
+        for (std::size_t i = 0; i < count_; ++i)
+          if (!is_done_[i]) looks_in_map_[i] = lanes_.pose(i);
       if (!aim_.path_in_map.empty() && k % kPathEvery == 0) compare_with_path();
     }
     for (std::size_t i = 0; i < count_; ++i) {
@@ -93,28 +98,46 @@ class Bundle {
   /// Twists change until they are what is wanted.
   void follow(int k) {
     is_changing_ = k == 1;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const Twist2& twist = drives_[i].twist;
-      if (!is_same(twist, wanted_[i])) {
-        drives_[i] = kinematics::follow(drives_[i], wanted_[i], scene_.limits, dt_);
-        is_changing_ = true;
-      }
-      v_[i] = twist.linear_mps, w_[i] = twist.angular_radps, s_[i] = twist.sideways_mps;
-      driven_m_[i] = speed_of(twist) * dt_ + swing_ * std::abs(twist.angular_radps) * dt_;
+    if (count_differing(twists_, wanted_) > 0) {
+      is_changing_ = true;
+      if (scene_.limits.model == kinematics::Model::kDifferential) follow_differential(twists_, wanted_, scene_.limits, dt_);
+      else follow_one_by_one();
     }
-    lanes_.set_steps(v_, w_, s_, dt_);
+    driven_m(twists_, swing_, dt_, driven_m_);
+    lanes_.set_steps(twists_.linear_mps, twists_.angular_radps, twists_.sideways_mps, dt_);
+  }
+
+  void follow_one_by_one() {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      if (is_same(twists_.at(i), wanted_.at(i))) continue;
+      const kinematics::DriveState next = kinematics::follow({twists_.at(i), steering_rad_[i]}, wanted_.at(i), scene_.limits, dt_);
+      twists_.set(i, next.twist);
+      steering_rad_[i] = next.steering_rad;
+    }
   }
 
   void meet_walls(Rollout* out) {
-    if (!walls_.look(outlines_, driven_m_, count_)) return;
+    if (!walls_.look(outlines_, driven_m_)) return;
     const Lane& gaps = walls_.gaps_m();
-    for (std::size_t i = 0; i < kLanes; ++i) wall_m_[i] = least(wall_m_[i], gaps[i]);
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (is_done_[i] || gaps[i] >= least_wall_m_) continue;
+    if (note_gaps(gaps) == 0) return;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      if (gaps[i] >= least_wall_m_[i]) continue;
+      least_wall_m_[i] = -kFarM;
+      if (i >= count_) continue;
       out[i] = so_far(i, Obstruction::kWall);
       is_done_[i] = true;
       --left_;
     }
+  }
+
+  /// Returns how many are less than they may be.
+  AISLE_WIDE_VECTORS int note_gaps(const Lane& gaps) {
+    int too_near = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      wall_m_[i] = least(wall_m_[i], gaps[i]);
+      too_near += gaps[i] < least_wall_m_[i] ? 1 : 0;
+    }
+    return too_near;
   }
 
   void meet(const std::vector<Foreseen>& all) {
@@ -129,7 +152,7 @@ class Bundle {
   }
 
   /// Loops of one line each, over values that do not alias: so they become vectors.
-  void meet(const Foreseen& whom, const Lane& squared, Lane& gap_of_kind) {
+  AISLE_WIDE_VECTORS void meet(const Foreseen& whom, const Lane& squared, Lane& gap_of_kind) {
     const double own_m = scene_.radius_m;
     const double its_m = whom.radius_m;
     const double margin_m = whom.margin_m;
@@ -142,9 +165,9 @@ class Bundle {
     for (std::size_t i = 0; i < kLanes; ++i) hit_[i] = distance[i] < 0.0 ? kind : hit_[i];
   }
 
-  void compare_with_path() {
+  AISLE_WIDE_VECTORS void compare_with_path() {
     Lane nearest;
-    nearest.fill(1e18);
+    nearest.fill(kFarM * kFarM);
     for (const Point2 q : aim_.path_in_map)
       for (std::size_t i = 0; i < kLanes; ++i) {
         const double x = lanes_.x[i] - q.x;
@@ -156,7 +179,7 @@ class Bundle {
   }
 
   Rollout so_far(std::size_t i, Obstruction collides) const {
-    return {{wanted_[i], looks_in_map_[i], scene_.base_in_map.position(), wall_m_[i], mover_m_[i], standing_m_[i], moving_m_[i], 0.0}, collides};
+    return {{wanted_.at(i), looks_in_map_[i], scene_.base_in_map.position(), wall_m_[i], mover_m_[i], standing_m_[i], moving_m_[i], 0.0}, collides};
   }
 
   const Scene& scene_;
@@ -164,16 +187,17 @@ class Bundle {
   const Aim& aim_;
   double dt_;
   int look_;
-  double swing_, least_wall_m_;
+  double swing_;
   std::size_t count_;
   std::size_t left_{count_};
   Lanes lanes_;
   Outlines outlines_;
   WallWatch walls_;
-  std::array<Twist2, kLanes> wanted_;
-  std::array<kinematics::DriveState, kLanes> drives_;
+  TwistLanes wanted_, twists_;
+  Lane steering_rad_;                     // of a tricycle
   bool is_changing_{true};
-  Lane v_, w_, s_, driven_m_;
+  Lane driven_m_;
+  Lane least_wall_m_;                     // nearer is a collision; nothing is for who has collided
   Lane wall_m_, mover_m_, standing_m_, moving_m_, path_m_, hit_;
   int path_looks_{0};
   std::array<geometry::Pose2, kLanes> looks_in_map_;

@@ -1,0 +1,57 @@
+#include "common/grid/clearance_lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <random>
+
+#include "tests/unit/grid/random_grid.hpp"
+
+namespace aisle::grid {
+namespace {
+
+using geometry::Point2;
+
+/// Inside and outside, on centres, on the lines between them, beside occupied cells, and what no map has.
+Point2 some_point(std::mt19937& random, const Geometry& g) {
+  const Point2 p = testing::random_point(random, g);
+  const Point2 center = g.center_in_map(g.cell_at(p));
+  switch (std::uniform_int_distribution<int>(0, 11)(random)) {
+    case 0: return center;
+    case 1: return {center.x, p.y};
+    case 2: return {p.x, center.y};
+    case 3: return {p.x + g.width * g.resolution_m, p.y};
+    case 4: return {p.x, p.y - g.height * g.resolution_m};
+    case 5: return {p.x, std::numeric_limits<double>::quiet_NaN()};
+    case 6: return {-std::numeric_limits<double>::infinity(), 1e300};
+    default: return p;
+  }
+}
+
+TEST(ClearancesOfManyPoints, AreThoseOfEachToTheBit) {
+  int free = 0;
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    std::mt19937 random(seed);
+    const OccupancyGrid grid = testing::random_grid(random);
+    const ClearanceField field(grid, 5.0);
+    for (int round = 0; round < 20; ++round) {
+      std::array<double, kClearanceLanes> x, y, found_m;
+      for (std::size_t i = 0; i < kClearanceLanes; ++i) {
+        const Point2 p = some_point(random, grid.geometry());
+        x[i] = p.x, y[i] = p.y;
+      }
+      clearances_m(field, x.data(), y.data(), found_m);
+      for (std::size_t i = 0; i < kClearanceLanes; ++i) {
+        const Point2 p{x[i], y[i]};
+        ASSERT_EQ(found_m[i], field.clearance_m(p)) << "seed " << seed << " at " << p.x << " " << p.y;
+        if (found_m[i] > 0.0) ++free;
+      }
+    }
+  }
+  EXPECT_GT(free, 50000);
+}
+
+}  // namespace
+}  // namespace aisle::grid
