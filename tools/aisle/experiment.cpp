@@ -28,6 +28,7 @@ struct ExperimentOrders {
   std::string empty_place{"deploy/scenarios/depot-pedestrians.yaml"};
   double longest_s{3600.0};
   double empty_s{600.0};
+  int detour_seeds{8};
 };
 
 /// Empty when the reference data is not there.
@@ -88,6 +89,7 @@ int run_tracking(const ExperimentOrders& orders) {
   experiment.pictures_from_page = "experiments";
   experiment.longest_s = orders.longest_s;
   experiment.empty_s = orders.empty_s;
+  experiment.detour_seeds = orders.detour_seeds;
   fs::create_directories(experiment.pictures);
   write_section(page, "obstacle tracking", tracking_section(experiment, say));
   return process::kDone;
@@ -121,6 +123,7 @@ void add_experiment_tracking(CLI::App& parent, Cli& cli) {
       .option("--empty-place", orders->empty_place, "scenario whose people and hidden blocks are left out to count ghosts")
       .option("--seconds", orders->longest_s, 10.0, 1e6, "of each recording, at most")
       .option("--empty-seconds", orders->empty_s, 1.0, 1e6, "in the empty place, at least")
+      .option("--detour-seeds", orders->detour_seeds, 0, 1000, "drives of each family with prediction and without; 0: none")
       .runs([orders] { return run_tracking(*orders); });
 }
 

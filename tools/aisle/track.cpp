@@ -21,17 +21,20 @@ struct Options {
   std::string pedestrians;
   std::string scenario;
   std::string svg;
+  std::string tracker{obstacle_tracker::MotionModel{}.filter};
   int vehicles{0};
   int seed{1};
   bool drive{false};
   bool empty{false};
   double seconds{3600.0};
+  double frames_per_s{tracking::kUsualFramesPerS};
   tracking::Sensing sensing;
   double yaw_noise_deg{0.5};
 };
 
 constexpr int kUsualVehicles = 2;
 constexpr double kDrawn_s = 60.0;
+const std::string kAll = "all";
 
 std::unique_ptr<tracking::Scene> scene_of(const Options& options) {
   if (options.pedestrians.empty() == options.scenario.empty()) {
@@ -43,7 +46,8 @@ std::unique_ptr<tracking::Scene> scene_of(const Options& options) {
                                      options.empty ? tracking::Cast::kVehiclesOnly : tracking::Cast::kAll);
   }
   if (options.empty) throw config::BadInput("--empty is for --scenario: recorded people are all there is to see in --pedestrians");
-  return tracking::recorded_people(options.pedestrians, options.vehicles > 0 ? options.vehicles : kUsualVehicles, options.drive);
+  return tracking::recorded_people(options.pedestrians, options.vehicles > 0 ? options.vehicles : kUsualVehicles, options.drive,
+                                   options.frames_per_s);
 }
 
 Json json_of(const tracking::Row& row) {
@@ -78,11 +82,22 @@ void print(const Cli& cli, const std::vector<tracking::Row>& rows) {
   }
 }
 
+/// One tracker, or every variant of it; and the baseline.
+std::vector<std::unique_ptr<tracking::Contestant>> contestants_of(const std::string& name) {
+  std::vector<std::unique_ptr<tracking::Contestant>> contestants;
+  for (const obstacle_tracker::Filter& filter : obstacle_tracker::all_filters()) {
+    if (name == kAll || name == filter.name) contestants.push_back(tracking::make_aisle(filter.name));
+  }
+  if (contestants.empty()) {
+    throw config::BadInput("--tracker: '" + name + "' is unknown; there are " + obstacle_tracker::filter_names() + ", and " + kAll);
+  }
+  contestants.push_back(tracking::make_nearest_neighbour());
+  return contestants;
+}
+
 int track(const Cli& cli, const Options& options) {
   const std::unique_ptr<tracking::Scene> scene = scene_of(options);
-  std::vector<std::unique_ptr<tracking::Contestant>> contestants;
-  contestants.push_back(tracking::make_aisle());
-  contestants.push_back(tracking::make_nearest_neighbour());
+  const std::vector<std::unique_ptr<tracking::Contestant>> contestants = contestants_of(options.tracker);
   tracking::Sensing sensing = options.sensing;
   sensing.yaw_noise_rad = options.yaw_noise_deg * geometry::kPi / 180.0;
   tracking::Picture picture(scene->walls(), 0, 0.0, kDrawn_s);
@@ -102,8 +117,10 @@ int track(const Cli& cli, const Options& options) {
 void add_track(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<Options>();
   Verb(parent, cli, "track", "the tracker and a baseline on simulated scans, without DDS, judged against the truth")
-      .option("--pedestrians", options->pedestrians, "recorded people: rows of 'frame id x y', 25 frames a second")
+      .option("--pedestrians", options->pedestrians, "recorded people: rows of 'frame id x y'")
+      .option("--frames-per-second", options->frames_per_s, 0.1, 1000.0, "of that recording")
       .option("--scenario", options->scenario, "a scenario file, driven in lock-step")
+      .option("--tracker", options->tracker, "by its filter: " + obstacle_tracker::filter_names() + ", or all in the same run")
       .option("--vehicles", options->vehicles, 0, 64, "how many have eyes (0: all of a scenario, two among recorded people)")
       .flag("--drive", options->drive, "the vehicles among recorded people drive, not stand")
       .flag("--empty", options->empty, "the scenario without its people and hidden blocks: every track is a ghost")

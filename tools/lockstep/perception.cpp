@@ -57,6 +57,8 @@ void ScanPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& wo
   }
   tracks_.clear();
   for (const auto& [id, seen] : sent_) tracks_.push_back(seen);
+  if (told_ == Told::kAsTracked) return;
+  for (local_planner::SeenTrack& seen : tracks_) seen.track.velocity_in_map = {};
 }
 
 void TruthPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& world, time::Stamp now) {

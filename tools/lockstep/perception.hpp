@@ -41,15 +41,21 @@ class Perceiver {
   std::vector<local_planner::SeenTrack> tracks_;
 };
 
+/// What the planners are told of how things move.
+enum class Told { kAsTracked, kHeldStill };
+
 /// Simulated lidars and the tracker's core.
 class ScanPerceiver final : public Perceiver {
  public:
-  ScanPerceiver(const fake_vehicle::LidarParameters& lidar, std::uint64_t seed) : lidar_(lidar), random_(seed) {}
+  /// kHeldStill: every track where it is, with velocity 0; what driving without prediction is like.
+  ScanPerceiver(const fake_vehicle::LidarParameters& lidar, std::uint64_t seed, Told told = Told::kAsTracked)
+      : lidar_(lidar), random_(seed), told_(told) {}
   void look(const std::vector<Sensor>& sensors, const TrueWorld& world, time::Stamp now) override;
 
  private:
   fake_vehicle::LidarParameters lidar_;
   std::mt19937_64 random_;
+  Told told_;
   obstacle_tracker::Tracker tracker_;
   obstacle_tracker::Outbox outbox_;
   std::map<std::uint64_t, local_planner::SeenTrack> sent_;

@@ -71,8 +71,12 @@ class Run {
         world_(setup.scenario, setup.people, setup.seed, nullptr),
         random_(setup.seed),
         fleet_({}, global_planner::find_variant(setup.planner)->make()) {
-    if (setup.perception == Perception::kScans) perceiver_ = std::make_unique<ScanPerceiver>(setup.vehicle.lidar, setup.seed);
-    else perceiver_ = std::make_unique<TruthPerceiver>(setup.vehicle.lidar.range_max_m, setup.seed);
+    if (setup.perception == Perception::kTruth) {
+      perceiver_ = std::make_unique<TruthPerceiver>(setup.vehicle.lidar.range_max_m, setup.seed);
+    } else {
+      const Told told = setup.perception == Perception::kScansHeldStill ? Told::kHeldStill : Told::kAsTracked;
+      perceiver_ = std::make_unique<ScanPerceiver>(setup.vehicle.lidar, setup.seed, told);
+    }
     for (const scenario::Vehicle& vehicle : setup.scenario.vehicles) add(vehicle);
   }
 

@@ -14,8 +14,9 @@
 
 namespace aisle::lockstep {
 
-/// What the fleet knows of people and things: from simulated scans and the tracker, or the truth of what is in sight.
-enum class Perception { kScans, kTruth };
+/// What the fleet knows of people and things: from simulated scans and the tracker, the same but every track held still (nothing is
+/// predicted), or the truth of what is in sight.
+enum class Perception { kScans, kScansHeldStill, kTruth };
 
 struct Setup {
   scenario::Scenario scenario;                  // its map and its recordings come beside it, read

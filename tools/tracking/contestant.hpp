@@ -19,8 +19,10 @@ class Contestant {
   virtual std::vector<obstacle_tracker::Track> tracks(time::Stamp now) const = 0;
 };
 
-/// The tracker of aisle-obstacle-tracker.
+/// The tracker of aisle-obstacle-tracker, named after its filter.
 std::unique_ptr<Contestant> make_aisle(const obstacle_tracker::TrackerParams& params = {});
+/// With its usual parameters but for the filter: one of obstacle_tracker::all_filters().
+std::unique_ptr<Contestant> make_aisle(const std::string& filter);
 /// What a weekend gives (see nearest_neighbour.cpp).
 std::unique_ptr<Contestant> make_nearest_neighbour();
 

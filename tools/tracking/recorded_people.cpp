@@ -4,6 +4,7 @@
 #include "common/config/reader.hpp"
 #include "services/fake-world/core/recording.hpp"
 #include "tools/tracking/scene.hpp"
+#include "tools/tracking/smooth_walk.hpp"
 
 namespace aisle::tracking {
 namespace {
@@ -90,9 +91,12 @@ class Ellipse {
 
 class RecordedPeople final : public Scene {
  public:
-  RecordedPeople(std::vector<RecordedPerson> people, int vehicles, bool drive)
-      : people_(std::move(people)), walls_(hall_around(area_of(people_))), ellipse_(area_of(people_)), vehicles_(vehicles), drive_(drive) {
-    for (const RecordedPerson& person : people_) duration_s_ = std::max(duration_s_, person.rows().back().t_s);
+  RecordedPeople(const std::vector<RecordedPerson>& people, int vehicles, bool drive, double hurry)
+      : walls_(hall_around(area_of(people))), ellipse_(area_of(people)), vehicles_(vehicles), drive_(drive) {
+    for (const RecordedPerson& person : people) {
+      people_.emplace_back(person.rows(), hurry);
+      duration_s_ = std::max(duration_s_, people_.back().end_s());
+    }
     ids_.resize(people_.size());
     for (std::size_t p = 0; p < people_.size(); ++p) ids_[p].id = next_id_++;
     choose_place();
@@ -148,7 +152,7 @@ class RecordedPeople final : public Scene {
       std::size_t inside = 0;
       for (double t_s = 0.0; t_s < duration_s_; t_s += 0.4) {
         const std::vector<Carrier> there = carriers(t_s, place_m);
-        for (const RecordedPerson& person : people_) {
+        for (const SmoothWalk& person : people_) {
           const auto motion = person.at(t_s);
           if (motion && is_inside(motion->position_in_map, there)) ++inside;
         }
@@ -159,7 +163,7 @@ class RecordedPeople final : public Scene {
     }
   }
 
-  std::vector<RecordedPerson> people_;
+  std::vector<SmoothWalk> people_;
   grid::OccupancyGrid walls_;
   Ellipse ellipse_;
   int vehicles_;
@@ -172,10 +176,10 @@ class RecordedPeople final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> recorded_people(const std::filesystem::path& file, int vehicles, bool drive) {
+std::unique_ptr<Scene> recorded_people(const std::filesystem::path& file, int vehicles, bool drive, double frames_per_s) {
   scenario::Recording recording;
   recording.file = file;
-  return std::make_unique<RecordedPeople>(fake_world::read_recording(recording), vehicles, drive);
+  return std::make_unique<RecordedPeople>(fake_world::read_recording(recording), vehicles, drive, frames_per_s / kUsualFramesPerS);
 }
 
 }  // namespace aisle::tracking

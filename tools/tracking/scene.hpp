@@ -43,10 +43,15 @@ class Scene {
   virtual Moment at(double t_s) = 0;
 };
 
+/// Of recordings of which nothing else is said: what fake_world::read_recording() takes them for.
+inline constexpr double kUsualFramesPerS = 25.0;
+
 /// Recorded people in an empty hall around them. The vehicles stand, or drive at 0.8 m/s, on an ellipse about the middle of the
-/// people's area, where fewest people come; who walks through one is not there meanwhile, and somebody else afterwards.
+/// people's area, where fewest people come; who walks through one is not there meanwhile, and somebody else afterwards. People walk
+/// on without corners between the rows (SmoothWalk). `frames_per_s`: of the recording.
 /// @throws config::BadInput
-std::unique_ptr<Scene> recorded_people(const std::filesystem::path& file, int vehicles, bool drive);
+std::unique_ptr<Scene> recorded_people(const std::filesystem::path& file, int vehicles, bool drive,
+                                       double frames_per_s = kUsualFramesPerS);
 
 enum class Cast {
   kAll,

@@ -1,5 +1,6 @@
 #include "tools/tracking/scoring.hpp"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +44,26 @@ std::vector<int> Scorer::match(const std::vector<Person>& people, const std::vec
   return claim_of;
 }
 
+void Scorer::Weighing::add(double nees) {
+  constexpr double kQuantile95 = 5.991;  // chi-square, 2 degrees of freedom
+  sum += nees;
+  ++count;
+  if (nees <= kQuantile95) ++inside;
+}
+
+Honesty Scorer::Weighing::honesty() const { return {count > 0 ? sum / static_cast<double>(count) : 0.0, share(inside, count)}; }
+
+void Scorer::weigh(const Person& person, const Claim& claim) {
+  const Eigen::Matrix4d covariance = Eigen::Map<const Eigen::Matrix4d>(claim.covariance.data());
+  if (covariance.diagonal().minCoeff() <= 0.0) return;
+  const geometry::Point2 away = claim.position_in_map - person.position_in_map;
+  const geometry::Point2 faster = claim.velocity_in_map - person.velocity_in_map;
+  const Eigen::Vector2d place(away.x, away.y);
+  const Eigen::Vector2d velocity(faster.x, faster.y);
+  place_.add(place.dot(covariance.topLeftCorner<2, 2>().inverse() * place));
+  velocity_.add(velocity.dot(covariance.bottomRightCorner<2, 2>().inverse() * velocity));
+}
+
 void Scorer::judge(const Person& person, const Claim* claim) {
   constexpr double kOldEnough_s = 1.0;
   History& history = histories_[person.id];
@@ -64,6 +85,7 @@ void Scorer::judge(const Person& person, const Claim* claim) {
       const geometry::Point2 error = claim->velocity_in_map - person.velocity_in_map;
       velocity_squares_ += geometry::dot(error, error);
       ++velocities_;
+      weigh(person, *claim);
     }
   }
   history.has_track = true;
@@ -127,6 +149,8 @@ Score Scorer::score() const {
   score.motp_m = matches_ > 0 ? distance_sum_m_ / static_cast<double>(matches_) : 0.0;
   score.idf1 = share(2 * ids_explained(), people_ + claims_);
   score.velocity_rms_mps = velocities_ > 0 ? std::sqrt(velocity_squares_ / static_cast<double>(velocities_)) : 0.0;
+  score.place = place_.honesty();
+  score.velocity = velocity_.honesty();
   int found = 0;
   for (const auto& [id, history] : histories_) {
     if (!history.has_track) continue;

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -23,6 +24,14 @@ struct Claim {
   geometry::Point2 position_in_map;
   geometry::Point2 velocity_in_map;
   double age_s{0.0};
+  std::array<double, 16> covariance{};  // of (x, y, vx, vy), row by row; all zero: it does not say
+};
+
+/// How honest the covariances are: squared errors over what they should be (normalised estimation error squared), of matched tracks
+/// older than 1 s; chi-square with 2 degrees of freedom when they are.
+struct Honesty {
+  double mean{0.0};    // 2 when honest; more: too sure
+  double inside{0.0};  // share within the 95 % quantile
 };
 
 /// Figures over all moments so far; shares in [0, 1] but for mota, which is negative where errors outnumber people.
@@ -33,6 +42,7 @@ struct Score {
   int id_switches{0};          // a person's track is another than last time
   int fragments{0};            // a person is lost while counted, and found again
   double velocity_rms_mps{0.0};  // of the velocity vector's error, matched tracks older than 1 s
+  Honesty place, velocity;     // of those that say how sure they are
   double latency_scans{0.0};   // mean number of moments from the first at which somebody counts to the first with a track
   double false_tracks_per_min{0.0};  // ids that were claimed and never anybody's
   double longest_false_s{0.0};
@@ -57,12 +67,19 @@ class Scorer {
     bool is_lost{false};     // missed since
     int waited{0};           // moments it counted before it first had a track
   };
+  struct Weighing {
+    double sum{0.0};
+    std::int64_t inside{0}, count{0};
+    void add(double nees);
+    Honesty honesty() const;
+  };
   struct Life {
     int claimed{0};
     int right{0};  // matched with somebody, counted or not
   };
   std::vector<int> match(const std::vector<Person>& people, const std::vector<Claim>& claims) const;
   void judge(const Person& person, const Claim* claim);
+  void weigh(const Person& person, const Claim& claim);
   void note_ids(const std::vector<Person>& people, const std::vector<Claim>& claims, const std::vector<int>& claim_of);
   std::int64_t ids_explained() const;
 
@@ -78,6 +95,7 @@ class Scorer {
   std::int64_t matches_{0};
   double velocity_squares_{0.0};
   std::int64_t velocities_{0};
+  Weighing place_, velocity_;
 };
 
 }  // namespace aisle::tracking

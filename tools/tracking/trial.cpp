@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "common/grid/line_of_sight.hpp"
@@ -158,7 +159,7 @@ class Trial {
         const bool is_block = std::any_of(truth_.blocks.begin(), truth_.blocks.end(), [&](const Body& block) {
           return geometry::distance_m(block, track.position_in_map) < kBlockMargin_m;
         });
-        if (!is_block) claims.push_back({track.id, track.position_in_map, track.velocity_in_map, track.age_s});
+        if (!is_block) claims.push_back({track.id, track.position_in_map, track.velocity_in_map, track.age_s, track.covariance});
       }
       scorers_[c].look(there, claims);
     }
@@ -169,7 +170,8 @@ class Trial {
     std::vector<Row> rows;
     for (std::size_t c = 0; c < contestants_.size(); ++c) {
       rows.push_back({contestants_[c]->name(), scorers_[c].score(), present_ > 0 ? static_cast<double>(seen_) / static_cast<double>(present_) : 0.0,
-                      percentile(took_ms_[c], 0.5), percentile(took_ms_[c], 0.99)});
+                      percentile(took_ms_[c], 0.5), percentile(took_ms_[c], 0.99),
+                      t_s_ > 0.0 ? 1e-3 * std::accumulate(took_ms_[c].begin(), took_ms_[c].end(), 0.0) / t_s_ : 0.0});
     }
     return rows;
   }

@@ -26,6 +26,7 @@ struct Row {
   double coverage{0.0};  // share of people-seconds in which a ray touched the person within the last second
   double scan_ms_p50{0.0};
   double scan_ms_p99{0.0};
+  double core_share{0.0};  // CPU time over simulated time
 };
 
 /// What a drawing needs, ten times a second.

@@ -13,9 +13,9 @@ int rays_of(const Detection& detection) { return static_cast<int>(std::min<std::
 
 }  // namespace
 
-LiveTrack::LiveTrack(std::uint64_t id, const Detection& detection, const ConstantVelocity::Params& motion, time::Stamp moment)
+LiveTrack::LiveTrack(std::uint64_t id, const Detection& detection, const MotionModel& motion, time::Stamp moment)
     : id_(id),
-      filter_(motion, vector_of(detection.position_in_map), detection.covariance),
+      filter_(make_filter(motion, vector_of(detection.position_in_map), detection.covariance)),
       radius_m_(detection.radius_m),
       born_(moment),
       last_seen_(moment),
@@ -24,20 +24,20 @@ LiveTrack::LiveTrack(std::uint64_t id, const Detection& detection, const Constan
       anchored_(moment) {}
 
 geometry::Point2 LiveTrack::position_before(double lag_s) const {
-  const Eigen::Vector4d& x = filter_.state();
+  const Eigen::Vector4d& x = filter_->state();
   return {x(0) - lag_s * x(2), x(1) - lag_s * x(3)};
 }
 
-double LiveTrack::position_sigma_m() const { return std::sqrt(0.5 * filter_.covariance().topLeftCorner<2, 2>().trace()); }
+double LiveTrack::position_sigma_m() const { return std::sqrt(0.5 * filter_->covariance().topLeftCorner<2, 2>().trace()); }
 
 void LiveTrack::move_on(time::Stamp from, time::Stamp to) {
   constexpr double kLookedAway_s = 0.25;
   const double dt_s = time::seconds(to - from);
   if (dt_s <= 0.0) return;
   if (is_static_ && time::seconds(to - last_seen_) > kLookedAway_s) {
-    filter_.stand(dt_s);
+    filter_->stand(dt_s);
   } else {
-    filter_.predict(dt_s);
+    filter_->predict(dt_s);
   }
 }
 
@@ -46,9 +46,9 @@ void LiveTrack::take(const Detection& detection, time::Stamp measured, time::Sta
   const Eigen::Vector2d position = vector_of(detection.position_in_map);
   const double lag_s = time::seconds(moment - measured);
   const bool has_turned =
-      seen_scans_ >= kScansToKnowTheSpeed && filter_.innovation(position, detection.covariance, lag_s).distance2 > lifecycle.turn_gate;
-  if (has_turned) filter_.loosen(lifecycle.turn_speed_sigma_mps);
-  filter_.update(position, detection.covariance, lag_s);
+      seen_scans_ >= kScansToKnowTheSpeed && filter_->innovation(position, detection.covariance, lag_s).distance2 > lifecycle.turn_gate;
+  if (has_turned) filter_->loosen(lifecycle.turn_speed_sigma_mps);
+  filter_->update(position, detection.covariance, lag_s);
   ++seen_scans_;
   rays_ = std::min(1000, rays_ + rays_of(detection));
   glimpse(measured);
@@ -63,7 +63,7 @@ void LiveTrack::glimpse(time::Stamp measured) {
 
 bool LiveTrack::is_standing() const {
   constexpr double kSlow_mps = 0.3;
-  return is_static_ || filter_.state().tail<2>().norm() < kSlow_mps;
+  return is_static_ || filter_->state().tail<2>().norm() < kSlow_mps;
 }
 
 double LiveTrack::reach_to_cover(const Detection& detection) const {
@@ -113,10 +113,10 @@ Track LiveTrack::published(time::Stamp now) const {
   Track track;
   track.id = id_;
   track.position_in_map = position_in_map();
-  if (!is_static_) track.velocity_in_map = {filter_.state()(2), filter_.state()(3)};
+  if (!is_static_) track.velocity_in_map = {filter_->state()(2), filter_->state()(3)};
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column)
-      track.covariance[static_cast<std::size_t>(4 * row + column)] = filter_.covariance()(row, column);
+      track.covariance[static_cast<std::size_t>(4 * row + column)] = filter_->covariance()(row, column);
   }
   track.radius_m = radius_m_;
   track.age_s = std::max(0.0, time::seconds(now - born_));

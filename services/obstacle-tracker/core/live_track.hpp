@@ -1,9 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <memory>
 
 #include "common/time/stamp.hpp"
 #include "services/obstacle-tracker/core/detections.hpp"
-#include "services/obstacle-tracker/core/filters/constant_velocity.hpp"
+#include "services/obstacle-tracker/core/motion_filter.hpp"
 #include "services/obstacle-tracker/core/track.hpp"
 
 namespace aisle::obstacle_tracker {
@@ -49,10 +50,10 @@ struct Lifecycle {
 /// A track from birth to death, published or not. Moments are on the tracker's clock.
 class LiveTrack {
  public:
-  LiveTrack(std::uint64_t id, const Detection& detection, const ConstantVelocity::Params& motion, time::Stamp moment);
+  LiveTrack(std::uint64_t id, const Detection& detection, const MotionModel& motion, time::Stamp moment);
 
   std::uint64_t id() const { return id_; }
-  const ConstantVelocity& filter() const { return filter_; }
+  const MotionFilter& filter() const { return *filter_; }
   double radius_m() const { return radius_m_; }
   bool is_static() const { return is_static_; }
   /// Slow enough now that what is seen at its edge is a part of it.
@@ -61,7 +62,7 @@ class LiveTrack {
     return seen_scans_ >= lifecycle.confirming_scans && rays_ >= lifecycle.confirming_rays;
   }
   time::Stamp last_seen() const { return last_seen_; }
-  geometry::Point2 position_in_map() const { return {filter_.state().x(), filter_.state().y()}; }
+  geometry::Point2 position_in_map() const { return {filter_->state().x(), filter_->state().y()}; }
   /// Where it was `lag_s` before the filter's moment.
   geometry::Point2 position_before(double lag_s) const;
   double position_sigma_m() const;
@@ -91,7 +92,7 @@ class LiveTrack {
   void settle(time::Stamp measured, const Lifecycle& lifecycle);
 
   std::uint64_t id_;
-  ConstantVelocity filter_;
+  std::unique_ptr<MotionFilter> filter_;
   double radius_m_;
   time::Stamp born_;
   time::Stamp last_seen_;

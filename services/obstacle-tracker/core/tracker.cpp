@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "services/obstacle-tracker/core/alignment.hpp"
@@ -77,11 +78,20 @@ std::optional<DropReason> Tracker::why_drop(const Scan& scan, const std::vector<
   if (scan.stamp > now + kMaxFuture) return DropReason::kFuture;
   if (now - scan.stamp > kMaxAge) return DropReason::kTooOld;
   const auto [entry, is_first] = sensors_.try_emplace(scan.agv_id);
+  if (sensors_.size() > vehicles.size()) forget_who_left(vehicles);
   Sensor& sensor = entry->second;
   if (!is_first && scan.stamp <= sensor.newest) return DropReason::kNotNewer;
   if (!has_usual_count(sensor, scan.ranges_m.size())) return DropReason::kWrongCount;
   sensor.newest = scan.stamp;
   return std::nullopt;
+}
+
+/// What is remembered of vehicles grows no larger than the fleet. The scanning one is among `vehicles`, and stays.
+void Tracker::forget_who_left(const std::vector<KnownVehicle>& vehicles) {
+  for (auto sensor = sensors_.begin(); sensor != sensors_.end();) {
+    const auto is_same = [&](const KnownVehicle& vehicle) { return vehicle.agv_id == sensor->first; };
+    sensor = std::any_of(vehicles.begin(), vehicles.end(), is_same) ? std::next(sensor) : sensors_.erase(sensor);
+  }
 }
 
 /// The first scan says what is usual; another count becomes usual when it comes three times in a row.
@@ -204,7 +214,7 @@ void Tracker::take_in(const std::vector<Detection>& detections, const Scan& scan
       born.back().move_on(measured, moment_);
     }
   }
-  live_.insert(live_.end(), born.begin(), born.end());
+  std::move(born.begin(), born.end(), std::back_inserter(live_));
 }
 
 /// A second piece of a thing that is already tracked as one disc is not another thing; the disc grows to cover it.

@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -18,7 +19,7 @@ struct TrackerParams {
   Explained explained;
   Clustering clustering;
   Shape shape;
-  ConstantVelocity::Params motion;
+  MotionModel motion;
   Lifecycle lifecycle;
 
   template <class Reader>
@@ -61,6 +62,10 @@ class Tracker {
   /// The published tracks, as of the newest scan, by id. `age_s` and `unseen_s` are as of `now`.
   std::vector<Track> tracks(time::Stamp now) const;
 
+  /// How many tracks there are, published or not, and of how many vehicles something is remembered.
+  std::size_t tracks_held() const { return live_.size(); }
+  std::size_t vehicles_held() const { return sensors_.size(); }
+
   std::uint64_t scans_used() const { return scans_used_; }
   std::uint64_t scans_dropped() const;
   std::uint64_t scans_dropped(DropReason reason) const { return dropped_[static_cast<std::size_t>(reason)]; }
@@ -82,6 +87,7 @@ class Tracker {
 
   std::optional<DropReason> why_drop(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const grid::ClearanceField* clearance,
                                      time::Stamp now);
+  void forget_who_left(const std::vector<KnownVehicle>& vehicles);
   bool has_usual_count(Sensor& sensor, std::size_t rays) const;
   void move_on(time::Stamp to);
   std::vector<Expected> expected_at(time::Stamp moment) const;

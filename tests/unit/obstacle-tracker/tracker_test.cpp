@@ -3,7 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
 
 #include "common/kinematics/vehicle_model.hpp"
 #include "tests/unit/obstacle-tracker/stage.hpp"
@@ -426,6 +432,26 @@ TEST(Tracker, IsAsSureAsItMayBe) {
   EXPECT_LT(nees, 5.5);
 }
 
+TEST(Tracker, HoldsNoMoreThanTheFleetAndWhatIsThere) {
+  World world(room(16.0, 12.0));
+  Lidar lidar(1);
+  Tracker tracker;
+  std::size_t most = 0;
+  for (int k = 0; k < 1200; ++k) {  // two minutes; every 5 s somebody else, and a vehicle of another name in the same place
+    const std::string name = "agv-" + std::to_string(k / 50);
+    const std::vector<Vehicle> fleet{vehicle_at(name.c_str(), 8.0, 2.0)};
+    const double t = 0.1 * (k % 50);
+    world.discs = {{{4.0 + 1.3 * t, 5.0 + 0.2 * (k / 50 % 5)}, 0.25}, {{11.0 - 1.3 * t, 9.0}, 0.25}};
+    const time::Stamp now = std::chrono::seconds(100) + k * std::chrono::milliseconds(100);
+    ASSERT_FALSE(tracker.take(lidar.scan(world, fleet[0], fleet, now), lidar.known(fleet, now), &world.clearance, now).dropped);
+    most = std::max(most, tracker.tracks_held());
+    ASSERT_EQ(tracker.vehicles_held(), 1U);
+  }
+  EXPECT_LE(most, 8U);
+  static_cast<void>(tracker.give_up_overdue(std::chrono::seconds(300)));
+  EXPECT_EQ(tracker.tracks_held(), 0U);
+}
+
 TEST(Tracker, DropsWhatItCannotUseAndCountsWhy) {
   World world(room(16.0, 12.0));
   const std::vector<Vehicle> fleet{vehicle_at("a", 8.0, 2.0)};
@@ -450,14 +476,46 @@ TEST(Tracker, DropsWhatItCannotUseAndCountsWhy) {
   EXPECT_EQ(reason_of([](Scan& s) { s.position_sigma_m = std::nan(""); }), DropReason::kNotFinite);
   EXPECT_EQ(reason_of([](Scan& s) { s.position_sigma_m = 50.0; }), DropReason::kBadGeometry);
   EXPECT_EQ(reason_of([](Scan& s) { s.yaw_sigma_rad = -0.1; }), DropReason::kBadGeometry);
+  EXPECT_EQ(reason_of([](Scan& s) { s.twist.angular_radps = std::nan(""); }), DropReason::kNotFinite);
+  EXPECT_EQ(reason_of([](Scan& s) { s.base_in_map.y = 1e308; }), DropReason::kBadGeometry);
+  EXPECT_EQ(reason_of([](Scan& s) { s.sweep_s = 3600.0; }), DropReason::kBadGeometry);
+  EXPECT_EQ(reason_of([](Scan& s) { s.range_max_m = 0.01; }), DropReason::kBadGeometry);
+  EXPECT_EQ(reason_of([](Scan& s) { s.ranges_m[7] = -std::numeric_limits<float>::infinity(); }), DropReason::kNegativeRange);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp += std::chrono::seconds(2); }), DropReason::kFuture);
+  EXPECT_EQ(reason_of([](Scan& s) { s.stamp += std::chrono::hours(1); }), DropReason::kFuture);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp -= std::chrono::seconds(2); }), DropReason::kTooOld);
-  EXPECT_EQ(reason_of([](Scan&) {}), std::nullopt);
+  EXPECT_EQ(reason_of([](Scan& s) { s.stamp -= std::chrono::minutes(60); }), DropReason::kTooOld);
+  EXPECT_EQ(tracker.scans_used(), 0U);
+  EXPECT_EQ(reason_of([](Scan& s) { s.ranges_m[7] = std::numeric_limits<float>::infinity(); }), std::nullopt) << "nothing was seen there";
   EXPECT_EQ(reason_of([](Scan&) {}), DropReason::kNotNewer);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp += std::chrono::milliseconds(10), s.ranges_m.resize(100); }), DropReason::kWrongCount);
   EXPECT_EQ(tracker.scans_used(), 1U);
-  EXPECT_EQ(tracker.scans_dropped(), 15U);
-  EXPECT_EQ(tracker.scans_dropped(DropReason::kWrongCount), 3U);
+  const std::map<DropReason, std::uint64_t> counted{{DropReason::kUnknownVehicle, 1}, {DropReason::kNoMap, 1},       {DropReason::kNotFinite, 4},
+                                                    {DropReason::kNegativeRange, 2},  {DropReason::kWrongCount, 3},  {DropReason::kBadGeometry, 6},
+                                                    {DropReason::kNotNewer, 1},       {DropReason::kFuture, 2},      {DropReason::kTooOld, 2}};
+  std::set<std::string> names;
+  for (const auto& [reason, times] : counted) {
+    EXPECT_EQ(tracker.scans_dropped(reason), times) << name_of(reason);
+    names.insert(name_of(reason));
+  }
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(kDropReasons));
+  EXPECT_EQ(tracker.scans_dropped(), 22U);
+}
+
+TEST(Tracker, IsNotMovedByABrokenScan) {
+  Stage stage(room(16.0, 12.0), {vehicle_at("a", 8.0, 2.0)}, 1);
+  stage.run(3.0, [&](double t) { stage.world.discs = {{{6.0 + t, 6.0}, 0.25}}; });
+  ASSERT_EQ(stage.tracks.size(), 1U);
+  const time::Stamp now = stage.start + time::from_seconds(3.0);
+  Scan scan = stage.lidar.scan(stage.world, stage.fleet[0], stage.fleet, now);
+  scan.ranges_m[7] = std::nanf("");
+  EXPECT_EQ(stage.tracker.take(scan, stage.lidar.known(stage.fleet, now), &stage.world.clearance, now).dropped, DropReason::kNotFinite);
+  const Track before = stage.tracks[0];
+  const Track after = stage.tracker.tracks(stage.start + time::from_seconds(2.9)).at(0);
+  EXPECT_EQ(after.position_in_map.x, before.position_in_map.x);
+  EXPECT_EQ(after.covariance, before.covariance);
+  scan = stage.lidar.scan(stage.world, stage.fleet[0], stage.fleet, now);  // the next good one of the same moment is taken
+  EXPECT_FALSE(stage.tracker.take(scan, stage.lidar.known(stage.fleet, now), &stage.world.clearance, now).dropped);
 }
 
 }  // namespace

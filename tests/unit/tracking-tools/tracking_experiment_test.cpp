@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <vector>
+
 #include "common/config/reader.hpp"
 #include "common/scenario/data_path.hpp"
+#include "tools/lockstep/families.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -22,6 +25,7 @@ class TrackingSection : public ::testing::Test {
     orders_.pictures_from_page = "pictures";
     orders_.longest_s = 5.0;
     orders_.empty_s = 1.0;
+    orders_.detour_seeds = 0;
     fs::create_directories(orders_.pictures);
   }
   ~TrackingSection() override { fs::remove_all(orders_.pictures); }
@@ -40,11 +44,25 @@ TEST_F(TrackingSection, HasARowForEveryRecordingAndFleetAndNoise) {
     GTEST_SKIP() << "no reference data here";
   }
   const std::string section = tracking_section(orders_, [](const std::string&) {});
-  for (const char* row : {"| biwi_eth, standing | aisle |", "| crowds_zara01, driving | nearest-neighbour |", "| biwi_hotel | 4 |", "| 5 cm, 1 degree |"}) {
+  for (const char* row : {"| biwi_eth, standing | constant-velocity |", "| biwi_eth at 15 frames a second, driving | interacting-mix |", "| crowds_zara01, driving | nearest-neighbour |", "| biwi_hotel | 4 |", "| 5 cm, 1 degree |"}) {
     EXPECT_THAT(section, HasSubstr(row));
   }
   EXPECT_TRUE(fs::exists(orders_.pictures / "tracking-biwi_hotel.svg"));
   EXPECT_EQ(section, tracking_section(orders_, [](const std::string&) {})) << "the same orders, the same text";
+}
+
+TEST(DetourTable, ComparesThePredictedWithTheHeldStill) {
+  std::vector<lockstep::Result> results;
+  for (const lockstep::Perception perception : {lockstep::Perception::kScans, lockstep::Perception::kScansHeldStill}) {
+    lockstep::Setup setup = lockstep::make_setup("person-crossing", 1);
+    setup.perception = perception;
+    bool anybody_moves = false;
+    results.push_back(lockstep::run(setup, [&](const lockstep::Snapshot& now) {
+      for (const auto& seen : now.tracks) anybody_moves = anybody_moves || geometry::norm(seen.track.velocity_in_map) > 0.2;
+    }));
+    EXPECT_EQ(anybody_moves, perception == lockstep::Perception::kScans);
+  }
+  EXPECT_NE(results[0].trace_hash, results[1].trace_hash);
 }
 
 }  // namespace

@@ -111,6 +111,22 @@ TEST(Scoring, MeasuresVelocityOfOldTracksAsAVector) {
   EXPECT_NEAR(scorer.score().velocity_rms_mps, 0.5, 1e-12);
 }
 
+TEST(Scoring, WeighsErrorsByTheCovarianceOfWhoSaysOne) {
+  Scorer scorer(kPeriod_s);
+  Claim sure = claim(7, 0.2, 2.0);  // 0.2 m off in x, 0.3 m/s in vy
+  sure.velocity_in_map = {1.0, 0.3};
+  sure.covariance[0] = sure.covariance[5] = 0.1 * 0.1;
+  sure.covariance[10] = sure.covariance[15] = 0.1 * 0.1;
+  scorer.look({person(1, 0.0)}, {sure});
+  scorer.look({person(1, 0.0)}, {claim(7, 0.1, 2.0)});  // says nothing
+  sure.age_s = 0.5;
+  scorer.look({person(1, 0.0)}, {sure});  // too young
+  EXPECT_NEAR(scorer.score().place.mean, 4.0, 1e-9);
+  EXPECT_NEAR(scorer.score().velocity.mean, 9.0, 1e-9);
+  EXPECT_EQ(scorer.score().place.inside, 1.0);
+  EXPECT_EQ(scorer.score().velocity.inside, 0.0);
+}
+
 TEST(Scoring, CountsHowManyScansTheFirstTrackTakes) {
   Scorer scorer(kPeriod_s);
   scorer.look({person(1, 0.0), person(2, 5.0)}, {claim(7, 0.0)});
