@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "common/geometry/wide_vectors.hpp"
 
@@ -133,27 +134,25 @@ AISLE_WIDE_VECTORS void Outlines::distances2_to(Point2 p, Lane& squared) const {
     }
 }
 
-double Outlines::wall_gap_m(std::size_t lane) const {
-  double least = scene_.clearance.clearance_m(Point2{x_[0][lane], y_[0][lane]});
-  for (std::size_t disc = 1; disc < count_; ++disc) least = std::min(least, scene_.clearance.clearance_m(Point2{x_[disc][lane], y_[disc][lane]}));
-  return least - scene_.radius_m;
-}
-
-AISLE_WIDE_VECTORS void Outlines::wall_gaps_m(Lane& gaps_m) const {
-  grid::clearances_m(scene_.clearance, x_[0], y_[0], gaps_m);
-  Lane of_disc;
-  for (std::size_t disc = 1; disc < count_; ++disc) {
-    grid::clearances_m(scene_.clearance, x_[disc], y_[disc], of_disc);
-    for (std::size_t i = 0; i < kLanes; ++i) gaps_m[i] = least(gaps_m[i], of_disc[i]);
+void Outlines::clearances_of_pairs_m(const std::size_t* pairs, Lane& found_m) const {
+  Lane x, y;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    x[i] = x_[pairs[i] / kLanes][pairs[i] % kLanes];
+    y[i] = y_[pairs[i] / kLanes][pairs[i] % kLanes];
   }
-  const double radius_m = scene_.radius_m;
-  for (std::size_t i = 0; i < kLanes; ++i) gaps_m[i] -= radius_m;
+  grid::clearances_m(scene_.clearance, x.data(), y.data(), found_m);
 }
 
 namespace {
 
-/// Takes off what was driven. Returns how many are less than enough then.
-AISLE_WIDE_VECTORS int drive(Lane& known_m, const Lane& driven_m, double enough_m) {
+constexpr double kFarM = 1e9;
+
+AISLE_WIDE_VECTORS void lower(Lane& bound_m, const Lane& driven_m) {
+  for (std::size_t i = 0; i < kLanes; ++i) bound_m[i] -= driven_m[i];
+}
+
+/// Returns how many are less than `enough_m` then.
+AISLE_WIDE_VECTORS int lower(Lane& known_m, const Lane& driven_m, double enough_m) {
   int unknown = 0;
   for (std::size_t i = 0; i < kLanes; ++i) {
     known_m[i] -= driven_m[i];
@@ -162,11 +161,25 @@ AISLE_WIDE_VECTORS int drive(Lane& known_m, const Lane& driven_m, double enough_
   return unknown;
 }
 
+/// Marks the lanes that are unknown and whose disc may be near with 1. Returns how many.
+AISLE_WIDE_VECTORS int mark(const Lane& known_m, double enough_m, const Lane& bound_m, double near_m, std::array<std::uint64_t, kLanes>& marks) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    marks[i] = (known_m[i] < enough_m) & (bound_m[i] < near_m) ? 1 : 0;
+    count += marks[i];
+  }
+  return static_cast<int>(count);
+}
+
+AISLE_WIDE_VECTORS void lower_to(Lane& least_m, const Lane& values_m) {
+  for (std::size_t i = 0; i < kLanes; ++i) least_m[i] = least(least_m[i], values_m[i]);
+}
+
 /// Learns the gaps that were unknown. Returns how many are less than enough.
-AISLE_WIDE_VECTORS int learn(Lane& known_m, const Lane& gaps_m, double enough_m) {
+AISLE_WIDE_VECTORS int learn(Lane& known_m, const Lane& clearances_m, double radius_m, double enough_m) {
   int near = 0;
   for (std::size_t i = 0; i < kLanes; ++i) {
-    known_m[i] = known_m[i] < enough_m ? gaps_m[i] : known_m[i];
+    known_m[i] = known_m[i] < enough_m ? clearances_m[i] - radius_m : known_m[i];
     near += known_m[i] < enough_m ? 1 : 0;
   }
   return near;
@@ -174,18 +187,62 @@ AISLE_WIDE_VECTORS int learn(Lane& known_m, const Lane& gaps_m, double enough_m)
 
 }  // namespace
 
+WallWatch::WallWatch(double enough_m) : enough_m_(enough_m) {
+  known_m_.fill(-kFarM);
+  for (Lane& bound_m : bound_m_) bound_m.fill(-kFarM);
+}
+
+void WallWatch::leave(std::size_t lane) { known_m_[lane] = kFarM; }
+
 bool WallWatch::look(const Outlines& outlines, const Lane& driven_m) {
-  constexpr int kFew = 6;                   // are quicker looked up one by one
-  const int unknown = drive(known_m_, driven_m, enough_m_);
+  const int unknown = lower(known_m_, driven_m, enough_m_);
+  for (std::size_t disc = 0; outlines.count() > 1 && disc < outlines.count(); ++disc) lower(bound_m_[disc], driven_m);
   if (unknown == 0) return false;
-  Lane gaps_m = known_m_;
+  return outlines.count() == 1 ? look_at_disc(outlines, unknown) : look_at_discs(outlines);
+}
+
+constexpr int kFew = 10;                    // are quicker looked up one by one
+
+bool WallWatch::look_at_disc(const Outlines& outlines, int unknown) {
+  Lane found_m = known_m_;
   if (unknown > kFew) {
-    outlines.wall_gaps_m(gaps_m);
+    outlines.clearances_m(0, found_m);
   } else {
     for (std::size_t i = 0; i < kLanes; ++i)
-      if (known_m_[i] < enough_m_) gaps_m[i] = outlines.wall_gap_m(i);
+      if (known_m_[i] < enough_m_) found_m[i] = outlines.clearance_m(0, i);
   }
-  return learn(known_m_, gaps_m, enough_m_) > 0;
+  return learn(known_m_, found_m, outlines.radius_m(), enough_m_) > 0;
+}
+
+/// Learns the clearances of those discs of unknown lanes that may be near, in full vectors.
+bool WallWatch::look_at_discs(const Outlines& outlines) {
+  // Between centres a clearance may be understated by as much: the mean way to the corners, and what interpolation takes off.
+  constexpr double kUnderstatedCells = 0.83;
+  const double near_m = enough_m_ + outlines.radius_m() + kUnderstatedCells * outlines.cell_m();
+  std::array<std::size_t, (kMostDiscs + 1) * kLanes> wanted;
+  std::array<std::uint64_t, kLanes> marks;
+  std::size_t count = 0;
+  for (std::size_t disc = 0; disc < outlines.count(); ++disc) {
+    if (mark(known_m_, enough_m_, bound_m_[disc], near_m, marks) == 0) continue;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      wanted[count] = disc * kLanes + i;
+      count += marks[i];
+    }
+  }
+  for (std::size_t first = 0; first < count; first += kLanes) {
+    const std::size_t some = std::min(kLanes, count - first);
+    Lane found_m;
+    if (some > static_cast<std::size_t>(kFew)) {
+      std::fill_n(wanted.begin() + static_cast<std::ptrdiff_t>(first + some), kLanes - some, wanted[first]);
+      outlines.clearances_of_pairs_m(wanted.data() + first, found_m);
+    } else {
+      for (std::size_t i = 0; i < some; ++i) found_m[i] = outlines.clearance_m(wanted[first + i] / kLanes, wanted[first + i] % kLanes);
+    }
+    for (std::size_t i = 0; i < some; ++i) bound_m_[wanted[first + i] / kLanes][wanted[first + i] % kLanes] = found_m[i];
+  }
+  Lane nearest_m = bound_m_[0];
+  for (std::size_t disc = 1; disc < outlines.count(); ++disc) lower_to(nearest_m, bound_m_[disc]);
+  return learn(known_m_, nearest_m, outlines.radius_m(), enough_m_) > 0;
 }
 
 }  // namespace aisle::local_planner

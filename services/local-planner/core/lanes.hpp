@@ -54,8 +54,14 @@ class Outlines {
   void follow(const Lanes& lanes);
   /// Squared, from each lane's nearest centre.
   void distances2_to(geometry::Point2 p, Lane& squared) const;
-  double wall_gap_m(std::size_t lane) const;
-  void wall_gaps_m(Lane& gaps_m) const;
+  std::size_t count() const { return count_; }
+  double radius_m() const { return scene_.radius_m; }
+  double cell_m() const { return scene_.clearance.geometry().resolution_m; }
+  /// From one disc's centre to the nearest wall.
+  double clearance_m(std::size_t disc, std::size_t lane) const { return scene_.clearance.clearance_m(geometry::Point2{x_[disc][lane], y_[disc][lane]}); }
+  void clearances_m(std::size_t disc, Lane& found_m) const { grid::clearances_m(scene_.clearance, x_[disc], y_[disc], found_m); }
+  /// The same of 32 pairs of a disc and a lane: `disc * kLanes + lane`.
+  void clearances_of_pairs_m(const std::size_t* pairs, Lane& found_m) const;
 
  private:
   const Scene& scene_;
@@ -66,18 +72,24 @@ class Outlines {
 };
 
 /// Looks up distances to walls along trajectories; where there was plenty a moment ago it does not look again: the distance shrinks by
-/// at most what was driven.
+/// at most what was driven. Of several discs only those are looked up that can be too near.
 class WallWatch {
  public:
-  explicit WallWatch(double enough_m) : enough_m_(enough_m) { known_m_.fill(-1e9); }
+  explicit WallWatch(double enough_m);
   /// One step on. Returns whether some gap is less than `enough_m`.
   bool look(const Outlines& outlines, const Lane& driven_m);
-  /// The gaps, or at least `enough_m` where there is as much.
+  /// Of the vehicles' outlines; at least `enough_m` where there is as much.
   const Lane& gaps_m() const { return known_m_; }
+  /// Nobody asks for this lane's gap any more.
+  void leave(std::size_t lane);
 
  private:
+  bool look_at_disc(const Outlines& outlines, int unknown);
+  bool look_at_discs(const Outlines& outlines);
+
   double enough_m_;
   Lane known_m_;
+  std::array<Lane, kMostDiscs> bound_m_;    // of the clearance of each disc's centre
 };
 
 }  // namespace aisle::local_planner

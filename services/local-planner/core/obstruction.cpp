@@ -48,6 +48,8 @@ class Braking {
   void take_up(const TwistLanes& wanted) {
     if (scene_.limits.model == kinematics::Model::kDifferential) {
       follow_differential(twists_, wanted, scene_.limits, dt_);
+    } else if (scene_.limits.model == kinematics::Model::kTricycle) {
+      SteeringLanes(scene_.limits, scene_.steering_rad, wanted).follow_all(twists_, wanted, scene_.limits, dt_);
     } else {
       for (std::size_t i = 0; i < kLanes; ++i) twists_.set(i, kinematics::follow({scene_.twist, scene_.steering_rad}, wanted.at(i), scene_.limits, dt_).twist);
     }
@@ -80,6 +82,7 @@ class Braking {
     if (is_done_[i]) return;
     is_done_[i] = true;
     found_[i] = found;
+    walls_.leave(i);
     --left_;
   }
 

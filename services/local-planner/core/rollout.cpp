@@ -59,10 +59,8 @@ class Bundle {
  public:
   Bundle(const Scene& scene, const ForeseenByStep& foreseen, const Aim& aim, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
       : scene_(scene), foreseen_(foreseen), aim_(aim), dt_(settings.step_s), look_(static_cast<int>(std::lround(settings.heading_s / dt_))),
-        swing_(swing_m(scene)), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(aim.wall_cap_m),
-        wanted_(wanted, count), twists_(scene.twist) {
-    steering_rad_.fill(scene.steering_rad);
-    least_wall_m_.fill(std::min(0.0, wall_gap_m(scene)));
+        swing_(swing_m(scene)), least_wall_m_(std::min(0.0, wall_gap_m(scene))), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(aim.wall_cap_m),
+        wanted_(wanted, count), twists_(scene.twist), steering_(scene.limits, scene.steering_rad, wanted_) {
     wall_m_.fill(aim.wall_cap_m);
     mover_m_.fill(aim.mover_cap_m);
     standing_m_.fill(aim.mover_cap_m);
@@ -95,25 +93,23 @@ class Bundle {
   }
 
  private:
-  /// Twists change until they are what is wanted.
+  /// Twists change until they are what is wanted, or nothing comes nearer to it any more.
   void follow(int k) {
     is_changing_ = k == 1;
+    const TwistLanes before = twists_;
     if (count_differing(twists_, wanted_) > 0) {
-      is_changing_ = true;
       if (scene_.limits.model == kinematics::Model::kDifferential) follow_differential(twists_, wanted_, scene_.limits, dt_);
+      else if (scene_.limits.model == kinematics::Model::kTricycle) steering_.follow(twists_, wanted_, scene_.limits, dt_);
       else follow_one_by_one();
     }
+    is_changing_ = is_changing_ || steering_.is_turning() || count_differing(twists_, before) > 0;
     driven_m(twists_, swing_, dt_, driven_m_);
     lanes_.set_steps(twists_.linear_mps, twists_.angular_radps, twists_.sideways_mps, dt_);
   }
 
   void follow_one_by_one() {
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      if (is_same(twists_.at(i), wanted_.at(i))) continue;
-      const kinematics::DriveState next = kinematics::follow({twists_.at(i), steering_rad_[i]}, wanted_.at(i), scene_.limits, dt_);
-      twists_.set(i, next.twist);
-      steering_rad_[i] = next.steering_rad;
-    }
+    for (std::size_t i = 0; i < kLanes; ++i)
+      if (!is_same(twists_.at(i), wanted_.at(i))) twists_.set(i, kinematics::follow({twists_.at(i), 0.0}, wanted_.at(i), scene_.limits, dt_).twist);
   }
 
   void meet_walls(Rollout* out) {
@@ -121,8 +117,8 @@ class Bundle {
     const Lane& gaps = walls_.gaps_m();
     if (note_gaps(gaps) == 0) return;
     for (std::size_t i = 0; i < kLanes; ++i) {
-      if (gaps[i] >= least_wall_m_[i]) continue;
-      least_wall_m_[i] = -kFarM;
+      if (gaps[i] >= least_wall_m_) continue;
+      walls_.leave(i);
       if (i >= count_) continue;
       out[i] = so_far(i, Obstruction::kWall);
       is_done_[i] = true;
@@ -135,7 +131,7 @@ class Bundle {
     int too_near = 0;
     for (std::size_t i = 0; i < kLanes; ++i) {
       wall_m_[i] = least(wall_m_[i], gaps[i]);
-      too_near += gaps[i] < least_wall_m_[i] ? 1 : 0;
+      too_near += gaps[i] < least_wall_m_ ? 1 : 0;
     }
     return too_near;
   }
@@ -166,14 +162,20 @@ class Bundle {
   }
 
   AISLE_WIDE_VECTORS void compare_with_path() {
+    constexpr std::size_t kTogether = 4;    // points; each pass over the lanes costs loads and stores
+    const std::vector<Point2>& path = aim_.path_in_map;
+    const auto at = [&](std::size_t j) { return path[std::min(j, path.size() - 1)]; };
     Lane nearest;
     nearest.fill(kFarM * kFarM);
-    for (const Point2 q : aim_.path_in_map)
+    for (std::size_t first = 0; first < path.size(); first += kTogether) {
+      const Point2 a = at(first), b = at(first + 1), c = at(first + 2), d = at(first + 3);
       for (std::size_t i = 0; i < kLanes; ++i) {
-        const double x = lanes_.x[i] - q.x;
-        const double y = lanes_.y[i] - q.y;
-        nearest[i] = least(nearest[i], x * x + y * y);
+        const double x = lanes_.x[i], y = lanes_.y[i];
+        const double to_a = (x - a.x) * (x - a.x) + (y - a.y) * (y - a.y), to_b = (x - b.x) * (x - b.x) + (y - b.y) * (y - b.y);
+        const double to_c = (x - c.x) * (x - c.x) + (y - c.y) * (y - c.y), to_d = (x - d.x) * (x - d.x) + (y - d.y) * (y - d.y);
+        nearest[i] = least(nearest[i], least(least(to_a, to_b), least(to_c, to_d)));
       }
+    }
     for (std::size_t i = 0; i < kLanes; ++i) path_m_[i] += std::sqrt(nearest[i]);
     ++path_looks_;
   }
@@ -187,17 +189,16 @@ class Bundle {
   const Aim& aim_;
   double dt_;
   int look_;
-  double swing_;
+  double swing_, least_wall_m_;
   std::size_t count_;
   std::size_t left_{count_};
   Lanes lanes_;
   Outlines outlines_;
   WallWatch walls_;
   TwistLanes wanted_, twists_;
-  Lane steering_rad_;                     // of a tricycle
+  SteeringLanes steering_;                // of a tricycle
   bool is_changing_{true};
   Lane driven_m_;
-  Lane least_wall_m_;                     // nearer is a collision; nothing is for who has collided
   Lane wall_m_, mover_m_, standing_m_, moving_m_, path_m_, hit_;
   int path_looks_{0};
   std::array<geometry::Pose2, kLanes> looks_in_map_;

@@ -22,6 +22,26 @@ int count_differing(const TwistLanes& twists, const TwistLanes& wanted);
 /// `kinematics::follow` of a differential drive in every lane, to the bit. @pre `limits.model` is kDifferential
 void follow_differential(TwistLanes& twists, const TwistLanes& wanted, const kinematics::Limits& limits, double dt_s);
 
+/// The steered wheels of tricycles; `kinematics::follow` of a tricycle in every lane, to the bit.
+class SteeringLanes {
+ public:
+  /// Nothing to do for other models.
+  SteeringLanes(const kinematics::Limits& limits, double steering_rad, const TwistLanes& wanted);
+  /// @pre `limits.model` is kTricycle, `wanted` is what it was made with
+  void follow_all(TwistLanes& twists, const TwistLanes& wanted, const kinematics::Limits& limits, double dt_s);
+  /// The same but in lanes whose twist is what is wanted already.
+  void follow(TwistLanes& twists, const TwistLanes& wanted, const kinematics::Limits& limits, double dt_s);
+  /// Did a wheel turn in the last step?
+  bool is_turning() const { return is_turning_; }
+
+ private:
+  void turn(double most_rad);
+  void drive(TwistLanes& twists, const TwistLanes& wanted, const kinematics::Limits& limits, double dt_s) const;
+
+  Lane target_rad_, steering_rad_, tangent_;
+  bool is_turning_{false};
+};
+
 /// What the farthest point of each vehicle drives in a step, at most: the base's way and `swing_m` of its turn, in metres.
 void driven_m(const TwistLanes& twists, double swing_m, double dt_s, Lane& driven_m);
 

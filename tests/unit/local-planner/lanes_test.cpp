@@ -56,6 +56,39 @@ TEST(TwistLanes, FollowAsEachVehicleDoes) {
   }
 }
 
+TEST(SteeringLanes, FollowAsEachTricycleDoes) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> angle(-1.2, 1.2);
+  for (int round = 0; round < 500; ++round) {
+    kinematics::Limits limits;
+    limits.model = kinematics::Model::kTricycle;
+    limits.axle.is_rear = round % 2 == 0;
+    std::vector<Twist2> wanted = some_twists(random, 1 + random() % kLanes);
+    const kinematics::DriveState before{some_twist(random), angle(random)};
+    if (round % 3 == 0) wanted[0] = before.twist;
+    const TwistLanes goals(wanted.data(), wanted.size());
+    TwistLanes twists(before.twist), all(before.twist);
+    SteeringLanes steering(limits, before.steering_rad, goals), steering_all = steering;
+    std::vector<kinematics::DriveState> alone(kLanes, before), alone_all = alone;
+    for (int step = 0; step < 40; ++step) {
+      steering.follow(twists, goals, limits, 0.1);
+      steering_all.follow_all(all, goals, limits, 0.1);
+      for (std::size_t i = 0; i < kLanes; ++i) {
+        const Twist2& goal = wanted[std::min(i, wanted.size() - 1)];
+        const Twist2& now = alone[i].twist;
+        const bool is_there = now.linear_mps == goal.linear_mps && now.angular_radps == goal.angular_radps && now.sideways_mps == goal.sideways_mps;
+        if (!is_there) alone[i] = kinematics::follow(alone[i], goal, limits, 0.1);
+        alone_all[i] = kinematics::follow(alone_all[i], goal, limits, 0.1);
+        ASSERT_EQ(twists.linear_mps[i], alone[i].twist.linear_mps) << "round " << round << " step " << step;
+        ASSERT_EQ(twists.angular_radps[i], alone[i].twist.angular_radps) << "round " << round << " step " << step;
+        ASSERT_EQ(all.linear_mps[i], alone_all[i].twist.linear_mps) << "round " << round << " step " << step;
+        ASSERT_EQ(all.angular_radps[i], alone_all[i].twist.angular_radps) << "round " << round << " step " << step;
+      }
+    }
+    EXPECT_FALSE(steering_all.is_turning());
+  }
+}
+
 TEST(TwistLanes, SayWhatTheFarthestPointDrives) {
   std::mt19937_64 random(2);
   for (const double sideways_mps : {0.0, 0.7}) {
