@@ -119,6 +119,14 @@ struct TrackingStatus {
   static constexpr Qos kQos = kStream;
   static constexpr const char* kWhy = "tells no obstacle from no tracker, and which scans are in the tracks";
 };
+struct Coverage {
+  using Sample = aisle::Coverage;
+  static constexpr const char* kName = "coverage";
+  static constexpr const char* kKey = "source_id, tile_x, tile_y";
+  static auto key(Sample& sample) { return std::tie(sample.source_id(), sample.tile_x(), sample.tile_y()); }
+  static constexpr Qos kQos = kState;
+  static constexpr const char* kWhy = "1 Hz: where the fleet looked, and when; late joiners get what was seen before";
+};
 struct VelocityCommand {
   using Sample = aisle::VelocityCommand;
   static constexpr const char* kName = "velocity_command";
@@ -156,7 +164,7 @@ struct ServiceHealth {
 template <class... Topics>
 struct List {};
 using All = List<MapInfo, MapTile, MapRequest, MapEdit, MapEditResult, VehicleInfo, VehicleState, Scan, Goal, Plan, Track,
-                 TrackingStatus, VelocityCommand, NavigationStatus, WorldObstacle, ServiceHealth>;
+                 TrackingStatus, Coverage, VelocityCommand, NavigationStatus, WorldObstacle, ServiceHealth>;
 template <class... Topics, class Function>
 void for_each(List<Topics...>, Function&& function) {
   (function(Topics{}), ...);

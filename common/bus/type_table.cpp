@@ -36,6 +36,7 @@ const auto& table() {
       row<topics::MapEditResult, MapEditResultPubSubType>(), row<topics::VehicleInfo, VehicleInfoPubSubType>(),
       row<topics::VehicleState, VehicleStatePubSubType>(), row<topics::Scan, ScanPubSubType>(), row<topics::Goal, GoalPubSubType>(),
       row<topics::Plan, PlanPubSubType>(), row<topics::Track, TrackPubSubType>(), row<topics::TrackingStatus, TrackingStatusPubSubType>(),
+      row<topics::Coverage, CoveragePubSubType>(),
       row<topics::VelocityCommand, VelocityCommandPubSubType>(), row<topics::NavigationStatus, NavigationStatusPubSubType>(),
       row<topics::WorldObstacle, WorldObstaclePubSubType>(), row<topics::ServiceHealth, ServiceHealthPubSubType>());
   return rows;

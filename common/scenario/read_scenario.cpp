@@ -185,6 +185,7 @@ struct ScenarioFile {
         .field("seed", value.seed, 0, ~std::uint64_t{0} >> 1)
         .field("duration_s", value.duration_s, 1.0, kLongestS)
         .field("start_jitter_m", value.start_jitter_m, 0.0, 1.0)
+        .field("person_clearance_m", value.person_clearance_m, 0.0, 10.0)
         .require({"map", "vehicles"});
     read_list<VehicleEntry>(r, "vehicles", value.vehicles);
     missions = read_list<MissionEntry>(r, "missions", value.missions);

@@ -84,6 +84,7 @@ struct Scenario {
   std::uint64_t seed{1};
   double duration_s{300.0};             // the referee gives up then
   double start_jitter_m{0.0};           // starts, movers' speeds and phases vary by seed
+  double person_clearance_m{0.0};       // the referee fails a run in which a vehicle and a person come nearer
 };
 
 /// @throws config::BadInput: file:line, key, value, limit; unknown vehicle in a mission; a start inside a wall is found by whoever loads the map.

@@ -76,4 +76,17 @@ aisle::Track encode(const Track& track) {
   return sample;
 }
 
+aisle::Coverage encode(const CoverageTile& tile) {
+  aisle::Coverage sample;
+  sample.tile_x(tile.tile_x);
+  sample.tile_y(tile.tile_y);
+  sample.low_in_map(wire::encode(tile.low_in_map));
+  sample.cell_m(tile.cell_m);
+  sample.width_cells(static_cast<std::uint32_t>(tile.width_cells));
+  sample.height_cells(static_cast<std::uint32_t>(tile.height_cells));
+  sample.age_step_s(kAgeStep_s);
+  sample.ages(tile.ages);
+  return sample;
+}
+
 }  // namespace aisle::obstacle_tracker

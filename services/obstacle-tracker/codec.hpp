@@ -5,6 +5,7 @@
 #include "common/wire/checks.hpp"
 #include "idl/tracking.hpp"
 #include "idl/vehicle.hpp"
+#include "services/obstacle-tracker/core/coverage.hpp"
 #include "services/obstacle-tracker/core/scan.hpp"
 #include "services/obstacle-tracker/core/track.hpp"
 
@@ -25,5 +26,8 @@ wire::Decoded<Scan> decode(const aisle::Scan& sample);
 
 /// `by` and `scan_stamp_ns` are left to the writer.
 aisle::Track encode(const Track& track);
+
+/// `source_id`, `by` and `map_id` are left to the writer.
+aisle::Coverage encode(const CoverageTile& tile);
 
 }  // namespace aisle::obstacle_tracker

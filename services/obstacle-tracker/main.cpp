@@ -5,7 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace aisle;
-  obstacle_tracker::TrackerParams params;
+  obstacle_tracker::ServiceParams params;
   const auto options = [&](CLI::App& app) { service::Shell::config(app, params); };
   return service::run_service(
       argc, argv, {"obstacle-tracker", "Turns the scans of all vehicles into one set of tracks", ""}, options, [&](service::Shell& shell) {

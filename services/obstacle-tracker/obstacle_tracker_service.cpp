@@ -18,6 +18,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kTend{100};
 constexpr milliseconds kReport{250};
+constexpr milliseconds kTellCoverage{1000};
 constexpr std::size_t kMostVehicles = 256;  // as many as tracking_status can tell of
 constexpr std::size_t kMostTracks = 1024;
 constexpr double kWallsReach_m = 2.0;  // farther from a wall than this nothing depends on how far
@@ -29,20 +30,25 @@ std::uint64_t first_id(std::uint64_t boot_id_us) { return boot_id_us / 1000 % 10
 }  // namespace
 
 ObstacleTrackerService::ObstacleTrackerService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id,
-                                               service::Health& health, const TrackerParams& params)
+                                               service::Health& health, const ServiceParams& params)
     : bus_(bus),
       health_(health),
       track_stamper_(instance_id, boot_id),
       status_stamper_(instance_id, boot_id),
+      coverage_stamper_(instance_id, boot_id),
       instance_id_(instance_id),
+      only_scans_of_(params.only_scans_of),
       map_(bus, instance_id, {{}, true, kWallsReach_m, milliseconds(300)}),
-      tracker_(params, first_id(boot_id)),
+      tracker_(params.tracker, first_id(boot_id)),
+      coverage_(params.coverage),
       tracks_(bus.writer<topics::Track>()),
       statuses_(bus.writer<topics::TrackingStatus>()),
+      coverages_(bus.writer<topics::Coverage>()),
       warnings_(std::chrono::seconds(10)) {
   listen();
   bus_.every(kTend, [this] { tend(); });
   bus_.every(kReport, [this] { report(); });
+  bus_.every(kTellCoverage, [this] { write_coverage(); });
 }
 
 template <class T>
@@ -55,6 +61,9 @@ std::optional<T> ObstacleTrackerService::accepted(const char* topic, wire::Decod
 
 void ObstacleTrackerService::listen() {
   // A vehicle that is gone from the bus may still stand where it was: only data changes what is known of it.
+  map_.on_map([this](const grid::OccupancyGrid& grid, const grid::ClearanceField&, grid::Cell, grid::Cell) {
+    for (const auto& [tile_x, tile_y] : coverage_.set_ground(grid.geometry())) dispose_coverage(tile_x, tile_y);
+  });
   bus_.on<topics::VehicleInfo>([this](const aisle::VehicleInfo& sample, const SampleInfo& info) {
     if (info.kind == SampleKind::kData) hear(sample);
   });
@@ -96,7 +105,7 @@ void ObstacleTrackerService::hear(const aisle::VehicleState& sample, time::Stamp
 void ObstacleTrackerService::hear(const aisle::Scan& sample, time::Stamp arrived) {
   const time::Stamp begun = monotonic_now();
   auto scan = accepted("scan", decode(sample));
-  if (!scan) return;
+  if (!scan || (!only_scans_of_.empty() && scan->agv_id != only_scans_of_)) return;
   const auto found = vehicles_.find(scan->agv_id);
   if (found == vehicles_.end()) return refuse(DropReason::kUnknownVehicle, scan->agv_id);
   Vehicle& vehicle = found->second;
@@ -110,6 +119,7 @@ void ObstacleTrackerService::hear(const aisle::Scan& sample, time::Stamp arrived
   vehicle.scan_stamp_ns = sample.by().stamp_ns();
   newest_scan_stamp_ns_ = sample.by().stamp_ns();
   newest_scan_used_ = begun;
+  coverage_.take(*scan);
   dispose(result.lost);
   write_tracks(result.seen, begun);
   write_status(begun, monotonic_now() - begun);
@@ -173,6 +183,24 @@ void ObstacleTrackerService::write_status(time::Stamp now, time::Stamp took) {
   sample.scans_dropped(tracker_.scans_dropped());
   sample.processing_ms(1e3 * time::seconds(took));
   statuses_.write(sample);
+}
+
+void ObstacleTrackerService::write_coverage() {
+  for (const CoverageTile& tile : coverage_.due(monotonic_now())) {
+    aisle::Coverage sample = encode(tile);
+    sample.source_id(instance_id_);
+    sample.by(coverage_stamper_.next());
+    sample.map_id(map_.map_id());
+    if (!coverages_.write(sample)) health_.count("coverage_not_written");
+  }
+}
+
+void ObstacleTrackerService::dispose_coverage(std::uint32_t tile_x, std::uint32_t tile_y) {
+  aisle::Coverage sample;
+  sample.source_id(instance_id_);
+  sample.tile_x(tile_x);
+  sample.tile_y(tile_y);
+  coverages_.dispose(sample);
 }
 
 /// When no scans come, what is overdue goes. No status then: who is blind must not be taken for one who sees nothing.

@@ -75,6 +75,8 @@ void add_goal_cancel(CLI::App& parent, Cli& cli);
 void add_map_info(CLI::App& parent, Cli& cli);
 void add_map_block(CLI::App& parent, Cli& cli);
 void add_map_unblock(CLI::App& parent, Cli& cli);
+void add_map_overlay(CLI::App& parent, Cli& cli);
+void add_map_accept(CLI::App& parent, Cli& cli);
 void add_map_save(CLI::App& parent, Cli& cli);
 void add_experiment_global(CLI::App& parent, Cli& cli);
 void add_experiment_local(CLI::App& parent, Cli& cli);

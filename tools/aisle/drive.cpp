@@ -31,6 +31,7 @@ struct Options {
   int seed{1};
   int runs{1};
   std::string svg;
+  std::string only_scans_of;
   bool truth{false};
   bool paper_limits{false};
   bool verbose{false};
@@ -56,6 +57,14 @@ std::vector<std::string> names_of(const std::vector<Variant>& variants) {
   return names;
 }
 
+/// `id` as it is. @throws config::BadInput when it is neither empty nor a vehicle of the scenario
+std::string known_vehicle(const std::string& id, const scenario::Scenario& scenario) {
+  std::vector<std::string> ids;
+  for (const scenario::Vehicle& vehicle : scenario.vehicles) ids.push_back(vehicle.id);
+  if (!id.empty()) check_name("--only-scans-of", id, ids);
+  return id;
+}
+
 lockstep::Setup setup_of(const Options& options, int run) {
   const auto seed = static_cast<std::uint64_t>(options.seed + run);
   const bool is_file = std::filesystem::path(options.scenario).extension() == ".yaml";
@@ -63,6 +72,7 @@ lockstep::Setup setup_of(const Options& options, int run) {
   setup.local = options.local;
   setup.planner = options.global;
   setup.paper_limits = options.paper_limits;
+  setup.only_scans_of = known_vehicle(options.only_scans_of, setup.scenario);
   if (options.truth) setup.perception = lockstep::Perception::kTruth;
   return setup;
 }
@@ -136,6 +146,7 @@ void add_drive(CLI::App& parent, Cli& cli) {
       .option("--seed", options->seed, 0, 1'000'000'000, "of the first run; the next one has the next seed")
       .option("--runs", options->runs, 1, 100'000, "how many")
       .option("--svg", options->svg, "file for a picture of the first run")
+      .option("--only-scans-of", options->only_scans_of, "the one vehicle whose scans the obstacle tracker takes; default: all")
       .flag("--truth", options->truth, "tracks from the truth in sight, not from simulated scans")
       .flag("--paper-limits", options->paper_limits, "vehicles as in the local planner's paper")
       .flag("--verbose", options->verbose, "what happened, on stderr")

@@ -34,6 +34,8 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_map_info(map, cli);
   add_map_block(map, cli);
   add_map_unblock(map, cli);
+  add_map_overlay(map, cli);
+  add_map_accept(map, cli);
   add_map_save(map, cli);
   add_plan(app, cli);
   CLI::App& experiment = *add_group("experiment", "compare with what is published; write docs/experiments.md anew");

@@ -46,8 +46,16 @@ std::string on_one_line(const Json& value, Length length) {
   return text + "}";
 }
 
+/// Rows of letters, drawn one below the other.
+bool is_picture(const std::string& key, const Json& value) { return key == "picture" && value.is_array() && !value.empty() && value.front().is_string(); }
+
 void add_lines(const Json& object, Length length, const std::string& indent, std::string& out) {
   for (const auto& [key, value] : object.items()) {
+    if (is_picture(key, value)) {
+      out += indent + key + ":\n";
+      for (const Json& row : value) out += indent + "  |" + (row.is_string() ? printable(row.get<std::string>()) : "") + "|\n";
+      continue;
+    }
     const std::string line = indent + printable(key) + ": " + on_one_line(value, length);
     const bool is_list_of_structures = value.is_array() && !value.empty() && value.front().is_object();
     if (line.size() <= kWidestLine || !(value.is_object() || is_list_of_structures)) {

@@ -32,6 +32,7 @@ struct Options {
   std::string scenario{"warehouse"};
   std::optional<std::uint64_t> seed;
   std::string out;
+  std::string config;
   std::optional<int> domain;
   std::vector<std::string> kills;
   std::vector<std::string> delays;
@@ -43,6 +44,7 @@ struct Options {
     app.add_option("SCENARIO", scenario, "name in deploy/scenarios, or a file")->capture_default_str();
     app.add_option("--seed", seed, "default: the scenario's");
     app.add_option("--out", out, "folder for the report, pictures and logs; default: out/<scenario>");
+    app.add_option("--config", config, "folder with the services' configuration, <service>.yaml; default: deploy/config of the scenario's tree")->check(CLI::ExistingDirectory);
     app.add_option("--domain", domain, "DDS domain; default: a free one from 100 to 200")->check(CLI::Range(0, 230));
     app.add_option("--kill", kills, "SERVICE@SECONDS[:RESTART_AFTER_S]: kill -9, then restart (after 1 s); may be repeated")->take_all();
     app.add_option("--delay", delays, "SERVICE@SECONDS: starts only then; may be repeated")->take_all();
@@ -98,7 +100,7 @@ int drive(const Options& options) {
   settings.scenario_file = demo::find_scenario(options.scenario, program_folder());
   const scenario::Scenario scenario = scenario::read_scenario(settings.scenario_file);
   const fs::path deploy = settings.scenario_file.parent_path().parent_path();
-  settings.config_folder = deploy / "config";
+  settings.config_folder = options.config.empty() ? deploy / "config" : fs::absolute(options.config);
   settings.out = fs::absolute(options.out.empty() ? fs::path("out") / settings.scenario_file.stem() : fs::path(options.out));
   settings.seed = options.seed.value_or(scenario.seed);
   settings.timeout_s = options.timeout_s.value_or(scenario.duration_s);

@@ -35,6 +35,7 @@ void ScanPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& wo
   std::vector<obstacle_tracker::KnownVehicle> known;
   for (const Sensor& s : sensors) known.push_back(known_vehicle(s, now));
   for (const Sensor& sensor : sensors) {
+    if (!only_scans_of_.empty() && sensor.agv_id != only_scans_of_) continue;
     std::vector<Body> bodies;
     for (const Sensor& other : sensors)
       if (&other != &sensor) bodies.push_back(body_of(other));

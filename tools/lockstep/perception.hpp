@@ -3,6 +3,7 @@
 #include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/grid/clearance.hpp"
@@ -47,13 +48,15 @@ enum class Told { kAsTracked, kHeldStill };
 /// Simulated lidars and the tracker's core.
 class ScanPerceiver final : public Perceiver {
  public:
+  /// `only_scans_of`: the one vehicle that is heard; empty: all.
   /// kHeldStill: every track where it is, with velocity 0; what driving without prediction is like.
-  ScanPerceiver(const fake_vehicle::LidarParameters& lidar, std::uint64_t seed, Told told = Told::kAsTracked)
-      : lidar_(lidar), random_(seed), told_(told) {}
+  ScanPerceiver(const fake_vehicle::LidarParameters& lidar, std::string only_scans_of, std::uint64_t seed, Told told = Told::kAsTracked)
+      : lidar_(lidar), only_scans_of_(std::move(only_scans_of)), random_(seed), told_(told) {}
   void look(const std::vector<Sensor>& sensors, const TrueWorld& world, time::Stamp now) override;
 
  private:
   fake_vehicle::LidarParameters lidar_;
+  std::string only_scans_of_;
   std::mt19937_64 random_;
   Told told_;
   obstacle_tracker::Tracker tracker_;

@@ -75,7 +75,7 @@ class Run {
       perceiver_ = std::make_unique<TruthPerceiver>(setup.vehicle.lidar.range_max_m, setup.seed);
     } else {
       const Told told = setup.perception == Perception::kScansHeldStill ? Told::kHeldStill : Told::kAsTracked;
-      perceiver_ = std::make_unique<ScanPerceiver>(setup.vehicle.lidar, setup.seed, told);
+      perceiver_ = std::make_unique<ScanPerceiver>(setup.vehicle.lidar, setup.only_scans_of, setup.seed, told);
     }
     for (const scenario::Vehicle& vehicle : setup.scenario.vehicles) add(vehicle);
   }

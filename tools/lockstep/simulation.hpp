@@ -24,6 +24,7 @@ struct Setup {
   std::vector<std::vector<fake_world::RecordedPerson>> people;      // of each recording
   fake_vehicle::Parameters vehicle;             // radius and top speed come from the scenario
   Perception perception{Perception::kScans};
+  std::string only_scans_of{};                  // the one vehicle whose scans the tracker takes; empty: all
   std::string planner{"direct"};                // a variant of the global planner
   std::string local{"wang"};                    // of the local planner
   std::optional<local_planner::Variant> own_variant{};      // instead of `local`

@@ -70,6 +70,7 @@ referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& sc
   report.ended_because = because;
   report.scenario = scenario.name;
   report.seed = options.seed.value_or(scenario.seed);
+  report.person_clearance_m = scenario.person_clearance_m;
   report.people_give_way = scenario.recordings.empty();
   return report;
 }

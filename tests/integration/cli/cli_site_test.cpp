@@ -154,6 +154,7 @@ class CliSite : public ::testing::Test {
     bus_.on<topics::MapEdit>([this](const MapEdit& edit, const bus::SampleInfo& info) {
       if (info.kind != bus::SampleKind::kData) return;
       ++edits_heard_;
+      newest_edit_ = edit;
       if (edits_heard_ <= edits_to_miss_) return;
       MapEditResult result;
       result.edit_id(edit.edit_id().to_string());
@@ -183,6 +184,21 @@ class CliSite : public ::testing::Test {
     });
   }
 
+  /// A standing thing as track 7 and somebody who walks as track 8, as the tracker says them.
+  void play_tracker() {
+    bus_.every(milliseconds(100), [this] {
+      for (const std::uint64_t id : {7U, 8U}) {
+        Track track;
+        track.track_id(id);
+        track.position_in_map().x_m(id == 7 ? 4.25 : 6.0);
+        track.position_in_map().y_m(2.0);
+        track.radius_m(0.4);
+        track.is_static(id == 7);
+        tracks_.write(track);
+      }
+    });
+  }
+
   static int next_domain() {
     static int domain = 29;   // 30 and the next ones are this suite's
     return ++domain;
@@ -197,6 +213,8 @@ class CliSite : public ::testing::Test {
   bus::Writer<topics::MapInfo> map_infos_{bus_.writer<topics::MapInfo>()};
   bus::Writer<topics::MapTile> tiles_{bus_.writer<topics::MapTile>()};
   bus::Writer<topics::MapEditResult> edit_results_{bus_.writer<topics::MapEditResult>()};
+  bus::Writer<topics::Track> tracks_{bus_.writer<topics::Track>()};
+  bus::Writer<topics::Coverage> coverages_{bus_.writer<topics::Coverage>()};
   bus::Writer<topics::ServiceHealth> health_{bus_.writer<topics::ServiceHealth>()};
   service::OriginStamper vehicle_stamper_{"fake-vehicle", 5};
   NavigationStatus status_;
@@ -205,6 +223,7 @@ class CliSite : public ::testing::Test {
   grid::OccupancyGrid grid_;
   std::set<std::string> applied_;
   int edits_heard_{0};
+  MapEdit newest_edit_;
   int edits_to_miss_{0};
   std::int64_t clock_error_ns_{0};
 };
@@ -213,7 +232,7 @@ TEST_F(CliSite, TopicListCountsWritersAndReaders) {
   const Outcome outcome = run({"topic", "list", "--wait", "4", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json rows = json::parse(outcome.out);
-  ASSERT_EQ(rows.size(), 16u);
+  ASSERT_EQ(rows.size(), 17u);
   for (const json& row : rows) {
     if (row["topic"] != "plan") continue;
     EXPECT_EQ(row["type"], "aisle::Plan");
@@ -357,6 +376,61 @@ TEST_F(CliSite, MapEditsAreRepeatedUntilAnsweredAndAppliedOnce) {
   EXPECT_EQ(refused.code, 1);
   EXPECT_THAT(refused.err, HasSubstr("refused: outside the map"));
   EXPECT_EQ(run({"map", "block", "--polygon", "0,0", "4,0", "2,3"}).code, 0);
+}
+
+TEST_F(CliSite, MapOverlayListsWhatStandsAndOnlyThat) {
+  EXPECT_EQ(run({"map", "overlay", "--wait", "0.5"}).code, 3) << "no tracker is there";
+  play_tracker();
+  const Outcome text = run({"map", "overlay", "--wait", "30"});
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("7      4.25  2.00  0.40"));
+  const Outcome lines = run({"map", "overlay", "--wait", "30", "--json"});
+  ASSERT_EQ(lines.code, 0) << lines.err;
+  const json overlay = json::parse(lines.out);
+  ASSERT_EQ(overlay.size(), 1u);
+  EXPECT_EQ(overlay[0]["track_id"], 7);
+}
+
+TEST_F(CliSite, MapAcceptBlocksWhatAStandingTrackCovers) {
+  play_map();
+  play_tracker();
+  const Outcome accepted = run({"map", "accept", "7", "--timeout", "30"});
+  EXPECT_EQ(accepted.code, 0) << accepted.err;
+  EXPECT_EQ(accepted.out, "applied: 42 cells changed, the map is at revision 6 now (edit track-7)\n");
+  EXPECT_EQ(newest_edit_.action(), EditAction::EDIT_BLOCK);
+  EXPECT_EQ(newest_edit_.shape(), EditShape::SHAPE_DISC);
+  ASSERT_EQ(newest_edit_.points().size(), 1u);
+  EXPECT_EQ(newest_edit_.points()[0].x_m(), 4.25);
+  EXPECT_EQ(newest_edit_.radius_m(), 0.4);
+  EXPECT_THAT(run({"map", "accept", "7", "--timeout", "30"}).out, HasSubstr("was applied before"));
+}
+
+TEST_F(CliSite, MapAcceptRefusesWhatMovesAndWhatIsNotThere) {
+  play_map();
+  play_tracker();
+  const Outcome moving = run({"map", "accept", "8", "--timeout", "30"});
+  EXPECT_EQ(moving.code, 1);
+  EXPECT_THAT(moving.err, HasSubstr("track 8 has not stood for 3 s"));
+  const Outcome unknown = run({"map", "accept", "9", "--timeout", "4"});
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_THAT(unknown.err, HasSubstr("no track 9 is there"));
+  EXPECT_EQ(run({"map", "accept", "seven"}).code, 2);
+  EXPECT_EQ(edits_heard_, 0);
+}
+
+TEST_F(CliSite, TopicEchoDrawsCoverage) {
+  Coverage tile;
+  tile.source_id(std::string("obstacle-tracker"));
+  tile.width_cells(3);
+  tile.height_cells(2);
+  tile.cell_m(0.5);
+  tile.age_step_s(0.5);
+  tile.ages({0, 2, 3, 20, 254, 255});
+  coverages_.write(tile);                  // a late joiner gets it
+  const Outcome text = run({"topic", "echo", "coverage", "--once"});
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("cells_seen_in_1_s: 2\ncells_never_seen: 1\n"));
+  EXPECT_THAT(text.out, HasSubstr("picture:\n  |+. |\n  |##+|\n"));
 }
 
 TEST_F(CliSite, HealthIsOneServicesExitCode) {

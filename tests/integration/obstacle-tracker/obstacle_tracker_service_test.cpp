@@ -33,7 +33,8 @@ bus::Settings site(int domain, const std::string& name) {
 
 /// One tracker process.
 struct TrackerProcess {
-  TrackerProcess(int domain, std::uint64_t boot_id) : bus(site(domain, "tracker")), service(bus, "tracker", boot_id, health, {}) {}
+  TrackerProcess(int domain, std::uint64_t boot_id, const ServiceParams& params = {})
+      : bus(site(domain, "tracker")), service(bus, "tracker", boot_id, health, params) {}
   Bus bus;
   service::Health health;
   ObstacleTrackerService service;
@@ -61,6 +62,9 @@ class Site {
     });
     bus.on<topics::TrackingStatus>([this](const aisle::TrackingStatus& sample, const SampleInfo& info) {
       if (info.kind == SampleKind::kData) status = sample;
+    });
+    bus.on<topics::Coverage>([this](const aisle::Coverage& sample, const SampleInfo& info) {
+      if (info.kind == SampleKind::kData) coverage = sample;
     });
     bus.every(10ms, [this] { publish_vehicles(); });
   }
@@ -102,6 +106,7 @@ class Site {
   std::map<std::uint64_t, aisle::Track> tracks;
   int disposed{0};
   aisle::TrackingStatus status;
+  aisle::Coverage coverage;
 
  private:
   void publish_vehicles() {
@@ -192,6 +197,43 @@ TEST(ObstacleTrackerService, DropsABrokenScanAndGoesOnWithTheOthers) {
   site.publish_info("agv-2");
   ASSERT_TRUE(until([&] { return site.status.scans_used() > 5 && tracker.health.counters["scans_not_finite"] > 5; }));
   ASSERT_TRUE(until([&] { return site.status.scans_dropped() > 5; }));
+  ASSERT_EQ(site.status.newest_scans().size(), 1U);
+  EXPECT_EQ(site.status.newest_scans()[0].agv_id().to_string(), "agv-2");
+}
+
+TEST(ObstacleTrackerService, TellsWhatWasSeenAlsoToWhoComesLate) {
+  TrackerProcess tracker(164, 1'790'000'000'000'000);
+  Site site(164);
+  site.world = test::World(test::room(16.0, 12.0));
+  test::fill(site.world.grid, {10.0, 0.0}, {10.2, 12.0});  // nobody is beyond this wall
+  site.world.clearance = grid::ClearanceField(site.world.grid);
+  site.publish_map();
+  site.fleet = {vehicle_at("agv-1", 4.0, 6.0)};
+  site.publish_info("agv-1");
+  ASSERT_TRUE(bus_test::run_until({&tracker.bus, &site.bus}, [&] { return !site.coverage.ages().empty(); }));
+
+  Site late(164);
+  ASSERT_TRUE(bus_test::run_until({&tracker.bus, &late.bus}, [&] { return !late.coverage.ages().empty(); }));
+  const aisle::Coverage& tile = late.coverage;
+  EXPECT_EQ(tile.source_id().to_string(), "tracker");
+  EXPECT_EQ(tile.map_id().to_string(), "room");
+  ASSERT_EQ(tile.width_cells(), 32U);
+  ASSERT_EQ(tile.height_cells(), 24U);
+  const auto age_at = [&](std::size_t x, std::size_t y) { return static_cast<int>(tile.ages()[y * tile.width_cells() + x]); };
+  EXPECT_LT(age_at(12, 12), 254);           // (6.25, 6.25)
+  EXPECT_EQ(age_at(26, 12), kNeverSeen);    // (13.25, 6.25)
+}
+
+TEST(ObstacleTrackerService, HearsOnlyTheVehicleThatItIsFor) {
+  ServiceParams params;
+  params.only_scans_of = "agv-2";
+  TrackerProcess tracker(165, 1'790'000'000'000'000, params);
+  Site site(165);
+  site.publish_map();
+  site.fleet = {vehicle_at("agv-1", 4.0, 3.0), vehicle_at("agv-2", 12.0, 3.0)};
+  site.publish_info("agv-1");
+  site.publish_info("agv-2");
+  ASSERT_TRUE(bus_test::run_until({&tracker.bus, &site.bus}, [&] { return site.status.scans_used() > 10; }));
   ASSERT_EQ(site.status.newest_scans().size(), 1U);
   EXPECT_EQ(site.status.newest_scans()[0].agv_id().to_string(), "agv-2");
 }

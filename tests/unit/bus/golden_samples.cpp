@@ -189,6 +189,20 @@ void fill(TrackingStatus& sample) {
   sample.processing_ms(0.4);
 }
 
+void fill(Coverage& sample) {
+  sample.source_id("obstacle-tracker");
+  sample.tile_x(1);
+  sample.tile_y(2);
+  sample.by(origin());
+  sample.map_id("warehouse");
+  sample.low_in_map(point(32.0, 64.0));
+  sample.cell_m(0.5);
+  sample.width_cells(2);
+  sample.height_cells(3);
+  sample.age_step_s(0.25);
+  sample.ages({0, 1, 2, 253, 254, 255});
+}
+
 void fill(VelocityCommand& sample) {
   sample.agv_id("agv-1");
   sample.by(origin());

@@ -16,6 +16,7 @@ void fill(Goal& sample);
 void fill(Plan& sample);
 void fill(Track& sample);
 void fill(TrackingStatus& sample);
+void fill(Coverage& sample);
 void fill(VelocityCommand& sample);
 void fill(NavigationStatus& sample);
 void fill(WorldObstacle& sample);

@@ -40,5 +40,10 @@ TEST(Text, OfATableAlignsColumns) {
   EXPECT_EQ(text_of_table({{"A", "LONG"}, {"abc", "1"}, {"x"}}), "A    LONG\nabc  1\nx\n");
 }
 
+TEST(Text, OfAPictureIsDrawnRowByRow) {
+  const Tree sample{{"cells", 2}, {"picture", Tree::array({"#.", " +"})}};
+  EXPECT_EQ(text_of_sample(sample, Length::kShort), "cells: 2\npicture:\n  |#.|\n  | +|\n");
+}
+
 }  // namespace
 }  // namespace aisle::cli

@@ -289,6 +289,18 @@ TEST_F(Fleet, GoesAroundAStaticTrackOnTheWayOnce) {
   EXPECT_TRUE(plans_within(30.0).empty()) << "went back";
 }
 
+TEST_F(Fleet, PlansThroughThePlaceAgainOnceTheStaticTrackIsGone) {
+  arrive("agv-1", kStart);
+  planner_.set_static_track(7, {{6.0, 5.0}, 0.4});
+  const FleetPlan around = first_plan();
+  EXPECT_GE(distance_to(around, {6.0, 5.0}), 0.4 + kRadius_m);
+  planner_.drop_track(7);
+  planner_.set_goal("agv-1", {"goal-2", kGoal, 0.1, 0.0, false});
+  const std::vector<FleetPlan> plans = plans_within(5.0);
+  ASSERT_EQ(plans.size(), 1U);
+  EXPECT_LT(distance_to(plans[0], {6.0, 5.0}), 0.4 + kRadius_m);
+}
+
 TEST_F(Fleet, LeavesAPlanAloneThatAStaticTrackDoesNotTouch) {
   arrive("agv-1", kStart);
   first_plan();

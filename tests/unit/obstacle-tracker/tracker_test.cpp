@@ -234,6 +234,7 @@ TEST(Tracker, LosesAThingOnceItsPlaceIsSeenFree) {
   stage.world.discs = {{{9.0, 6.0}, 0.25}};
   stage.run(5.0, kNobodyMoves);
   ASSERT_EQ(stage.tracks.size(), 1U);
+  EXPECT_TRUE(stage.tracks[0].is_static);
   const std::uint64_t id = stage.tracks[0].id;
   stage.world.discs.clear();
   std::vector<std::uint64_t> lost;

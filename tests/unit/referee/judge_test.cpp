@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+
 namespace aisle::referee {
 namespace {
 
@@ -151,6 +153,23 @@ TEST(Judge, HoldsATouchAgainstTheFleetUnlessARecordedPersonWalkedIntoAStandingVe
   EXPECT_FALSE(report.passed());
   report.people_give_way = false;
   EXPECT_TRUE(report.passed());
+}
+
+TEST(Judge, FailsARunInWhichAPersonIsPassedNearerThanTheScenarioAllows) {
+  Judge judge(nullptr, {});
+  for (int i = 0; i <= 100; ++i) {
+    const double t_s = 0.02 * i;
+    judge.body_seen(vehicle(t_s, 0.0, 0.0));
+    judge.body_seen({"p", BodyKind::kPerson, {0.25, 0, 0}, {1.0 - t_s, 0.8, 0}, 1.0, t_s, 1});
+  }
+  RunReport report = judge.finish(2.0);
+  ASSERT_TRUE(report.contacts.empty());
+  const double least_m = report.clearances.least_m[static_cast<std::size_t>(PairClass::kVehiclePerson)].value();
+  EXPECT_TRUE(report.passed()) << "nothing is asked for";
+  report.person_clearance_m = least_m - 0.01;
+  EXPECT_TRUE(report.passed());
+  report.person_clearance_m = least_m + 0.01;
+  EXPECT_FALSE(report.passed());
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ Json to_json(const aisle::NavigationStatus& sample);
 Json to_json(const aisle::ServiceHealth& sample);
 Json to_json(const aisle::Track& sample);
 Json to_json(const aisle::TrackingStatus& sample);
+Json to_json(const aisle::Coverage& sample);
 Json to_json(const aisle::VehicleInfo& sample);
 Json to_json(const aisle::VehicleState& sample);
 Json to_json(const aisle::Scan& sample);

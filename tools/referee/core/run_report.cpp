@@ -1,7 +1,9 @@
 #include "tools/referee/core/run_report.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
+#include <optional>
 
 namespace aisle::referee {
 
@@ -47,11 +49,16 @@ double RunReport::cpu_percent_total() const {
   return sum;
 }
 
+bool RunReport::came_too_near() const {
+  const std::optional<double>& least_m = clearances.least_m[static_cast<std::size_t>(PairClass::kVehiclePerson)];
+  return person_clearance_m > 0.0 && least_m && *least_m < person_clearance_m;
+}
+
 bool RunReport::passed() const {
   const bool touched = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
     return c.vehicle_moved() || c.pair != PairClass::kVehiclePerson || people_give_way;
   });
-  return goals_missed() == 0 && !touched && violations.empty();
+  return goals_missed() == 0 && !touched && !came_too_near() && violations.empty();
 }
 
 }  // namespace aisle::referee

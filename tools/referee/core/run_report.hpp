@@ -78,6 +78,7 @@ struct RunReport {
   Distribution control_ms;
   Distribution map_edit_to_plan_ms;
   std::string ended_because;
+  double person_clearance_m{0.0};  // that the scenario asks for
   bool people_give_way{true};  // false where people are recordings: these walk into vehicles that stand, which is not held against them
 
   int count(GoalOutcome outcome) const;
@@ -89,7 +90,9 @@ struct RunReport {
   Distribution command_gap_ms() const;
   Distribution scan_to_command_ms() const;
   double cpu_percent_total() const;  // of the services, not of the referee
-  /// Every goal reached, nothing touched, nobody obeyed whom it should not.
+  /// Did a vehicle and a person come nearer than the scenario allows?
+  bool came_too_near() const;
+  /// Every goal reached, nothing touched, no person passed too near, nobody obeyed whom it should not.
   bool passed() const;
 };
 

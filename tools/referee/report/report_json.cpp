@@ -107,6 +107,7 @@ nlohmann::ordered_json to_json(const RunReport& report) {
   for (const PairClass pair : kPairClasses) {
     out[std::string("least_clearance_") + name_of(pair) + "_m"] = number(report.clearances.least_m[static_cast<std::size_t>(pair)]);
   }
+  out["person_clearance_asked_m"] = number(report.person_clearance_m);
   out["distance_m"] = number(report.distance_m());
   out["stops"] = report.stops();
   out["replans"] = report.replans();

@@ -57,6 +57,7 @@ std::string troubles(const RunReport& report) {
     out += fmt::format("  contact at {:.2f} s: {} and {} at ({:.2f}, {:.2f}), {:.2f} m/s, vehicle {:.2f} m/s\n", c.begin_s, c.a, c.b,
                        c.at_in_map.x, c.at_in_map.y, c.relative_speed_mps, c.vehicle_speed_mps);
   }
+  if (report.came_too_near()) out += fmt::format("  a person was passed nearer than the {:.2f} m that the scenario asks for\n", report.person_clearance_m);
   for (const AuthorityViolation& v : report.violations) out += fmt::format("  authority at {:.2f} s: {} {}\n", v.t_s, v.agv_id, v.text);
   for (const GoalRecord& g : report.goals) {
     if (g.outcome == GoalOutcome::kFailed) out += fmt::format("  goal missed: {} {}: {}\n", g.agv_id, g.goal_id, g.reason);
