@@ -4,6 +4,6 @@
 namespace aisle::service {
 
 /// Raised with every change of idl/ that older programs cannot read. Programs of different versions name each other.
-inline constexpr std::uint32_t kIdlVersion = 1;
+inline constexpr std::uint32_t kIdlVersion = 2;
 
 }  // namespace aisle::service

@@ -37,11 +37,11 @@ inline aisle::Pose encode(const geometry::Pose2& pose) {
   return sample;
 }
 
-/// Sideways motion is not on the wire.
 inline aisle::Twist encode(const geometry::Twist2& twist) {
   aisle::Twist sample;
   sample.linear_mps(twist.linear_mps);
   sample.angular_radps(twist.angular_radps);
+  sample.sideways_mps(twist.sideways_mps);
   return sample;
 }
 
@@ -70,8 +70,9 @@ inline geometry::Pose2 decode(const aisle::Pose& sample, Checks& checks, const c
 
 inline geometry::Twist2 decode(const aisle::Twist& sample, Checks& checks, const char* field = "twist") {
   checks.within(field, sample.linear_mps(), -kFastestMps, kFastestMps)
-      .within(field, sample.angular_radps(), -kFastestTurnRadps, kFastestTurnRadps);
-  return {sample.linear_mps(), sample.angular_radps(), 0.0};
+      .within(field, sample.angular_radps(), -kFastestTurnRadps, kFastestTurnRadps)
+      .within(field, sample.sideways_mps(), -kFastestMps, kFastestMps);
+  return {sample.linear_mps(), sample.angular_radps(), sample.sideways_mps()};
 }
 
 inline SampleOrigin decode(const aisle::Origin& sample, Checks& checks, const char* field = "by") {

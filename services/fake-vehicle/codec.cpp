@@ -17,30 +17,12 @@ HoldReason reason_of(Hold hold) {
 
 }  // namespace
 
-aisle::VehicleInfo encode(const std::string& agv_id, const Parameters& parameters) {
-  aisle::VehicleInfo sample;
-  sample.agv_id(agv_id);
-  sample.model(KinematicModel::MODEL_DIFFERENTIAL);
-  sample.footprint(FootprintKind::FOOTPRINT_DISC);
-  sample.radius_m(parameters.radius_m);
-  sample.length_m(2.0 * parameters.radius_m);
-  sample.width_m(2.0 * parameters.radius_m);
-  sample.max_speed_mps(parameters.limits.max_speed_mps);
-  sample.max_reverse_mps(parameters.limits.max_reverse_mps);
-  sample.max_turn_radps(parameters.limits.max_turn_radps);
-  sample.max_acceleration_mps2(parameters.limits.max_acceleration_mps2);
-  sample.max_deceleration_mps2(parameters.limits.max_deceleration_mps2);
-  sample.max_turn_acceleration_radps2(parameters.limits.max_turn_acceleration_radps2);
-  sample.sensor_range_m(parameters.lidar.range_max_m);
-  sample.command_timeout_s(parameters.command_timeout_s);
-  return sample;
-}
-
 aisle::VehicleState encode(const Report& report) {
   aisle::VehicleState sample;
   sample.agv_id(report.agv_id);
   sample.base_in_map(wire::encode(report.base_in_map));
   sample.twist(wire::encode(report.twist));
+  sample.steering_rad(report.steering_rad);
   sample.hold(reason_of(report.hold));
   if (report.command) {
     const Command& command = *report.command;
@@ -78,7 +60,7 @@ Command decode(const aisle::VelocityCommand& sample) {
   command.sequence_number = sample.by().sequence_number();
   command.stamp_ns = sample.by().stamp_ns();
   command.plan_id = sample.plan_id();
-  command.twist = {sample.twist().linear_mps(), sample.twist().angular_radps(), 0.0};
+  command.twist = {sample.twist().linear_mps(), sample.twist().angular_radps(), sample.twist().sideways_mps()};
   return command;
 }
 

@@ -11,13 +11,12 @@
 
 namespace aisle::fake_vehicle {
 
-aisle::VehicleInfo encode(const std::string& agv_id, const Parameters& parameters);
-
 /// What the vehicle says of itself: where it believes to be, and the command in force.
 struct Report {
   std::string agv_id;
   geometry::Pose2 base_in_map;
   geometry::Twist2 twist;
+  double steering_rad{0.0};            // of a tricycle
   Hold hold{Hold::kNoCommand};
   std::optional<Command> command;
   std::uint32_t accepted_epoch{0};

@@ -4,11 +4,11 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/process/clock.hpp"
 #include "common/scenario/variation.hpp"
 #include "common/wire/geometry.hpp"
+#include "common/wire/vehicle_info.hpp"
 #include "common/wire/world_obstacle.hpp"
 #include "services/fake-vehicle/core/lidar.hpp"
 
@@ -101,7 +101,7 @@ void FakeVehicleService::take(const aisle::WorldObstacle& sample, const SampleIn
     warnings_.warn("world_obstacle", "world_obstacle: a sample was dropped: " + obstacle.reason());
     return;
   }
-  bodies_.seen(obstacle->id, obstacle->body, obstacle->kind == wire::WorldObstacle::Kind::kVehicle, obstacle->boot_id, monotonic_now());
+  bodies_.seen(obstacle->id, obstacle->body(), obstacle->kind == wire::WorldObstacle::Kind::kVehicle, obstacle->boot_id, monotonic_now());
 }
 
 bool FakeVehicleService::may_act(time::Stamp now) {
@@ -126,7 +126,8 @@ void FakeVehicleService::tick() {
     return;
   }
   if (!introduced_) {
-    aisle::VehicleInfo info = encode(agv_id_, config_.vehicle);
+    const Parameters& vehicle = config_.vehicle;
+    aisle::VehicleInfo info = wire::encode(wire::VehicleInfo{agv_id_, vehicle.footprint(), vehicle.limits, vehicle.lidar.range_max_m, vehicle.command_timeout_s});
     info.by(info_stamper_.next());
     introduced_ = infos_.write(info);
   }
@@ -140,7 +141,7 @@ void FakeVehicleService::tick() {
 }
 
 Report FakeVehicleService::report() {
-  return {agv_id_,  with_noise(vehicle_.base_in_map(), config_.vehicle, random_), vehicle_.twist(), vehicle_.hold(),
+  return {agv_id_,  with_noise(vehicle_.base_in_map(), config_.vehicle, random_), vehicle_.twist(),    vehicle_.steering_rad(), vehicle_.hold(),
           command_, authority_.accepted_epoch(),                                   authority_.refused()};
 }
 
@@ -150,13 +151,13 @@ void FakeVehicleService::publish() {
   states_.write(state);
 
   const geometry::Pose2& base = vehicle_.base_in_map();
-  const double speed = vehicle_.twist().linear_mps;
+  const geometry::Twist2& twist = vehicle_.twist();
   wire::WorldObstacle truth;
   truth.id = agv_id_;
   truth.kind = wire::WorldObstacle::Kind::kVehicle;
-  truth.body.base_in_map = base;
-  truth.body.radius_m = config_.vehicle.radius_m;
-  truth.velocity_in_map = {speed * std::cos(base.yaw), speed * std::sin(base.yaw)};
+  truth.base_in_map = base;
+  truth.footprint = config_.vehicle.footprint();
+  truth.velocity_in_map = geometry::to_map({0.0, 0.0, base.yaw}, {twist.linear_mps, twist.sideways_mps});
   aisle::WorldObstacle sample = wire::encode(truth);
   sample.by(truth_stamper_.next());
   truths_.write(sample);

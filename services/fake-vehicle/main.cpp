@@ -36,10 +36,14 @@ void start_by_scenario(const Flags& flags, const std::string& agv_id, fake_vehic
   const scenario::Vehicle& vehicle = find_vehicle(scenario, agv_id);
   config.seed = flags.seed.value_or(scenario.seed);
   config.start_in_map = scenario::varied_start(vehicle, scenario.start_jitter_m, config.seed);
+  if (flags.radius_m && !vehicle.footprint().is_disc()) throw config::BadInput("--radius: " + agv_id + " of scenario " + scenario.name + " is a rectangle");
   config.vehicle.radius_m = flags.radius_m.value_or(vehicle.radius_m);
-  if (vehicle.kinematic_model() != kinematics::Model::kDifferential || !vehicle.footprint().is_disc())
-    throw config::BadInput(agv_id + " of scenario " + scenario.name + " is no differential disc: drive it with aisle drive --scenario " + flags.scenario_file);
+  config.vehicle.length_m = vehicle.length_m;
+  config.vehicle.width_m = vehicle.width_m;
+  config.vehicle.ahead_m = vehicle.ahead_m;
   config.vehicle.limits.max_speed_mps = vehicle.max_speed_mps;
+  config.vehicle.limits.model = vehicle.kinematic_model();
+  config.vehicle.limits.axle = vehicle.axle;
   config.run = scenario.name + "/" + agv_id + "/" + std::to_string(config.seed);
 }
 

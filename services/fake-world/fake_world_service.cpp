@@ -42,7 +42,8 @@ aisle::WorldObstacle encode(const Thing& thing) {
   wire::WorldObstacle obstacle;
   obstacle.id = thing.id;
   obstacle.kind = thing.kind == Kind::kPerson ? wire::WorldObstacle::Kind::kPerson : wire::WorldObstacle::Kind::kBlock;
-  obstacle.body = thing.body;
+  obstacle.base_in_map = thing.body.base_in_map;
+  obstacle.footprint = {thing.body.shape, thing.body.radius_m, thing.body.length_m, thing.body.width_m, 0.0};
   obstacle.velocity_in_map = thing.velocity_in_map;
   return wire::encode(obstacle);
 }
@@ -76,7 +77,7 @@ void FakeWorldService::take(const aisle::WorldObstacle& sample, const SampleInfo
     return;
   }
   constexpr std::size_t kMostVehicles = 1000;
-  if (vehicles_.size() < kMostVehicles || vehicles_.count(vehicle->id) > 0) vehicles_[vehicle->id] = vehicle->body;
+  if (vehicles_.size() < kMostVehicles || vehicles_.count(vehicle->id) > 0) vehicles_[vehicle->id] = vehicle->body();
   clock_.vehicle_heard(vehicle->id, monotonic_now(), wall_clock_ns());
 }
 

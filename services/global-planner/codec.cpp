@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "common/wire/geometry.hpp"
+#include "common/wire/vehicle_info.hpp"
+#include "services/global-planner/core/fleet_planner.hpp"
 
 namespace aisle::global_planner {
 namespace {
@@ -11,8 +13,6 @@ using wire::Checks;
 using wire::Decoded;
 using wire::decode;
 using wire::encode;
-
-constexpr double kLargestVehicle_m = 10.0;
 
 template <class T>
 Decoded<T> checked(const Checks& checks, T value) {
@@ -40,10 +40,9 @@ Navigation::Cause cause(NavigationReason reason) {
 
 }  // namespace
 
-Decoded<double> decode(const aisle::VehicleInfo& sample) {
-  Checks checks;
-  checks.id("agv_id", sample.agv_id().to_string()).within("radius_m", sample.radius_m(), 0.0, kLargestVehicle_m);
-  return checked(checks, sample.radius_m());
+Decoded<VehicleShape> decode(const aisle::VehicleInfo& sample) {
+  const auto info = wire::decode(sample);
+  return info ? Decoded<VehicleShape>(shape_of(info->footprint, info->limits)) : Decoded<VehicleShape>::refused(info.reason());
 }
 
 Decoded<geometry::Pose2> decode(const aisle::VehicleState& sample) {

@@ -12,8 +12,7 @@
 
 namespace aisle::global_planner {
 
-/// Radius of the disc that holds the vehicle, in metres.
-wire::Decoded<double> decode(const aisle::VehicleInfo& sample);
+wire::Decoded<VehicleShape> decode(const aisle::VehicleInfo& sample);
 wire::Decoded<geometry::Pose2> decode(const aisle::VehicleState& sample);
 wire::Decoded<Goal> decode(const aisle::Goal& sample);
 wire::Decoded<Navigation> decode(const aisle::NavigationStatus& sample);

@@ -67,7 +67,7 @@ void GlobalPlannerService::listen() {
   });
   bus_.on<topics::VehicleInfo>([this](const aisle::VehicleInfo& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;   // a vehicle that is gone still stands where it was
-    if (const auto radius_m = accepted("vehicle_info", decode(sample))) fleet_.set_vehicle(sample.agv_id().to_string(), *radius_m);
+    if (const auto shape = accepted("vehicle_info", decode(sample))) fleet_.set_vehicle(sample.agv_id().to_string(), *shape);
   });
   bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;

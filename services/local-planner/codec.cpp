@@ -1,9 +1,11 @@
 #include "services/local-planner/codec.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "common/wire/geometry.hpp"
+#include "common/wire/vehicle_info.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -24,28 +26,18 @@ Decoded<T> checked(const Checks& checks, T value) {
 }  // namespace
 
 Decoded<Vehicle> decode(const aisle::VehicleInfo& sample) {
-  Checks checks;
-  Vehicle vehicle;
-  vehicle.id = sample.agv_id().to_string();
-  vehicle.radius_m = sample.radius_m();
-  vehicle.limits = {sample.max_speed_mps(),        sample.max_reverse_mps(),        sample.max_turn_radps(),
-                    sample.max_acceleration_mps2(), sample.max_deceleration_mps2(), sample.max_turn_acceleration_radps2()};
-  checks.id("agv_id", vehicle.id)
-      .within("radius_m", vehicle.radius_m, 0.01, 10.0)
-      .within("max_speed_mps", vehicle.limits.max_speed_mps, 0.01, wire::kFastestMps)
-      .within("max_reverse_mps", vehicle.limits.max_reverse_mps, 0.0, wire::kFastestMps)
-      .within("max_turn_radps", vehicle.limits.max_turn_radps, 0.01, wire::kFastestTurnRadps)
-      .within("max_acceleration_mps2", vehicle.limits.max_acceleration_mps2, 0.01, 100.0)
-      .within("max_deceleration_mps2", vehicle.limits.max_deceleration_mps2, 0.01, 100.0)
-      .within("max_turn_acceleration_radps2", vehicle.limits.max_turn_acceleration_radps2, 0.01, 1000.0);
-  return checked(checks, std::move(vehicle));
+  const auto info = wire::decode(sample);
+  if (!info) return Decoded<Vehicle>::refused(info.reason());
+  const geometry::Footprint& footprint = info->footprint;
+  return Vehicle{info->agv_id, geometry::reach_m(footprint), info->limits, footprint.is_disc() ? std::nullopt : std::optional(footprint)};
 }
 
 Decoded<StateReport> decode(const aisle::VehicleState& sample) {
   Checks checks;
   checks.id("agv_id", sample.agv_id().to_string());
   StateReport report;
-  report.state = {decode(sample.base_in_map(), checks, "base_in_map"), decode(sample.twist(), checks, "twist")};
+  report.state = {decode(sample.base_in_map(), checks, "base_in_map"), decode(sample.twist(), checks, "twist"), sample.steering_rad()};
+  checks.within("steering_rad", sample.steering_rad(), -geometry::kPi, geometry::kPi);
   report.accepted_epoch = sample.accepted_epoch();
   return checked(checks, report);
 }

@@ -79,6 +79,7 @@ void LocalPlannerService::listen_to_vehicles() {
     Peer& entry = peer(vehicle->id);
     entry.radius_m = vehicle->radius_m;
     entry.limits = vehicle->limits;
+    entry.rectangle = vehicle->rectangle;
   });
   bus_.on<topics::VehicleState>([this, peer](const aisle::VehicleState& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;

@@ -3,14 +3,13 @@
 #include <utility>
 
 #include "common/wire/geometry.hpp"
+#include "common/wire/vehicle_info.hpp"
 
 namespace aisle::obstacle_tracker {
 namespace {
 
 using wire::Checks;
 using wire::Decoded;
-
-constexpr double kLargestVehicle_m = 10.0;
 
 template <class T>
 Decoded<T> checked(const Checks& checks, T value) {
@@ -20,19 +19,17 @@ Decoded<T> checked(const Checks& checks, T value) {
 }  // namespace
 
 Decoded<KnownVehicle> decode(const aisle::VehicleInfo& sample) {
-  Checks checks;
+  const auto info = wire::decode(sample);
+  if (!info) return Decoded<KnownVehicle>::refused(info.reason());
+  const geometry::Footprint& footprint = info->footprint;
   KnownVehicle vehicle;
-  vehicle.agv_id = sample.agv_id().to_string();
-  vehicle.is_rectangle = sample.footprint() == FootprintKind::FOOTPRINT_RECTANGLE;
-  vehicle.radius_m = sample.radius_m();
-  vehicle.length_m = sample.length_m();
-  vehicle.width_m = sample.width_m();
-  checks.id("agv_id", vehicle.agv_id)
-      .known("footprint", sample.footprint(), FootprintKind::FOOTPRINT_RECTANGLE)
-      .within("radius_m", vehicle.radius_m, 0.0, kLargestVehicle_m)
-      .within("length_m", vehicle.length_m, 0.0, 2.0 * kLargestVehicle_m)
-      .within("width_m", vehicle.width_m, 0.0, 2.0 * kLargestVehicle_m);
-  return checked(checks, std::move(vehicle));
+  vehicle.agv_id = info->agv_id;
+  vehicle.is_rectangle = !footprint.is_disc();
+  vehicle.radius_m = geometry::reach_m(footprint);
+  vehicle.length_m = footprint.length_m;
+  vehicle.width_m = footprint.width_m;
+  vehicle.ahead_m = footprint.ahead_m;
+  return vehicle;
 }
 
 Decoded<Motion> decode(const aisle::VehicleState& sample) {
@@ -51,7 +48,7 @@ Decoded<Scan> decode(const aisle::Scan& sample) {
   scan.base_in_map = {sample.base_in_map().x_m(), sample.base_in_map().y_m(), sample.base_in_map().yaw_rad()};
   scan.position_sigma_m = sample.position_sigma_m();
   scan.yaw_sigma_rad = sample.yaw_sigma_rad();
-  scan.twist = {sample.twist().linear_mps(), sample.twist().angular_radps(), 0.0};
+  scan.twist = {sample.twist().linear_mps(), sample.twist().angular_radps(), sample.twist().sideways_mps()};
   scan.first_angle_rad = sample.first_angle_rad();
   scan.angle_step_rad = sample.angle_step_rad();
   scan.sweep_s = sample.sweep_s();

@@ -82,6 +82,15 @@ TEST(Scenarios, WarehouseIsDriven) {
   EXPECT_EQ(run.report["map_edits"][0]["outcome"], "applied");
 }
 
+/// A tricycle of 2.4 x 1.1 m, an omnidirectional cart and a differential vehicle.
+TEST(Scenarios, ForkliftIsDriven) {
+  const DemoRun run = run_demo("forklift", {"forklift", "--seed", "1"}, 260.0);
+  expect_passed(run);
+  expect_clean(run);
+  EXPECT_EQ(run.report["contacts"], 0);
+  EXPECT_GT(run.report["least_clearance_m"].get<double>(), 0.0);
+}
+
 TEST(Scenarios, DepotIsDrivenAmongRecordedPeople) {
   if (!has_reference_data()) GTEST_SKIP() << "no reference data; set AISLE_DATA";
   expect_passed(run_demo("depot-pedestrians", {"depot-pedestrians", "--seed", "1"}, 330.0));

@@ -201,7 +201,7 @@ class Run {
         if (w * agv.last_turn < 0.0) ++result_.turn_sign_changes;
         agv.last_turn = w;
       }
-      agv.inputs.state.set({fake_vehicle::with_noise(agv.body.base_in_map(), agv.parameters, random_), agv.body.twist()}, now());
+      agv.inputs.state.set({fake_vehicle::with_noise(agv.body.base_in_map(), agv.parameters, random_), agv.body.twist(), agv.body.steering_rad()}, now());
       agv.announced.state = *agv.inputs.state.any();
       agv.announced.state_arrived = now();
       agv.inputs.clearance = &clearance_;

@@ -250,15 +250,15 @@ Setup corridor(Dice& dice) {
 Setup crowd(Dice& dice) {
   struct Place {
     const char* file;
-    Pose2 frame_in_map;       // so that its people walk in the middle of the hall
+    Pose2 frame_in_map;       // so that its people walk in the middle of the hall, and all of their ways are within its walls
     double last_begin_s;
   };
-  static const Place kPlaces[]{{"data:pedestrians/biwi_eth.txt", {5.6, 2.0, 0.0}, 400.0},
-                               {"data:pedestrians/biwi_hotel.txt", {6.0, 6.4, 0.5 * geometry::kPi}, 650.0},
-                               {"data:pedestrians/crowds_zara01.txt", {1.3, 1.0, 0.0}, 290.0}};
+  static const Place kPlaces[]{{"data:pedestrians/biwi_eth.txt", {8.6, 4.0, 0.0}, 400.0},
+                               {"data:pedestrians/biwi_hotel.txt", {9.0, 8.4, 0.5 * geometry::kPi}, 650.0},
+                               {"data:pedestrians/crowds_zara01.txt", {4.3, 3.0, 0.0}, 290.0}};
   const Place& place = kPlaces[dice.below(3)];
   Setup setup;
-  setup.grid = hall(18.0, 14.0, kCellM);
+  setup.grid = hall(24.0, 18.0, kCellM);
   scenario::Recording recording;
   recording.file = scenario::find_named_file(place.file, std::filesystem::current_path() / "any.yaml");
   recording.frame_in_map = place.frame_in_map;
@@ -268,8 +268,8 @@ Setup crowd(Dice& dice) {
   for (const fake_world::RecordedPerson& person : fake_world::read_recording(recording)) setup.people.back().push_back(walking_in(person, setup.grid.geometry()));
   setup.scenario.recordings.push_back(recording);
   const bool upwards = dice.below(2) == 0;
-  if (upwards) add_vehicle(setup, 1, {dice.between(4.0, 14.0), 1.2, 1.57}, {{dice.between(4.0, 14.0), 12.8, 0.0}});
-  else add_vehicle(setup, 1, {1.2, dice.between(3.0, 11.0), 0.0}, {{16.8, dice.between(3.0, 11.0), 0.0}});
+  if (upwards) add_vehicle(setup, 1, {dice.between(7.0, 17.0), 3.2, 1.57}, {{dice.between(7.0, 17.0), 14.8, 0.0}});
+  else add_vehicle(setup, 1, {4.2, dice.between(5.0, 13.0), 0.0}, {{19.8, dice.between(5.0, 13.0), 0.0}});
   return setup;
 }
 

@@ -9,7 +9,8 @@ namespace {
 constexpr double kBeyondReason = 100.0;  // m/s, rad/s
 
 bool is_sane(const geometry::Twist2& twist) {
-  return std::abs(twist.linear_mps) <= kBeyondReason && std::abs(twist.angular_radps) <= kBeyondReason;  // false for NaN
+  const auto is_near_zero = [](double speed) { return std::abs(speed) <= kBeyondReason; };  // false for NaN
+  return is_near_zero(twist.linear_mps) && is_near_zero(twist.angular_radps) && is_near_zero(twist.sideways_mps);
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ struct Vehicle {
 struct VehicleState {
   geometry::Pose2 base_in_map;
   geometry::Twist2 twist;
+  double steering_rad{0.0};                            // of a tricycle's wheel
 };
 
 /// Where a vehicle will be, `offset_s` after the moment that its list says.

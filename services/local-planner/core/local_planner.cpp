@@ -83,6 +83,8 @@ Output LocalPlanner::step(const Inputs& inputs, Stamp now) {
     const double slack = 0.1 + 0.35 * cycle.vehicle.limits.max_acceleration_mps2;
     if (inputs.state.fresh(now, time::from_seconds(settings_.stale_state_s)))
       last_command_.linear_mps = std::clamp(last_command_.linear_mps, cycle.measured_mps - slack - 0.1, cycle.measured_mps + slack);
+    // A wheel that stands is where it stands, whoever turned it; one that was told to move is where it was told to go.
+    if (cycle.stands() && last_command_.linear_mps == 0.0) steering_rad_ = state->steering_rad;
     if (!cycle.vehicle.turns_on_the_spot())
       last_command_.angular_radps = kinematics::turn_rate_radps(cycle.vehicle.limits.axle, last_command_.linear_mps, steering_rad_);
   }

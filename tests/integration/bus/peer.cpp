@@ -1,7 +1,7 @@
 // bus_test_peer DOMAIN PARTITION NAME ROLE [STRENGTH]: a process on loopback that tests start, and kill.
 //   plan      writes a plan for agv-1 with STRENGTH every 50 ms, source NAME
 //   member    writes vehicle_state of NAME at 10 Hz, and reads everybody's
-//   site      writes map_info, map_tile, vehicle_state and plan at 10 Hz
+//   site      writes map_info, map_tile, vehicle_info, vehicle_state and plan at 10 Hz
 #include <sys/prctl.h>
 
 #include <atomic>
@@ -41,11 +41,26 @@ void take_part(bus::Bus& bus, const std::string& name) {
   VehicleState state;
   state.agv_id(name);
   state.base_in_map().x_m(1.25);
+  state.twist().sideways_mps(0.25);
+  state.steering_rad(-0.5);
   bus.every(100ms, [state, states = bus.writer<topics::VehicleState>()]() mutable { states.write(state); });
   bus.on<topics::VehicleState>([](const VehicleState&, const bus::SampleInfo&) {});
 }
 
-void be_a_site(bus::Bus& bus) {
+VehicleInfo forklift(const std::string& name) {
+  VehicleInfo vehicle;
+  vehicle.agv_id(name);
+  vehicle.model(KinematicModel::MODEL_TRICYCLE);
+  vehicle.footprint(FootprintKind::FOOTPRINT_RECTANGLE);
+  vehicle.length_m(2.4);
+  vehicle.ahead_m(0.4);
+  vehicle.steers_behind(true);
+  vehicle.wheelbase_m(1.5);
+  vehicle.max_steering_rate_radps(0.8);
+  return vehicle;
+}
+
+void be_a_site(bus::Bus& bus, const std::string& name) {
   MapInfo info;
   info.map_id("site");
   info.revision(7);
@@ -60,9 +75,10 @@ void be_a_site(bus::Bus& bus) {
   tile.revision(7);
   tile.hash(42);
   tile.cells().resize(64 * 64, 1);
-  bus.every(100ms, [=, infos = bus.writer<topics::MapInfo>(), tiles = bus.writer<topics::MapTile>()]() mutable {
+  bus.every(100ms, [=, infos = bus.writer<topics::MapInfo>(), tiles = bus.writer<topics::MapTile>(), vehicles = bus.writer<topics::VehicleInfo>()]() mutable {
     infos.write(info);
     tiles.write(tile);
+    vehicles.write(forklift(name));
   });
 }
 
@@ -82,6 +98,6 @@ int main(int argc, char** argv) {
   bus::Bus bus(settings);
   if (role == "plan" || role == "site") write_plans(bus, name, argc > 5 ? std::atoi(argv[5]) : 0);
   if (role == "site" || role == "member") take_part(bus, name);
-  if (role == "site") be_a_site(bus);
+  if (role == "site") be_a_site(bus, name);
   bus.run_until(stop);
 }

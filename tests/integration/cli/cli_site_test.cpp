@@ -252,7 +252,7 @@ TEST_F(CliSite, TopicEchoPrintsSamplesOfOneInstance) {
   play_vehicles();
   const Outcome text = run({"topic", "echo", "vehicle_state", "--once", "--key", "agv-2"});
   EXPECT_EQ(text.code, 0) << text.err;
-  EXPECT_THAT(text.out, AllOf(HasSubstr("agv_id: agv-2\n"), HasSubstr("twist: {linear_mps: 0.75, angular_radps: 0}\n"), HasSubstr("hold: none\n")));
+  EXPECT_THAT(text.out, AllOf(HasSubstr("agv_id: agv-2\n"), HasSubstr("twist: {linear_mps: 0.75, angular_radps: 0, sideways_mps: 0}\n"), HasSubstr("hold: none\n")));
   const Outcome lines = run({"topic", "echo", "vehicle_state", "--count", "3", "--json"});
   EXPECT_EQ(lines.code, 0);
   EXPECT_EQ(std::count(lines.out.begin(), lines.out.end(), '\n'), 3);

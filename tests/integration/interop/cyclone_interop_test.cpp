@@ -26,7 +26,10 @@ TEST(Cyclone, DecodesASiteInAPartition) {
   EXPECT_THAT(cyclone.out(), HasSubstr(R"({"topic": "map_info", "map_id": "site", "revision": 7, "width_cells": 64, "height_cells": 64, )"
                                        R"("resolution_m": 0.05, "tile_hashes": 1, "first_hash": 42})"));
   EXPECT_THAT(cyclone.out(), HasSubstr(R"({"topic": "map_tile", "map_id": "site", "tile_x": 0, "tile_y": 0, "hash": 42, "cells": 4096, "occupied": 4096})"));
+  EXPECT_THAT(cyclone.out(), HasSubstr(R"({"topic": "vehicle_info", "agv_id": "planner-1", "model": 2, "footprint": 1, "length_m": 2.4, "ahead_m": 0.4, )"
+                                       R"("steers_behind": 1, "wheelbase_m": 1.5, "max_steering_rate_radps": 0.8})"));
   EXPECT_THAT(cyclone.out(), HasSubstr(R"({"topic": "vehicle_state", "agv_id": "planner-1", "x_m": 1.25, )"));
+  EXPECT_THAT(cyclone.out(), HasSubstr(R"("sideways_mps": 0.25, "steering_rad": -0.5})"));
   EXPECT_THAT(cyclone.out(), HasSubstr(R"("source_id": "planner-1")"));
   EXPECT_THAT(cyclone.out(), HasSubstr(R"("waypoints": 2, "last_x_m": 2.5})"));
 }

@@ -1,7 +1,7 @@
 /* aisle_cyclone_subscriber --domain N [--partition NAME] [--interface ADDRESS] [--seconds N]
  *
- * Joins a site with Cyclone DDS, with types made from our IDL, and waits for one sample each of map_info, map_tile, vehicle_state
- * and plan. Prints a line of JSON for each; exit code 0 when all four were seen, 1 when not within the time (default 20 s). */
+ * Joins a site with Cyclone DDS, with types made from our IDL, and waits for one sample each of map_info, map_tile, vehicle_info,
+ * vehicle_state and plan. Prints a line of JSON for each; exit code 0 when all five were seen, 1 when not within the time (default 20 s). */
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -90,8 +90,16 @@ static void print_vehicle_state(const void *sample)
 {
   const aisle_VehicleState *state = sample;
   print_text("agv_id", state->agv_id);
-  printf(", \"x_m\": %.9g, \"y_m\": %.9g, \"yaw_rad\": %.9g, \"linear_mps\": %.9g", state->base_in_map.x_m, state->base_in_map.y_m,
-         state->base_in_map.yaw_rad, state->twist.linear_mps);
+  printf(", \"x_m\": %.9g, \"y_m\": %.9g, \"yaw_rad\": %.9g, \"linear_mps\": %.9g, \"sideways_mps\": %.9g, \"steering_rad\": %.9g", state->base_in_map.x_m,
+         state->base_in_map.y_m, state->base_in_map.yaw_rad, state->twist.linear_mps, state->twist.sideways_mps, state->steering_rad);
+}
+
+static void print_vehicle_info(const void *sample)
+{
+  const aisle_VehicleInfo *info = sample;
+  print_text("agv_id", info->agv_id);
+  printf(", \"model\": %d, \"footprint\": %d, \"length_m\": %.9g, \"ahead_m\": %.9g, \"steers_behind\": %d, \"wheelbase_m\": %.9g, \"max_steering_rate_radps\": %.9g",
+         (int)info->model, (int)info->footprint, info->length_m, info->ahead_m, info->steers_behind ? 1 : 0, info->wheelbase_m, info->max_steering_rate_radps);
 }
 
 static void print_plan(const void *sample)
@@ -175,6 +183,7 @@ int main(int argc, char **argv)
   struct kind kinds[] = {
       {"map_info", &aisle_MapInfo_desc, true, false, print_map_info, 0, false},
       {"map_tile", &aisle_MapTile_desc, true, false, print_map_tile, 0, false},
+      {"vehicle_info", &aisle_VehicleInfo_desc, true, false, print_vehicle_info, 0, false},
       {"vehicle_state", &aisle_VehicleState_desc, false, false, print_vehicle_state, 0, false},
       {"plan", &aisle_Plan_desc, true, true, print_plan, 0, false},
   };

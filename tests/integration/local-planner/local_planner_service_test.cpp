@@ -13,6 +13,7 @@
 #include "common/kinematics/vehicle_model.hpp"
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
+#include "common/wire/vehicle_info.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 
 namespace aisle::local_planner {
@@ -85,17 +86,8 @@ class Site {
   }
 
   void publish_vehicle() {
-    aisle::VehicleInfo info;
-    const kinematics::Limits limits;
-    info.agv_id("agv-1");
+    aisle::VehicleInfo info = wire::encode(wire::VehicleInfo{"agv-1", geometry::disc(0.35), {}, 10.0, 0.2});
     info.by(origin(1));
-    info.radius_m(0.35);
-    info.max_speed_mps(limits.max_speed_mps);
-    info.max_reverse_mps(limits.max_reverse_mps);
-    info.max_turn_radps(limits.max_turn_radps);
-    info.max_acceleration_mps2(limits.max_acceleration_mps2);
-    info.max_deceleration_mps2(limits.max_deceleration_mps2);
-    info.max_turn_acceleration_radps2(limits.max_turn_acceleration_radps2);
     vehicles_.write(info);
     vehicle_lives = true;
   }

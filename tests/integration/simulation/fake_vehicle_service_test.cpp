@@ -89,6 +89,8 @@ class Site {
     sample.plan_id(77);
     aisle::Twist twist;
     twist.linear_mps(linear_mps);
+    twist.angular_radps(turn_radps);
+    twist.sideways_mps(sideways_mps);
     sample.twist(twist);
     commands_.write(sample);
   }
@@ -107,6 +109,8 @@ class Site {
 
   bus::Bus bus;
   std::optional<double> speed_mps;   // commanded 50 times a second
+  double turn_radps{0.0};
+  double sideways_mps{0.0};
   std::uint32_t epoch{1};
   std::optional<aisle::VehicleInfo> vehicle_info;
   std::optional<aisle::VehicleState> state;
@@ -145,6 +149,45 @@ class Site {
   bus::Writer<topics::VelocityCommand> commands_;
   bus::Writer<topics::WorldObstacle> obstacles_;
 };
+
+TEST(FakeVehicleService, IsAForkliftThatDrivesOnlyOnArcs) {
+  Site site(kDomain + 8);
+  ServiceConfig config = standing_at(3, 5);
+  config.vehicle.length_m = 2.4;
+  config.vehicle.width_m = 1.1;
+  config.vehicle.ahead_m = 0.4;
+  config.vehicle.limits.model = kinematics::Model::kTricycle;
+  config.vehicle.limits.axle.max_steering_rad = 0.5;
+  VehicleProcess vehicle(kDomain + 8, 5, config);
+  const auto run = [&](const std::function<bool()>& done) { return run_until({&site.bus, &vehicle.bus}, done); };
+  ASSERT_TRUE(run([&] { return site.vehicle_info && site.state && site.truth; }));
+  EXPECT_EQ(site.vehicle_info->model(), KinematicModel::MODEL_TRICYCLE);
+  EXPECT_EQ(site.vehicle_info->footprint(), FootprintKind::FOOTPRINT_RECTANGLE);
+  EXPECT_DOUBLE_EQ(site.vehicle_info->ahead_m(), 0.4);
+  EXPECT_DOUBLE_EQ(site.vehicle_info->wheelbase_m(), 1.5);
+  EXPECT_EQ(site.truth->shape(), FootprintKind::FOOTPRINT_RECTANGLE);
+  EXPECT_DOUBLE_EQ(site.truth->ahead_m(), 0.4);
+  EXPECT_NEAR(site.truth->base_in_map().x_m(), 3.0, 1e-9) << "the vehicle's frame, not its middle";
+
+  site.turn_radps = 1.0;             // tighter than it can: the wheel goes to its stop
+  site.speed_mps = 1.0;
+  ASSERT_TRUE(run([&] { return site.drives() && site.state->steering_rad() > 0.49; }));
+  EXPECT_NEAR(site.state->steering_rad(), 0.5, 1e-6);
+  EXPECT_NEAR(site.state->twist().angular_radps(), site.state->twist().linear_mps() * std::tan(0.5) / 1.5, 1e-6);
+}
+
+TEST(FakeVehicleService, IsACartThatDrivesSideways) {
+  Site site(kDomain + 5);
+  ServiceConfig config = standing_at(3, 5);
+  config.vehicle.limits.model = kinematics::Model::kOmnidirectional;
+  VehicleProcess vehicle(kDomain + 5, 5, config);
+  site.sideways_mps = 0.5;
+  site.speed_mps = 0.0;
+  ASSERT_TRUE(run_until({&site.bus, &vehicle.bus}, [&] { return site.state && site.truth && site.truth->base_in_map().y_m() > 5.3; }));
+  EXPECT_NEAR(site.truth->base_in_map().x_m(), 3.0, 1e-6);
+  EXPECT_GT(site.state->twist().sideways_mps(), 0.3);
+  EXPECT_GT(site.truth->velocity_y_mps(), 0.3);
+}
 
 TEST(FakeVehicleService, IntroducesItselfDrivesAndStopsBySilence) {
   Site site(kDomain);

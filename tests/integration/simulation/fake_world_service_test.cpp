@@ -58,8 +58,8 @@ class Watcher {
     wire::WorldObstacle vehicle;
     vehicle.id = "agv-1";
     vehicle.kind = wire::WorldObstacle::Kind::kVehicle;
-    vehicle.body.base_in_map = {20, 20, 0};
-    vehicle.body.radius_m = 0.35;
+    vehicle.base_in_map = {20, 20, 0};
+    vehicle.footprint = geometry::disc(0.35);
     aisle::WorldObstacle sample = wire::encode(vehicle);
     sample.by(wire::encode(wire::SampleOrigin{"fake-vehicle-agv-1", 1, 1, 1, 0}));
     vehicles_.write(sample);

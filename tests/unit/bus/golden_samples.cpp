@@ -32,6 +32,7 @@ Twist twist(double linear, double angular) {
   Twist t;
   t.linear_mps(linear);
   t.angular_radps(angular);
+  t.sideways_mps(0.0625);
   return t;
 }
 
@@ -94,6 +95,7 @@ void fill(VehicleInfo& sample) {
   sample.radius_m(0.5);
   sample.length_m(0.8);
   sample.width_m(0.6);
+  sample.ahead_m(0.15);
   sample.max_speed_mps(1.2);
   sample.max_reverse_mps(0.3);
   sample.max_turn_radps(1.1);
@@ -102,6 +104,10 @@ void fill(VehicleInfo& sample) {
   sample.max_turn_acceleration_radps2(2.5);
   sample.sensor_range_m(12.0);
   sample.command_timeout_s(0.2);
+  sample.steers_behind(true);
+  sample.wheelbase_m(1.5);
+  sample.max_steering_rad(1.2);
+  sample.max_steering_rate_radps(0.8);
 }
 
 void fill(VehicleState& sample) {
@@ -109,6 +115,7 @@ void fill(VehicleState& sample) {
   sample.by(origin());
   sample.base_in_map(pose(1.0, 2.0, -0.5));
   sample.twist(twist(0.9, -0.1));
+  sample.steering_rad(-0.375);
   sample.hold(HoldReason::HOLD_LATE_COMMAND);
   sample.command_agv_id("agv-1");
   sample.command_by(origin());
@@ -245,6 +252,7 @@ void fill(WorldObstacle& sample) {
   sample.radius_m(0.3);
   sample.length_m(0.6);
   sample.width_m(0.4);
+  sample.ahead_m(0.1);
 }
 
 void fill(ServiceHealth& sample) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "common/config/reader.hpp"
 #include "services/local-planner/core/critic.hpp"
 #include "tools/lockstep/families.hpp"
 #include "tools/lockstep/suite.hpp"
@@ -44,6 +45,26 @@ TEST(SuiteScenarios, LeadEverybodyToTheirGoal) {
     if (family == "crowd") continue;      // needs the reference data
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
       for (const double seconds : free_run_s(make_setup(family, seed))) EXPECT_TRUE(std::isfinite(seconds) && seconds > 5.0) << family << " " << seed;
+  }
+}
+
+/// A lidar does not see through walls, so nobody may come through one.
+TEST(SuiteScenarios, KeepRecordedPeopleWithinTheWalls) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    lockstep::Setup setup;
+    try {
+      setup = make_setup("crowd", seed);
+    } catch (const config::BadInput& missing) {
+      GTEST_SKIP() << missing.what();
+    }
+    const grid::Geometry& hall = setup.grid.geometry();
+    const double right_m = hall.width * hall.resolution_m - 0.25;
+    const double top_m = hall.height * hall.resolution_m - 0.25;
+    ASSERT_FALSE(setup.people.front().empty());
+    for (const fake_world::RecordedPerson& person : setup.people.front())
+      for (const auto& row : person.rows())
+        ASSERT_TRUE(row.in_map.x > 0.25 && row.in_map.x < right_m && row.in_map.y > 0.25 && row.in_map.y < top_m)
+            << "seed " << seed << ": " << person.id() << " at (" << row.in_map.x << ", " << row.in_map.y << ")";
   }
 }
 

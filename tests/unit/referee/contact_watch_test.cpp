@@ -30,6 +30,34 @@ TEST(ContactWatch, SeesVehiclesThatCrossBetweenTheirSamples) {
   EXPECT_NEAR(contact.at_in_map.x, 0.0, 1e-9);
 }
 
+/// 2.4 x 1.1 m around a point 0.4 m before the base.
+BodySample forklift(double t_s, const Pose2& at, double speed_mps) {
+  return {"forklift", BodyKind::kVehicle, {0.0, 2.4, 1.1}, at, speed_mps, t_s, 1, 0.4};
+}
+
+TEST(ContactWatch, JudgesARectangleAroundItsMiddleAndNotItsBase) {
+  ContactWatch watch(nullptr);
+  watch.see(forklift(0.0, {0, 0, 0}, 0.0));
+  watch.see(person("before", 0.0, {1.95, 0, 0}, 0.0));
+  watch.see(person("behind", 0.0, {-1.15, 0, 0}, 0.0));
+  watch.advance(0.1);
+  EXPECT_TRUE(watch.contacts().empty());
+  EXPECT_NEAR(*watch.clearances().overall_m(), 0.1, 1e-9);
+  watch.see(person("before", 0.2, {1.8, 0, 0}, 0.0));
+  watch.advance(0.3);
+  ASSERT_EQ(watch.contacts().size(), 1u);
+  EXPECT_FALSE(watch.contacts()[0].vehicle_moved());
+}
+
+TEST(ContactWatch, ARectangleThatSwingsOnTheSpotMoves) {
+  ContactWatch watch(nullptr);
+  watch.see(person("beside", 0.0, {1.4, 0.9, 0}, 0.0));
+  for (int i = 0; i <= 20; ++i) watch.see(forklift(0.02 * i, {0, 0, 0.02 * i}, 0.0));
+  watch.advance(0.4);
+  ASSERT_EQ(watch.contacts().size(), 1u);
+  EXPECT_TRUE(watch.contacts()[0].vehicle_moved());
+}
+
 TEST(ContactWatch, ComparesPlacesOfTheSameTimeThoughSamplesDiffer) {
   // One follows the other 1 m behind at 2 m/s, with samples shifted by 15 ms: never nearer than 0.3 m.
   ContactWatch watch(nullptr);

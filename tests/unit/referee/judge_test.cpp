@@ -44,6 +44,17 @@ void drive(Judge& judge) {
   }
 }
 
+TEST(Judge, AGoalIsReachedWhereTheVehiclesFrameIsAndNotItsMiddle) {
+  Judge judge(nullptr, {{{"agv-1", 1}}});
+  judge.goal_arrived(goal_at(4.0), false);
+  judge.body_seen({"agv-1", BodyKind::kVehicle, {0.0, 2.4, 1.1}, {4.0, 0.0, 0.0}, 0.0, 1.0, 1, 0.4});
+  judge.navigation_arrived({"agv-1", "g1", GoalNews::Phase::kArrived, "", 1.0}, false);
+  const RunReport report = judge.finish(2.0);
+  ASSERT_EQ(report.goals.size(), 1u);
+  EXPECT_EQ(report.goals[0].outcome, GoalOutcome::kReached);
+  EXPECT_EQ(report.vehicles.at("agv-1").ahead_m, 0.4);
+}
+
 TEST(Judge, CountsDistanceAndStopsOnTheWay) {
   Judge judge(nullptr, {{{"agv-1", 1}}});
   drive(judge);

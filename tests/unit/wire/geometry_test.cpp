@@ -14,8 +14,9 @@ TEST(GeometryCodec, DecodesWhatItEncodes) {
   EXPECT_EQ(pose.y, -2.5);
   EXPECT_EQ(pose.yaw, 3.0);
   EXPECT_EQ(decode(encode(geometry::Point2{4.0, 5.0}), checks), (geometry::Point2{4.0, 5.0}));
-  const geometry::Twist2 twist = decode(encode(geometry::Twist2{0.5, -0.25, 0.0}), checks);
+  const geometry::Twist2 twist = decode(encode(geometry::Twist2{0.5, -0.25, -0.125}), checks);
   EXPECT_EQ(twist.linear_mps, 0.5);
+  EXPECT_EQ(twist.sideways_mps, -0.125);
   EXPECT_EQ(twist.angular_radps, -0.25);
   const SampleOrigin origin = decode(encode(SampleOrigin{"planner-1", 2, 3, 4, 5}), checks);
   EXPECT_EQ(origin.source_id, "planner-1");
@@ -47,6 +48,11 @@ TEST(GeometryCodec, RefusesNumbersThatNoSiteHas) {
     Checks of_twist;
     decode(twist, of_twist);
     EXPECT_FALSE(of_twist.ok()) << bad;
+    aisle::Twist aside;
+    aside.sideways_mps(bad);
+    Checks of_aside;
+    decode(aside, of_aside);
+    EXPECT_FALSE(of_aside.ok()) << bad;
     aisle::Point point;
     point.x_m(bad);
     Checks of_point;

@@ -20,6 +20,7 @@ Json to_json(const aisle::VehicleInfo& sample) {
               {"radius_m", sample.radius_m()},
               {"length_m", sample.length_m()},
               {"width_m", sample.width_m()},
+              {"ahead_m", sample.ahead_m()},
               {"max_speed_mps", sample.max_speed_mps()},
               {"max_reverse_mps", sample.max_reverse_mps()},
               {"max_turn_radps", sample.max_turn_radps()},
@@ -27,7 +28,11 @@ Json to_json(const aisle::VehicleInfo& sample) {
               {"max_deceleration_mps2", sample.max_deceleration_mps2()},
               {"max_turn_acceleration_radps2", sample.max_turn_acceleration_radps2()},
               {"sensor_range_m", sample.sensor_range_m()},
-              {"command_timeout_s", sample.command_timeout_s()}};
+              {"command_timeout_s", sample.command_timeout_s()},
+              {"steers_behind", sample.steers_behind()},
+              {"wheelbase_m", sample.wheelbase_m()},
+              {"max_steering_rad", sample.max_steering_rad()},
+              {"max_steering_rate_radps", sample.max_steering_rate_radps()}};
 }
 
 Json to_json(const aisle::VehicleState& sample) {
@@ -35,6 +40,7 @@ Json to_json(const aisle::VehicleState& sample) {
               {"by", to_json(sample.by())},
               {"base_in_map", to_json(sample.base_in_map())},
               {"twist", to_json(sample.twist())},
+              {"steering_rad", sample.steering_rad()},
               {"hold", name_of(sample.hold())},
               {"command_agv_id", sample.command_agv_id().to_string()},
               {"command_by", to_json(sample.command_by())},
@@ -79,7 +85,8 @@ Json to_json(const aisle::WorldObstacle& sample) {
               {"velocity_y_mps", sample.velocity_y_mps()},
               {"radius_m", sample.radius_m()},
               {"length_m", sample.length_m()},
-              {"width_m", sample.width_m()}};
+              {"width_m", sample.width_m()},
+              {"ahead_m", sample.ahead_m()}};
 }
 
 }  // namespace aisle::cli

@@ -24,6 +24,11 @@ PairClass class_of(BodyKind other) {
 
 }  // namespace
 
+Pose2 middle_in_map(const Pose2& base_in_map, double ahead_m) {
+  const geometry::Point2 middle = geometry::to_map(base_in_map, {ahead_m, 0.0});
+  return {middle.x, middle.y, base_in_map.yaw};
+}
+
 const char* name_of(PairClass pair) {
   switch (pair) {
     case PairClass::kVehicleVehicle: return "vehicle_vehicle";
@@ -58,7 +63,7 @@ void ContactWatch::see(const BodySample& sample) {
     body.knots.push_back({judged_until_s_, body.knots.back().pose, body.knots.back().speed_mps});
   }
   const double not_before_s = body.knots.empty() ? judged_until_s_ : std::max(judged_until_s_, body.knots.back().t_s) + 1e-9;
-  body.knots.push_back({std::max(sample.t_s, not_before_s), sample.base_in_map, sample.speed_mps});
+  body.knots.push_back({std::max(sample.t_s, not_before_s), middle_in_map(sample.base_in_map, sample.ahead_m), sample.speed_mps});
 }
 
 void ContactWatch::gone(const std::string& id) { bodies_.erase(id); }
@@ -111,7 +116,8 @@ ContactWatch::Knot ContactWatch::knot_at(const Body& body, double t_s) {
   return {t_s, pose, from.speed_mps + share * (after->speed_mps - from.speed_mps)};
 }
 
-/// A body's motion in one moment; its speed is the greater of what its samples say and what its places say.
+/// A body's motion in one moment; its speed is the greater of what its samples say and what its places say, of a rectangle that turns
+/// that of its corners.
 ContactWatch::Piece ContactWatch::piece_of(const Body& body, const Moment& moment) {
   const Knot begin = knot_at(body, moment.begin_s);
   const Knot end = knot_at(body, moment.end_s);
@@ -120,7 +126,8 @@ ContactWatch::Piece ContactWatch::piece_of(const Body& body, const Moment& momen
   if (dt_s >= kShortest_s) {
     piece.velocity_x_mps = (end.pose.x - begin.pose.x) / dt_s;
     piece.velocity_y_mps = (end.pose.y - begin.pose.y) / dt_s;
-    piece.speed_mps = std::max(piece.speed_mps, std::hypot(piece.velocity_x_mps, piece.velocity_y_mps));
+    const double swing_m = body.shape.is_disc() ? 0.0 : body.shape.reach_m() * std::abs(geometry::wrap(end.pose.yaw - begin.pose.yaw));
+    piece.speed_mps = std::max({piece.speed_mps, std::hypot(piece.velocity_x_mps, piece.velocity_y_mps), swing_m / dt_s});
   } else {
     const double way_m = geometry::distance(begin.pose.position(), end.pose.position());
     const geometry::Point2 along = way_m > 0.0 ? (1.0 / way_m) * (end.pose.position() - begin.pose.position())

@@ -24,7 +24,11 @@ struct BodySample {
   double speed_mps{0.0};
   double t_s{0.0};
   std::uint64_t boot_id{0};  // of the simulation that says so; where it changes, the body was set down anew
+  double ahead_m{0.0};       // of the shape's middle before the base
 };
+
+/// The middle of a shape that lies `ahead_m` before its base, with the base's heading.
+geometry::Pose2 middle_in_map(const geometry::Pose2& base_in_map, double ahead_m);
 
 enum class PairClass { kVehicleVehicle, kVehiclePerson, kVehicleBlock, kVehicleWall };
 inline constexpr std::array<PairClass, 4> kPairClasses{PairClass::kVehicleVehicle, PairClass::kVehiclePerson, PairClass::kVehicleBlock,

@@ -31,6 +31,7 @@ void Judge::body_seen(const BodySample& sample) {
   }
   VehicleBook& book = vehicle(sample.id);
   book.row.shape = sample.shape;
+  book.row.ahead_m = sample.ahead_m;
   if (book.last_truth_s >= 0.0 && book.truth_boot == sample.boot_id) {
     book.row.truth_gap_ms_max = std::max(book.row.truth_gap_ms_max, (sample.t_s - book.last_truth_s) * kMilli);
   }

@@ -22,6 +22,7 @@ struct PlanTrace {
 struct VehicleRow {
   std::string agv_id;
   Shape shape;
+  double ahead_m{0.0};           // of the shape's middle before the vehicle's base
   DriveBook drive;
   std::vector<PlanTrace> plans;
   int replans{0};

@@ -150,10 +150,10 @@ void draw_way(Out out, const Frame& f, const VehicleRow& vehicle, const char* co
 }
 
 void draw_vehicle(Out out, const Frame& f, const VehicleRow& vehicle, const geometry::Pose2& pose, const char* colour, double opacity) {
-  draw_outline(out, f, vehicle.shape, pose,
+  draw_outline(out, f, vehicle.shape, middle_in_map(pose, vehicle.ahead_m),
                fmt::format("fill=\"{0}\" fill-opacity=\"{1}\" stroke=\"{0}\" stroke-opacity=\"{2}\" stroke-width=\"1.1\"", colour, opacity,
                            std::min(1.0, opacity + 0.45)));
-  const double nose_m = vehicle.shape.is_disc() ? vehicle.shape.radius_m : 0.5 * vehicle.shape.length_m;
+  const double nose_m = vehicle.ahead_m + (vehicle.shape.is_disc() ? vehicle.shape.radius_m : 0.5 * vehicle.shape.length_m);
   const Point2 nose = geometry::to_map(pose, {nose_m, 0.0});
   fmt::format_to(out, "<path d=\"{}\" stroke=\"{}\" stroke-width=\"1.4\" stroke-opacity=\"{}\"/>\n", path_of(f, {pose.position(), nose}), colour,
                  std::min(1.0, opacity + 0.45));
