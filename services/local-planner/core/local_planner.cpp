@@ -346,7 +346,7 @@ double LocalPlanner::speed_cap(const Cycle& cycle) const {
   if (error > 0.35) cap = std::min(cap, std::max(0.2, cycle.vehicle.limits.max_speed_mps * std::cos(error) * 0.8));
   if (cycle.cautious) cap = std::min(cap, settings_.cautious_mps);
   for (const Mover& mover : cycle.around.movers) {
-    if (geometry::norm(mover.velocity_in_map) < 0.05) continue;
+    if (!mover.may_walk) continue;
     double gap = 1e9;
     for (const double t : {0.0, 0.5, 1.0})
       gap = std::min(gap, geometry::distance(cycle.base_then.position(), mover.position_in_map + t * mover.velocity_in_map));

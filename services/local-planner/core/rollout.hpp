@@ -29,6 +29,7 @@ struct Mover {
   double radius_m{0.25};
   double margin_m{0.1};
   double growth_mps{0.2};
+  bool may_walk{true};                      // false: has stood for long
 };
 
 /// Another vehicle: where it can come while it brakes, and where it says it will be at each step.

@@ -321,6 +321,23 @@ TEST(LocalPlanner, LetsAPersonCross) {
   EXPECT_GT(least, 0.1);
 }
 
+/// Beside somebody who has stood for 3 s it drives on; who stopped a moment ago may walk on at any moment.
+TEST(LocalPlanner, SlowsBesideWhoeverStoppedAMomentAgo) {
+  const auto fastest_beside = [](bool is_static) {
+    Drive drive(hall(20.0, 20.0), {2.0, 10.0, 0.0});
+    drive.give_plan({{2.0, 10.0}, {18.0, 10.0}});
+    double fastest = 0.0;
+    drive.until(60.0, [&] {
+      drive.inputs.tracks = {drive.track({10.0, 11.0}, {}, is_static)};
+      if (std::abs(drive.base.x - 10.0) < 0.3) fastest = std::max(fastest, drive.twist.linear_mps);
+      return drive.output.phase == Phase::kArrived;
+    });
+    return fastest;
+  };
+  EXPECT_GT(fastest_beside(true), 0.9);
+  EXPECT_LT(fastest_beside(false), 0.8);
+}
+
 TEST(LocalPlanner, TellsTheWayThatItWillTake) {
   Drive drive(hall(40.0, 10.0));
   drive.give_plan({{3.0, 5.0}, {37.0, 5.0}});
