@@ -137,7 +137,10 @@ void RefereeService::listen_to_services(bus::Bus& bus) {
 void RefereeService::take(const aisle::WorldObstacle& sample) {
   wire::Checks checks;
   const geometry::Pose2 base_in_map = wire::decode(sample.base_in_map(), checks);
-  checks.within("radius_m", sample.radius_m(), 0.0, 100.0).within("length_m", sample.length_m(), 0.0, 100.0).within("width_m", sample.width_m(), 0.0, 100.0).within("ahead_m", sample.ahead_m(), -100.0, 100.0);
+  checks.within("radius_m", sample.radius_m(), 0.0, 100.0)
+      .within("length_m", sample.length_m(), 0.0, 100.0)
+      .within("width_m", sample.width_m(), 0.0, 100.0)
+      .within("ahead_m", sample.ahead_m(), -100.0, 100.0);
   checks.within("velocity_x_mps", sample.velocity_x_mps(), -100.0, 100.0).within("velocity_y_mps", sample.velocity_y_mps(), -100.0, 100.0);
   if (!fit("world_obstacle", checks.ok())) return;
   const double t_s = 1e-9 * static_cast<double>(sample.by().stamp_ns() - started_wall_ns_);
