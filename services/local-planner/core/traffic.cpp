@@ -18,38 +18,54 @@ struct Pass {
   Point2 direction;
 };
 
+/// Axis-parallel, around points.
+struct Box {
+  Point2 low{1e18, 1e18}, high{-1e18, -1e18};
+
+  void hold(Point2 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  bool is_within(double distance_m, Point2 p) const { return is_within(distance_m, Box{p, p}); }
+  bool is_within(double distance_m, const Box& other) const {
+    const Point2 apart{std::max({0.0, low.x - other.high.x, other.low.x - high.x}), std::max({0.0, low.y - other.high.y, other.low.y - high.y})};
+    const double reach_m = distance_m + kRounding_m;
+    return geometry::dot(apart, apart) < reach_m * reach_m;
+  }
+
+ private:
+  static constexpr double kRounding_m = 1e-6;
+};
+
 /// A claim, looked at from many points: groups of its segments with a box around each, so that what lies far off is passed over.
 class ClaimedWay {
  public:
   explicit ClaimedWay(const std::vector<IntentPoint>& claim) : claim_(claim) {
     for (std::size_t first = 0; first < claim.size(); first += kGroup) {
-      Box box{first, claim[first].base_in_map.position(), claim[first].base_in_map.position()};
-      for (std::size_t j = first; j <= std::min(first + kGroup, claim.size() - 1); ++j) {
-        const Point2 p = claim[j].base_in_map.position();
-        box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
-        box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
-      }
-      boxes_.push_back(box);
+      Group group{first, {}};
+      for (std::size_t j = first; j <= std::min(first + kGroup, claim.size() - 1); ++j) group.box.hold(claim[j].base_in_map.position());
+      groups_.push_back(group);
     }
   }
 
   /// The nearest point of the claim; where it is `within_m` or farther, that is all that the distance says.
   Pass pass_of(Point2 p, double within_m) const {
     Pass pass;
-    for (const Box& box : boxes_) {
-      const Point2 beyond{std::max({0.0, box.low.x - p.x, p.x - box.high.x}), std::max({0.0, box.low.y - p.y, p.y - box.high.y})};
-      const double worth_m = std::min(within_m, pass.distance_m) + kRounding_m;
-      if (geometry::dot(beyond, beyond) < worth_m * worth_m) look(box.first, p, pass);
-    }
+    for (const Group& group : groups_)
+      if (group.box.is_within(std::min(within_m, pass.distance_m), p)) look(group.first, p, pass);
     return pass;
+  }
+
+  /// False: no point of the box is as near.
+  bool may_come_near(const Box& box, double within_m) const {
+    return std::any_of(groups_.begin(), groups_.end(), [&](const Group& group) { return group.box.is_within(within_m, box); });
   }
 
  private:
   static constexpr std::size_t kGroup = 8;
-  static constexpr double kRounding_m = 1e-6;
-  struct Box {
+  struct Group {
     std::size_t first;
-    Point2 low, high;
+    Box box;
   };
 
   void look(std::size_t first, Point2 p, Pass& pass) const {
@@ -68,7 +84,7 @@ class ClaimedWay {
   }
 
   const std::vector<IntentPoint>& claim_;
-  std::vector<Box> boxes_;
+  std::vector<Group> groups_;
 };
 
 /// A stretch of my way that a peer's claim comes near to.
@@ -82,19 +98,36 @@ struct Conflict {
   bool reaches_me{false};                       // the claim runs through where I am
 };
 
-std::vector<Conflict> conflicts_with(const OwnWay& own, const PeerView& peer, const TrafficSettings& settings) {
+/// My way as far as I look ahead, every kStepM: the same for every peer.
+struct OwnStretch {
+  struct Point {
+    double s_m;
+    Point2 in_map;
+    double time_s;                              // from now
+  };
+  std::vector<Point> points;
+  Box box;
+
+  OwnStretch(const OwnWay& own, double look_ahead_m) {
+    const double end = std::min(own.route.length_m(), own.s_m + look_ahead_m);
+    double time = 0.0;
+    std::size_t profile_index = 0;
+    for (double s = own.s_m; s <= end + 1e-9; s += kStepM) {
+      while (profile_index + 1 < own.profile_mps.size() && own.route.along_m(profile_index) < s) ++profile_index;
+      if (!points.empty()) time += kStepM / std::max(0.25, own.profile_mps[profile_index]);
+      points.push_back({s, points.empty() ? own.position_in_map : own.route.at(s), time});
+      box.hold(points.back().in_map);
+    }
+  }
+};
+
+std::vector<Conflict> conflicts_with(const OwnWay& own, const OwnStretch& stretch, const PeerView& peer, const TrafficSettings& settings) {
   std::vector<Conflict> found;
   const double near = own.radius_m + peer.radius_m + settings.margin_m;
-  double time = 0.0;
-  bool open = false;
-  const double end = std::min(own.route.length_m(), own.s_m + settings.look_ahead_m);
   const ClaimedWay claim(peer.claim);
-  std::size_t profile_index = 0;
-  for (double s = own.s_m; s <= end + 1e-9; s += kStepM) {
-    while (profile_index + 1 < own.profile_mps.size() && own.route.along_m(profile_index) < s) ++profile_index;
-    const bool first = s == own.s_m;
-    const Point2 p = first ? own.position_in_map : own.route.at(s);
-    if (!first) time += kStepM / std::max(0.25, own.profile_mps[profile_index]);
+  if (!claim.may_come_near(stretch.box, near)) return found;
+  bool open = false;
+  for (const auto& [s, p, time] : stretch.points) {
     const Pass pass = claim.pass_of(p, near);
     if (pass.distance_m >= near) {
       open = false;
@@ -110,7 +143,7 @@ std::vector<Conflict> conflicts_with(const OwnWay& own, const PeerView& peer, co
     const double yaw = own.route.heading_at(s + 0.1);
     c.alignment += geometry::dot(pass.direction, {std::cos(yaw), std::sin(yaw)});
     ++c.points;
-    c.reaches_me = c.reaches_me || first;
+    c.reaches_me = c.reaches_me || s == own.s_m;
     c.it_is_inside = c.it_is_inside || geometry::distance(p, peer.base_in_map.position()) < near + peer.stopping_m * (pass.time_s < 1.5 ? 1.0 : 0.0);
   }
   for (Conflict& c : found) c.alignment /= c.points;
@@ -157,9 +190,10 @@ bool is_claimed(const std::vector<IntentPoint>& claim, Point2 p, double distance
 Advice advise(const OwnWay& own, const std::vector<PeerView>& peers, const TrafficSettings& settings) {
   Advice advice;
   if (own.route.points().size() < 2) return advice;
+  const OwnStretch stretch(own, settings.look_ahead_m);
   for (const PeerView& peer : peers) {
     if (!peer.has_goal || peer.claim.size() < 2) continue;
-    for (const Conflict& c : conflicts_with(own, peer, settings)) {
+    for (const Conflict& c : conflicts_with(own, stretch, peer, settings)) {
       const Right right = right_of_way(own, peer, c, settings);
       if (right == Right::kMine) continue;
       if (right == Right::kGiveWay) {
