@@ -65,10 +65,13 @@ Eigen::Matrix2d covariance_of(const View& view, double along_variance, double ac
   return axes * Eigen::Vector2d(along_variance, across_variance).asDiagonal() * axes.transpose();
 }
 
-/// Covariance of a detection's position: noise of the ranges, and what the view does not show.
-Eigen::Matrix2d doubt_of_view(const View& view, const Detection& detection, double ray_gap_m, const SensorNoise& noise, const Shape& shape) {
+/// Covariance of a detection's position: noise of the ranges, and what the view does not show. `ends_open`: at how many of its ends the
+/// thing may go on; from one end that shows it is measured to within the doubt about its size.
+Eigen::Matrix2d doubt_of_view(const View& view, const Detection& detection, int ends_open, double ray_gap_m, const SensorNoise& noise,
+                              const Shape& shape) {
   const double size_m = 0.015 + 0.25 * std::max(0.0, detection.radius_m - shape.usual_radius_m);
-  const double hidden_m = detection.is_partial ? 0.05 + 0.7 * std::max(0.0, detection.radius_m - 0.5 * (view.left_m - view.right_m)) : 0.0;
+  double hidden_m = ends_open > 0 ? 0.05 : 0.0;
+  if (ends_open == 2) hidden_m += 0.7 * std::max(0.0, detection.radius_m - 0.5 * (view.left_m - view.right_m));
   const double along_variance =
       noise.range_m * noise.range_m / std::max(1.0, static_cast<double>(detection.surface_in_map.size()) / 3.0) + size_m * size_m;
   return covariance_of(view, along_variance, ray_gap_m * ray_gap_m / 24.0 + size_m * size_m + hidden_m * hidden_m);
@@ -154,7 +157,8 @@ Detection fit_disc(const Cluster& cluster, const Scan& scan, Point2 sensor_in_ma
   }
   detection.is_partial = cluster.is_cut_left || cluster.is_cut_right;
   detection.offset_s = cluster.hits[cluster.hits.size() / 2].offset_s;
-  detection.view_covariance = doubt_of_view(view, detection, ray_gap_m, noise, shape);
+  const int ends_open = (cluster.is_cut_left ? 1 : 0) + (cluster.is_cut_right ? 1 : 0);
+  detection.view_covariance = doubt_of_view(view, detection, ends_open, ray_gap_m, noise, shape);
   detection.covariance = detection.view_covariance + doubt_of_pose(view, noise);
   return detection;
 }

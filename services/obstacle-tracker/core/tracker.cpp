@@ -33,6 +33,26 @@ bool is_taken(Point2 in_map, const Scan& scan, const grid::ClearanceField& clear
   });
 }
 
+/// Solid things do not walk into each other: where predictions come to overlap, both are expected just apart, on the line on which they
+/// came. `before`: where each was a moment ago; what stands may overlap (a disc is more than the thing it covers).
+void keep_apart(std::vector<Expected>& expected, const std::vector<Point2>& before) {
+  constexpr double kTouching = 0.9;  // x the sum of the radii: people are no discs
+  constexpr double kComing_m = 0.05;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    for (std::size_t j = i + 1; j < expected.size(); ++j) {
+      const Point2 came_from = before[j] - before[i];
+      const double before_m = geometry::norm(came_from);
+      const Point2 between = expected[j].position_in_map - expected[i].position_in_map;
+      const double least_m = kTouching * (expected[i].radius_m + expected[j].radius_m);
+      if (geometry::norm(between) >= std::min(least_m, before_m - kComing_m)) continue;
+      const Point2 direction = (1.0 / before_m) * came_from;
+      const Point2 push = 0.5 * (least_m - geometry::dot(between, direction)) * direction;
+      expected[i].position_in_map = expected[i].position_in_map - push;
+      expected[j].position_in_map = expected[j].position_in_map + push;
+    }
+  }
+}
+
 }  // namespace
 
 Tracker::Tracker(const TrackerParams& params, std::uint64_t first_id) : params_(params), next_id_(first_id) {}
@@ -55,7 +75,7 @@ TakeResult Tracker::take(const Scan& scan, const std::vector<KnownVehicle>& vehi
   if (params_.lifecycle.mark_gate > 0.0) take_out_pose_error(detections, matching, scan, sorted);
   take_in(detections, scan, matching, result);
   look_for_unmatched(scan, sorted, matching);
-  merge_doubles();
+  merge_doubles(detections, matching);
 
   constexpr double kLookedAway_s = 0.3;
   bury(
@@ -117,12 +137,18 @@ void Tracker::move_on(time::Stamp to) {
 }
 
 std::vector<Expected> Tracker::expected_at(time::Stamp moment) const {
+  constexpr double kClearOfOthers_s = 0.2;
   const double lag_s = time::seconds(moment_ - moment);
   std::vector<Expected> expected;
+  std::vector<Point2> before;
   expected.reserve(live_.size());
+  before.reserve(live_.size());
   for (const LiveTrack& track : live_) {
-    if (track.is_confirmed(params_.lifecycle)) expected.push_back({track.position_before(lag_s), track.radius_m()});
+    if (!track.is_confirmed(params_.lifecycle)) continue;
+    expected.push_back({track.position_before(lag_s), track.radius_m()});
+    before.push_back(track.position_before(lag_s + kClearOfOthers_s));
   }
+  keep_apart(expected, before);
   return expected;
 }
 
@@ -210,6 +236,7 @@ void Tracker::take_in(const std::vector<Detection>& detections, const Scan& scan
       track.take(detection, measured, moment_, params_.lifecycle);
       if (track.is_confirmed(params_.lifecycle)) result.seen.push_back(track.id());
     } else if (!is_part_of_known(detection, measured, matching)) {
+      matching.track_of[d] = static_cast<int>(live_.size() + born.size());
       born.emplace_back(next_id_++, detection, params_.motion, measured);
       born.back().move_on(measured, moment_);
     }
@@ -247,18 +274,25 @@ void Tracker::look_for_unmatched(const Scan& scan, const SortedScan& sorted, con
   }
 }
 
-void Tracker::merge_doubles() {
+/// Two tracks in one place are one thing. Where one scan shows both, what it shows says how far apart they are: who stops short of another
+/// is carried on into them for a moment, and is still somebody else.
+void Tracker::merge_doubles(const std::vector<Detection>& detections, const Matching& matching) {
+  std::vector<const Detection*> shown(live_.size(), nullptr);
+  for (std::size_t d = 0; d < detections.size(); ++d) {
+    if (matching.track_of[d] >= 0) shown[static_cast<std::size_t>(matching.track_of[d])] = &detections[d];
+  }
   const Lifecycle& lifecycle = params_.lifecycle;
   std::vector<char> is_double(live_.size(), 0);
   for (std::size_t i = 0; i < live_.size(); ++i) {
     for (std::size_t j = i + 1; j < live_.size() && !is_double[i]; ++j) {
       if (is_double[j]) continue;
       const double away_m = geometry::distance(live_[i].position_in_map(), live_[j].position_in_map());
-      const bool both_seen = live_[i].last_seen() == live_[j].last_seen();  // as two, by one scan
+      const bool both_seen = shown[i] != nullptr && shown[j] != nullptr;  // as two, by one scan
+      const double shown_m = both_seen ? geometry::distance(shown[i]->position_in_map, shown[j]->position_in_map) : away_m;
       const double smaller_m = std::min(live_[i].radius_m(), live_[j].radius_m());
       const double larger_m = std::max(live_[i].radius_m(), live_[j].radius_m());
       const bool is_inside = larger_m > 1.5 * smaller_m && away_m + 0.8 * smaller_m < larger_m;
-      if (away_m > (both_seen ? 0.5 : 1.0) * lifecycle.merge_m && !is_inside) continue;
+      if (shown_m > (both_seen ? 0.5 : 1.0) * lifecycle.merge_m && !is_inside) continue;
       const bool keep_older = live_[i].is_confirmed(lifecycle) || !live_[j].is_confirmed(lifecycle);
       is_double[keep_older ? j : i] = 1;
     }

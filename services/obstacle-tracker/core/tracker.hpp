@@ -97,7 +97,7 @@ class Tracker {
   void take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching, TakeResult& result);
   bool is_part_of_known(const Detection& detection, time::Stamp measured, Matching& matching);
   void look_for_unmatched(const Scan& scan, const SortedScan& sorted, const Matching& matching);
-  void merge_doubles();
+  void merge_doubles(const std::vector<Detection>& detections, const Matching& matching);
   template <class IsGone>
   void bury(IsGone is_gone, std::vector<std::uint64_t>& lost);
 

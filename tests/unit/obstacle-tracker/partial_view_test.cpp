@@ -71,6 +71,7 @@ TEST(PartialView, TakesAPersonHalfBehindAPillarForOneAndIsLessSureAcross) {
     }
     RecordProperty("nees_" + std::to_string(static_cast<int>(100 * shown_m)), std::to_string(nees));
     EXPECT_LT(nees, kHonestNees) << shown_m;
+    EXPECT_GT(nees, 0.8) << shown_m;  // nor far less sure than it may be: one of the edges shows
     EXPECT_GT(across_m, 1.05 * whole_m) << shown_m;
   }
 }
