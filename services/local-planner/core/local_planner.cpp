@@ -397,8 +397,9 @@ void LocalPlanner::drive(Cycle& cycle) {
     moved_ = cycle.now;
     return;
   }
-  const Choice choice = choose(scene, aim(cycle), variant_, settings_.dwa);
+  Choice choice = choose(scene, aim(cycle), variant_, settings_.dwa);
   const bool refused = scene.speed_cap_mps > 2.0 * kStandingMps && !waits_before_it && is_refused(choice);
+  const bool finer = refused && cycle.stands() && take_finer(scene, aim(cycle), choice);
   if (waits_before_it) command(cycle, {});
   else if (choice.found) command(cycle, choice.twist);
   else {
@@ -409,7 +410,7 @@ void LocalPlanner::drive(Cycle& cycle) {
   if (choice.mover_gap_m < 0.4 && cycle.out.phase == Phase::kDriving) cycle.out.phase = Phase::kAvoiding;
   if (!cycle.stands()) moved_ = cycle.now;
   const double stuck_s = seconds(cycle.now - moved_);
-  tell_recovery(cycle, scene, refused);
+  tell_recovery(cycle, scene, refused, finer);
   if (!cycle.stands()) return;
   const bool waits = !cycle.advice.yields_to.empty();
   if (waits && !blocked_) {
@@ -435,10 +436,25 @@ bool LocalPlanner::is_refused(const Choice& choice) {
   return rejected && choice.moving == 0;
 }
 
+/// Twice as many speeds and turn rates in the same window: a gap between walls may be so narrow that few arcs lead into it. Before people
+/// and other vehicles it waits: there is more room in a moment.
+bool LocalPlanner::take_finer(const Scene& scene, const Aim& aim, Choice& choice) const {
+  const bool only_walls = choice.rejected[static_cast<int>(Obstruction::kMover)] == 0 && choice.rejected[static_cast<int>(Obstruction::kPeer)] == 0;
+  if (!only_walls) return false;
+  DwaSettings finer = settings_.dwa;
+  finer.linear_samples = 2 * finer.linear_samples - 1;
+  finer.angular_samples = 2 * finer.angular_samples - 1;
+  const Choice found = choose(scene, aim, variant_, finer);
+  if (found.moving == 0) return false;
+  choice = found;
+  return true;
+}
+
 /// Names the grade of recovery, or what is being avoided.
-void LocalPlanner::tell_recovery(Cycle& cycle, const Scene& scene, bool refused) const {
+void LocalPlanner::tell_recovery(Cycle& cycle, const Scene& scene, bool refused, bool finer) const {
   std::string& detail = cycle.out.detail;
   if (way_.is_aside() && backs_off_) detail = "recovers: backs off";
+  else if (finer) detail = "recovers: looks finer";
   else if (refused) detail = cycle.stands() ? "recovers: turns to where there is room" : "recovers: slower";
   else if (cycle.out.phase == Phase::kAvoiding)
     if (const Meeting meeting = predict_meeting(scene, kWindowM, kMeetingS); meeting.encounter != Encounter::kNone)

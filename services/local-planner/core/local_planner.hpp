@@ -37,7 +37,8 @@ class LocalPlanner {
   void recover(Cycle& cycle);
   void drive(Cycle& cycle);
   static bool is_refused(const Choice& choice);
-  void tell_recovery(Cycle& cycle, const Scene& scene, bool refused) const;
+  bool take_finer(const Scene& scene, const Aim& aim, Choice& choice) const;
+  void tell_recovery(Cycle& cycle, const Scene& scene, bool refused, bool finer) const;
   bool is_lost(const Cycle& cycle) const;
   geometry::Twist2 turn_of(const Cycle& cycle, double error_rad) const;
   Aim aim(const Cycle& cycle) const;

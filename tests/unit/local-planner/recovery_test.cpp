@@ -1,4 +1,4 @@
-// Where every speed is refused: slower, a turn, a step back; each told in the status, and in this order.
+// Where every speed is refused: slower, a finer look, a turn, a step back; each told in the status, and in this order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -42,6 +42,25 @@ TEST(Recovery, TellsEachGradeInItsOrder) {
   EXPECT_GE(slower, 0) << all;
   EXPECT_GT(turns, slower) << all;
   EXPECT_GT(back, turns) << all;
+  EXPECT_EQ(place_of(details, "recovers: looks finer"), -1) << "before people it waits";
+}
+
+TEST(Recovery, LooksFinerBetweenWallsWhereFewArcsLeadIn) {
+  Settings coarse;
+  coarse.dwa.linear_samples = 2;
+  coarse.dwa.angular_samples = 4;
+  for (const double yaw_rad : {0.1, 0.3, 0.6}) {
+    Drive drive(aisle(1.0), {3.0, 5.0, yaw_rad});
+    drive.planner = LocalPlanner(coarse);
+    drive.give_plan({{3.0, 5.0}, {17.0, 5.0}});
+    bool finer = false;
+    const bool arrived = drive.until(40.0, [&] {
+      finer |= drive.output.detail == "recovers: looks finer";
+      EXPECT_NE(drive.output.detail, "recovers: turns to where there is room") << yaw_rad;
+      return drive.output.phase == Phase::kArrived;
+    });
+    EXPECT_TRUE(arrived && finer) << yaw_rad;
+  }
 }
 
 TEST(Recovery, IsNotToldWhileTheWayIsFree) {
