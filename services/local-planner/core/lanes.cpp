@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
-#include "common/geometry/wide_vectors.hpp"
+#include "common/grid/clearance_lanes.hpp"
 
 namespace aisle::local_planner {
 
 using geometry::Point2;
 using geometry::Pose2;
 using geometry::Twist2;
+using geometry::is_any;
+using geometry::kWide;
+using geometry::load;
+using geometry::store;
+using geometry::Wide;
+using geometry::WideMarks;
 
 double speed_of(const Twist2& twist) {
   return twist.sideways_mps == 0.0 ? std::abs(twist.linear_mps) : std::hypot(twist.linear_mps, twist.sideways_mps);
@@ -102,31 +107,37 @@ double Box::distance2(Point2 p) const {
   return x * x + y * y;
 }
 
-Outlines::Outlines(const Scene& scene)
-    : scene_(scene), is_disc_(scene.discs_ahead_m.size() == 1 && scene.discs_ahead_m.front() == 0.0), count_(scene.discs_ahead_m.size()) {}
+Outlines::Outlines(const Scene& scene) : scene_(scene), is_disc_(scene.discs_ahead_m.size() == 1 && scene.discs_ahead_m.front() == 0.0) {}
 
-AISLE_WIDE_VECTORS void Outlines::follow(const Lanes& lanes) {
+void Outlines::follow(const Lanes& lanes) {
+  lanes_ = &lanes;
+  is_placed_ = false;
+}
+
+AISLE_WIDE_VECTORS void Outlines::place() {
+  is_placed_ = true;
   if (is_disc_) {
-    x_[0] = lanes.x.data();
-    y_[0] = lanes.y.data();
+    x_[0] = lanes_->x.data();
+    y_[0] = lanes_->y.data();
     return;
   }
-  for (std::size_t disc = 0; disc < count_; ++disc) {
+  for (std::size_t disc = 0; disc < count(); ++disc) {
     const double ahead_m = scene_.discs_ahead_m[disc];
     for (std::size_t i = 0; i < kLanes; ++i)
-      off_x_[disc][i] = lanes.x[i] + ahead_m * lanes.cos_yaw[i], off_y_[disc][i] = lanes.y[i] + ahead_m * lanes.sin_yaw[i];
+      off_x_[disc][i] = lanes_->x[i] + ahead_m * lanes_->cos_yaw[i], off_y_[disc][i] = lanes_->y[i] + ahead_m * lanes_->sin_yaw[i];
     x_[disc] = off_x_[disc].data();
     y_[disc] = off_y_[disc].data();
   }
 }
 
-AISLE_WIDE_VECTORS void Outlines::distances2_to(Point2 p, Lane& squared) const {
+AISLE_WIDE_VECTORS void Outlines::distances2_to(Point2 p, Lane& squared) {
+  if (!is_placed_) place();
   for (std::size_t i = 0; i < kLanes; ++i) {
     const double x = x_[0][i] - p.x;
     const double y = y_[0][i] - p.y;
     squared[i] = x * x + y * y;
   }
-  for (std::size_t disc = 1; disc < count_; ++disc)
+  for (std::size_t disc = 1; disc < count(); ++disc)
     for (std::size_t i = 0; i < kLanes; ++i) {
       const double x = x_[disc][i] - p.x;
       const double y = y_[disc][i] - p.y;
@@ -134,115 +145,92 @@ AISLE_WIDE_VECTORS void Outlines::distances2_to(Point2 p, Lane& squared) const {
     }
 }
 
-void Outlines::clearances_of_pairs_m(const std::size_t* pairs, Lane& found_m) const {
-  Lane x, y;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    x[i] = x_[pairs[i] / kLanes][pairs[i] % kLanes];
-    y[i] = y_[pairs[i] / kLanes][pairs[i] % kLanes];
-  }
-  grid::clearances_m(scene_.clearance, x.data(), y.data(), found_m);
-}
-
 namespace {
 
 constexpr double kFarM = 1e9;
 
-AISLE_WIDE_VECTORS void lower(Lane& bound_m, const Lane& driven_m) {
-  for (std::size_t i = 0; i < kLanes; ++i) bound_m[i] -= driven_m[i];
-}
-
-/// Returns how many are less than `enough_m` then.
-AISLE_WIDE_VECTORS int lower(Lane& known_m, const Lane& driven_m, double enough_m) {
-  int unknown = 0;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    known_m[i] -= driven_m[i];
-    unknown += known_m[i] < enough_m ? 1 : 0;
-  }
-  return unknown;
-}
-
-/// Marks the lanes that are unknown and whose disc may be near with 1. Returns how many.
-AISLE_WIDE_VECTORS int mark(const Lane& known_m, double enough_m, const Lane& bound_m, double near_m, std::array<std::uint64_t, kLanes>& marks) {
-  std::uint64_t count = 0;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    marks[i] = (known_m[i] < enough_m) & (bound_m[i] < near_m) ? 1 : 0;
-    count += marks[i];
-  }
-  return static_cast<int>(count);
-}
-
-AISLE_WIDE_VECTORS void lower_to(Lane& least_m, const Lane& values_m) {
-  for (std::size_t i = 0; i < kLanes; ++i) least_m[i] = least(least_m[i], values_m[i]);
-}
-
-/// Learns the gaps that were unknown. Returns how many are less than enough.
-AISLE_WIDE_VECTORS int learn(Lane& known_m, const Lane& clearances_m, double radius_m, double enough_m) {
-  int near = 0;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    known_m[i] = known_m[i] < enough_m ? clearances_m[i] - radius_m : known_m[i];
-    near += known_m[i] < enough_m ? 1 : 0;
-  }
-  return near;
+/// Between centres a clearance may be understated by as much: the mean way to the corners, and what interpolation takes off. Of several
+/// discs those are looked up, too, that may be the nearest by it.
+double understated_m(const Outlines& outlines) {
+  constexpr double kUnderstatedCells = 0.83;
+  return outlines.count() == 1 ? 0.0 : kUnderstatedCells * outlines.clearance().geometry().resolution_m;
 }
 
 }  // namespace
 
-WallWatch::WallWatch(double enough_m) : enough_m_(enough_m) {
-  known_m_.fill(-kFarM);
-  for (Lane& bound_m : bound_m_) bound_m.fill(-kFarM);
+WallWatch::WallWatch(const Outlines& outlines, double enough_m)
+    : radius_m_(outlines.radius_m()), enough_m_(enough_m), near_m_(enough_m + outlines.radius_m() + understated_m(outlines)) {
+  driven_m_.fill(0.0);
+  enough_until_m_.fill(-kFarM);
+  least_m_.fill(enough_m);
+  for (std::size_t disc = 0; disc < outlines.count(); ++disc) far_until_m_[disc].fill(-kFarM);
 }
 
-void WallWatch::leave(std::size_t lane) { known_m_[lane] = kFarM; }
+void WallWatch::leave(std::size_t lane) { enough_until_m_[lane] = kFarM; }
 
 bool WallWatch::look(const Outlines& outlines, const Lane& driven_m) {
-  const int unknown = lower(known_m_, driven_m, enough_m_);
-  for (std::size_t disc = 0; outlines.count() > 1 && disc < outlines.count(); ++disc) lower(bound_m_[disc], driven_m);
-  if (unknown == 0) return false;
-  return outlines.count() == 1 ? look_at_disc(outlines, unknown) : look_at_discs(outlines);
+  if (!drive_on(driven_m)) return false;
+  list_unknown();
+  return look_at_unknown(outlines);
 }
 
-constexpr int kFew = 10;                    // are quicker looked up one by one
-
-bool WallWatch::look_at_disc(const Outlines& outlines, int unknown) {
-  Lane found_m = known_m_;
-  if (unknown > kFew) {
-    outlines.clearances_m(0, found_m);
-  } else {
-    for (std::size_t i = 0; i < kLanes; ++i)
-      if (known_m_[i] < enough_m_) found_m[i] = outlines.clearance_m(0, i);
+/// Returns whether a lane has no longer surely enough.
+AISLE_WIDE_VECTORS bool WallWatch::drive_on(const Lane& driven_m) {
+  WideMarks is_unknown{};
+  for (std::size_t first = 0; first < kLanes; first += kWide) {
+    Wide so_far_m, step_m, until_m;
+    load(&driven_m_[first], so_far_m);
+    load(&driven_m[first], step_m);
+    load(&enough_until_m_[first], until_m);
+    so_far_m += step_m;
+    store(so_far_m, &driven_m_[first]);
+    is_unknown |= so_far_m > until_m;
   }
-  return learn(known_m_, found_m, outlines.radius_m(), enough_m_) > 0;
+  return is_any(is_unknown);
 }
 
-/// Learns the clearances of those discs of unknown lanes that may be near, in full vectors.
-bool WallWatch::look_at_discs(const Outlines& outlines) {
-  // Between centres a clearance may be understated by as much: the mean way to the corners, and what interpolation takes off.
-  constexpr double kUnderstatedCells = 0.83;
-  const double near_m = enough_m_ + outlines.radius_m() + kUnderstatedCells * outlines.cell_m();
-  std::array<std::size_t, (kMostDiscs + 1) * kLanes> wanted;
-  std::array<std::uint64_t, kLanes> marks;
-  std::size_t count = 0;
-  for (std::size_t disc = 0; disc < outlines.count(); ++disc) {
-    if (mark(known_m_, enough_m_, bound_m_[disc], near_m, marks) == 0) continue;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      wanted[count] = disc * kLanes + i;
-      count += marks[i];
-    }
+AISLE_WIDE_VECTORS void WallWatch::list_unknown() {
+  unknown_count_ = 0;
+  for (std::size_t first = 0; first < kLanes; first += kWide) {
+    Wide so_far_m, until_m;
+    load(&driven_m_[first], so_far_m);
+    load(&enough_until_m_[first], until_m);
+    unknown_[unknown_count_] = first;       // without a branch, which nobody could predict
+    unknown_count_ += is_any(so_far_m > until_m) ? 1 : 0;
   }
-  for (std::size_t first = 0; first < count; first += kLanes) {
-    const std::size_t some = std::min(kLanes, count - first);
-    Lane found_m;
-    if (some > static_cast<std::size_t>(kFew)) {
-      std::fill_n(wanted.begin() + static_cast<std::ptrdiff_t>(first + some), kLanes - some, wanted[first]);
-      outlines.clearances_of_pairs_m(wanted.data() + first, found_m);
-    } else {
-      for (std::size_t i = 0; i < some; ++i) found_m[i] = outlines.clearance_m(wanted[first + i] / kLanes, wanted[first + i] % kLanes);
+}
+
+/// Looks up the discs that may be near, of unknown lanes and, since it costs nothing, of their neighbours. Returns whether some gap is
+/// less than enough.
+AISLE_WIDE_VECTORS bool WallWatch::look_at_unknown(const Outlines& outlines) {
+  const grid::ClearanceLanes clearance(outlines.clearance());
+  const std::size_t discs = outlines.count();
+  WideMarks is_near{};
+  for (std::size_t k = 0; k < unknown_count_; ++k) {
+    const std::size_t first = unknown_[k];
+    Wide driven_m, enough_until_m, least_m, nearest_until_m = Wide{} + kFarM;
+    load(&driven_m_[first], driven_m);
+    load(&enough_until_m_[first], enough_until_m);
+    load(&least_m_[first], least_m);
+    const WideMarks is_asked = enough_until_m < kFarM;
+    for (std::size_t disc = 0; disc < discs; ++disc) {
+      Wide x, y, found_m, far_until_m;
+      load(&far_until_m_[disc][first], far_until_m);
+      if (is_any(is_asked & (driven_m > far_until_m))) {
+        outlines.find_centers(disc, first, x, y);
+        clearance.find_m(x, y, is_asked, found_m);
+        const Wide gap_m = found_m - radius_m_;
+        is_near |= is_asked & (gap_m < enough_m_);
+        least_m = is_asked & (gap_m < least_m) ? gap_m : least_m;
+        far_until_m = driven_m + (found_m - near_m_);
+        store(far_until_m, &far_until_m_[disc][first]);
+      }
+      nearest_until_m = far_until_m < nearest_until_m ? far_until_m : nearest_until_m;
     }
-    for (std::size_t i = 0; i < some; ++i) bound_m_[wanted[first + i] / kLanes][wanted[first + i] % kLanes] = found_m[i];
+    store(least_m, &least_m_[first]);
+    store(is_asked ? nearest_until_m + (near_m_ - enough_m_ - radius_m_) : enough_until_m, &enough_until_m_[first]);
   }
-  Lane nearest_m = bound_m_[0];
-  for (std::size_t disc = 1; disc < outlines.count(); ++disc) lower_to(nearest_m, bound_m_[disc]);
-  return learn(known_m_, nearest_m, outlines.radius_m(), enough_m_) > 0;
+  return is_any(is_near);
 }
 
 }  // namespace aisle::local_planner

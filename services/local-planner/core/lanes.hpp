@@ -1,14 +1,15 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
-#include "common/grid/clearance_lanes.hpp"
+#include "common/geometry/wide_vectors.hpp"
 #include "services/local-planner/core/rollout.hpp"
 
 namespace aisle::local_planner {
 
 /// So many samples are rolled out side by side, in arrays that compilers make vectors of.
-inline constexpr std::size_t kLanes = grid::kClearanceLanes;
+inline constexpr std::size_t kLanes = 32;
 using Lane = std::array<double, kLanes>;
 
 /// By value, which loops over lanes need to become vectors; std::min takes references.
@@ -53,20 +54,29 @@ class Outlines {
   /// @pre `lanes` lives as long
   void follow(const Lanes& lanes);
   /// Squared, from each lane's nearest centre.
-  void distances2_to(geometry::Point2 p, Lane& squared) const;
-  std::size_t count() const { return count_; }
+  void distances2_to(geometry::Point2 p, Lane& squared);
+  std::size_t count() const { return scene_.discs_ahead_m.size(); }
   double radius_m() const { return scene_.radius_m; }
-  double cell_m() const { return scene_.clearance.geometry().resolution_m; }
-  /// From one disc's centre to the nearest wall.
-  double clearance_m(std::size_t disc, std::size_t lane) const { return scene_.clearance.clearance_m(geometry::Point2{x_[disc][lane], y_[disc][lane]}); }
-  void clearances_m(std::size_t disc, Lane& found_m) const { grid::clearances_m(scene_.clearance, x_[disc], y_[disc], found_m); }
-  /// The same of 32 pairs of a disc and a lane: `disc * kLanes + lane`.
-  void clearances_of_pairs_m(const std::size_t* pairs, Lane& found_m) const;
+  const grid::ClearanceField& clearance() const { return scene_.clearance; }
+  /// One disc's centres in four lanes, `first` and the next.
+  [[gnu::always_inline]] void find_centers(std::size_t disc, std::size_t first, geometry::Wide& x, geometry::Wide& y) const {
+    geometry::Wide cos_yaw, sin_yaw;
+    geometry::load(&lanes_->x[first], x);
+    geometry::load(&lanes_->y[first], y);
+    geometry::load(&lanes_->cos_yaw[first], cos_yaw);
+    geometry::load(&lanes_->sin_yaw[first], sin_yaw);
+    const double ahead_m = scene_.discs_ahead_m[disc];
+    x = x + ahead_m * cos_yaw;
+    y = y + ahead_m * sin_yaw;
+  }
 
  private:
+  void place();
+
   const Scene& scene_;
+  const Lanes* lanes_{nullptr};
   bool is_disc_;
-  std::size_t count_;
+  bool is_placed_{false};
   std::array<Lane, kMostDiscs> off_x_, off_y_;      // where the centres are not the bases
   std::array<const double*, kMostDiscs> x_, y_;
 };
@@ -75,21 +85,26 @@ class Outlines {
 /// at most what was driven. Of several discs only those are looked up that can be too near.
 class WallWatch {
  public:
-  explicit WallWatch(double enough_m);
-  /// One step on. Returns whether some gap is less than `enough_m`.
+  /// @param enough_m gaps that are as wide are not asked for
+  WallWatch(const Outlines& outlines, double enough_m);
+  /// One step on. Returns whether some gap is less than enough.
   bool look(const Outlines& outlines, const Lane& driven_m);
-  /// Of the vehicles' outlines; at least `enough_m` where there is as much.
-  const Lane& gaps_m() const { return known_m_; }
+  /// The least gap of each vehicle's outline that was seen so far; enough where there always was enough.
+  const Lane& least_gaps_m() const { return least_m_; }
   /// Nobody asks for this lane's gap any more.
   void leave(std::size_t lane);
 
  private:
-  bool look_at_disc(const Outlines& outlines, int unknown);
-  bool look_at_discs(const Outlines& outlines);
+  bool drive_on(const Lane& driven_m);
+  void list_unknown();
+  bool look_at_unknown(const Outlines& outlines);
 
-  double enough_m_;
-  Lane known_m_;
-  std::array<Lane, kMostDiscs> bound_m_;    // of the clearance of each disc's centre
+  double radius_m_, enough_m_, near_m_;
+  // Counted in metres driven since the beginning: until when a lane has enough surely, and until when each of its discs is far from walls.
+  alignas(32) Lane driven_m_, enough_until_m_, least_m_;
+  alignas(32) std::array<Lane, kMostDiscs> far_until_m_;
+  std::array<std::size_t, kLanes / geometry::kWide> unknown_;     // the first of each four lanes of which one has no longer surely enough
+  std::size_t unknown_count_{0};
 };
 
 }  // namespace aisle::local_planner

@@ -22,7 +22,7 @@ class Braking {
  public:
   Braking(const Scene& scene, const Needed& needed, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
       : scene_(scene), needed_(needed), dt_(settings.step_s), braking_mps2_(settings.braking_share * scene.limits.max_deceleration_mps2),
-        swing_(swing_m(scene)), count_(count), left_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(needed.wall), twists_(scene.twist) {
+        swing_(swing_m(scene)), count_(count), left_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(outlines_, needed.wall), twists_(scene.twist) {
     is_done_.fill(false);
     take_up(TwistLanes(wanted, count));
     const bool stands = fastest(scene.twist) < kStoodMps;
@@ -90,7 +90,7 @@ class Braking {
   void look(double t_s) {
     if (walls_.look(outlines_, driven_m_))
       for (std::size_t i = 0; i < count_; ++i)
-        if (walls_.gaps_m()[i] < needed_.wall - kTinyM) finish(i, Obstruction::kWall);
+        if (walls_.least_gaps_m()[i] < needed_.wall - kTinyM) finish(i, Obstruction::kWall);
     if (!needed_.peers.empty() || !needed_.movers.empty()) {
       const Box box(lanes_);
       for (const auto& [peer, gap] : needed_.peers) look_at(*peer, gap, box);

@@ -59,9 +59,8 @@ class Bundle {
  public:
   Bundle(const Scene& scene, const ForeseenByStep& foreseen, const Aim& aim, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
       : scene_(scene), foreseen_(foreseen), aim_(aim), dt_(settings.step_s), look_(static_cast<int>(std::lround(settings.heading_s / dt_))),
-        swing_(swing_m(scene)), least_wall_m_(std::min(0.0, wall_gap_m(scene))), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(aim.wall_cap_m),
+        swing_(swing_m(scene)), least_wall_m_(std::min(0.0, wall_gap_m(scene))), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(outlines_, aim.wall_cap_m),
         wanted_(wanted, count), twists_(scene.twist), steering_(scene.limits, scene.steering_rad, wanted_) {
-    wall_m_.fill(aim.wall_cap_m);
     mover_m_.fill(aim.mover_cap_m);
     standing_m_.fill(aim.mover_cap_m);
     moving_m_.fill(aim.mover_cap_m);
@@ -114,26 +113,23 @@ class Bundle {
 
   void meet_walls(Rollout* out) {
     if (!walls_.look(outlines_, driven_m_)) return;
-    const Lane& gaps = walls_.gaps_m();
-    if (note_gaps(gaps) == 0) return;
+    const Lane& gaps = walls_.least_gaps_m();
+    if (count_less(gaps, least_wall_m_) == done_) return;
     for (std::size_t i = 0; i < kLanes; ++i) {
-      if (gaps[i] >= least_wall_m_) continue;
+      if (gaps[i] >= least_wall_m_ || is_done_[i]) continue;
+      is_done_[i] = true;
+      ++done_;
       walls_.leave(i);
       if (i >= count_) continue;
       out[i] = so_far(i, Obstruction::kWall);
-      is_done_[i] = true;
       --left_;
     }
   }
 
-  /// Returns how many are less than they may be.
-  AISLE_WIDE_VECTORS int note_gaps(const Lane& gaps) {
-    int too_near = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      wall_m_[i] = least(wall_m_[i], gaps[i]);
-      too_near += gaps[i] < least_wall_m_ ? 1 : 0;
-    }
-    return too_near;
+  AISLE_WIDE_VECTORS static int count_less(const Lane& gaps, double least_m) {
+    int less = 0;
+    for (std::size_t i = 0; i < kLanes; ++i) less += gaps[i] < least_m ? 1 : 0;
+    return less;
   }
 
   void meet(const std::vector<Foreseen>& all) {
@@ -181,7 +177,7 @@ class Bundle {
   }
 
   Rollout so_far(std::size_t i, Obstruction collides) const {
-    return {{wanted_.at(i), looks_in_map_[i], scene_.base_in_map.position(), wall_m_[i], mover_m_[i], standing_m_[i], moving_m_[i], 0.0}, collides};
+    return {{wanted_.at(i), looks_in_map_[i], scene_.base_in_map.position(), walls_.least_gaps_m()[i], mover_m_[i], standing_m_[i], moving_m_[i], 0.0}, collides};
   }
 
   const Scene& scene_;
@@ -199,10 +195,11 @@ class Bundle {
   SteeringLanes steering_;                // of a tricycle
   bool is_changing_{true};
   Lane driven_m_;
-  Lane wall_m_, mover_m_, standing_m_, moving_m_, path_m_, hit_;
+  Lane mover_m_, standing_m_, moving_m_, path_m_, hit_;
   int path_looks_{0};
   std::array<geometry::Pose2, kLanes> looks_in_map_;
   std::array<bool, kLanes> is_done_;
+  int done_{0};
 };
 
 }  // namespace
