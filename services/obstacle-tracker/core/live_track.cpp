@@ -42,11 +42,9 @@ void LiveTrack::move_on(time::Stamp from, time::Stamp to) {
 }
 
 void LiveTrack::take(const Detection& detection, time::Stamp measured, time::Stamp moment, const Lifecycle& lifecycle) {
-  constexpr int kScansToKnowTheSpeed = 4;
   const Eigen::Vector2d position = vector_of(detection.position_in_map);
   const double lag_s = time::seconds(moment - measured);
-  const bool has_turned =
-      seen_scans_ >= kScansToKnowTheSpeed && filter_->innovation(position, detection.covariance, lag_s).distance2 > lifecycle.turn_gate;
+  const bool has_turned = knows_its_speed() && filter_->innovation(position, detection.covariance, lag_s).distance2 > lifecycle.turn_gate;
   if (has_turned) filter_->loosen(lifecycle.turn_speed_sigma_mps);
   filter_->update(position, detection.covariance, lag_s);
   ++seen_scans_;

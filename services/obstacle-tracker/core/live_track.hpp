@@ -61,6 +61,7 @@ class LiveTrack {
   bool is_confirmed(const Lifecycle& lifecycle) const {
     return seen_scans_ >= lifecycle.confirming_scans && rays_ >= lifecycle.confirming_rays;
   }
+  bool knows_its_speed() const { return seen_scans_ >= kScansToKnowTheSpeed; }
   time::Stamp last_seen() const { return last_seen_; }
   geometry::Point2 position_in_map() const { return {filter_->state().x(), filter_->state().y()}; }
   /// Where it was `lag_s` before the filter's moment.
@@ -88,6 +89,7 @@ class LiveTrack {
   Track published(time::Stamp now) const;
 
  private:
+  static constexpr int kScansToKnowTheSpeed = 4;
   void adapt_radius(const Detection& detection, const Lifecycle& lifecycle);
   void settle(time::Stamp measured, const Lifecycle& lifecycle);
 

@@ -53,6 +53,16 @@ void keep_apart(std::vector<Expected>& expected, const std::vector<Point2>& befo
   }
 }
 
+/// Two people of two velocities, and both are known: they will soon be apart again. What is larger is seen a piece at a time, and its
+/// pieces wander.
+bool are_passing(const LiveTrack& a, const LiveTrack& b, const Shape& shape) {
+  constexpr double kDiffers_mps = 0.8;
+  const auto is_walker = [&](const LiveTrack& track) {
+    return track.knows_its_speed() && track.radius_m() < shape.large * shape.usual_radius_m;
+  };
+  return is_walker(a) && is_walker(b) && (a.filter().state() - b.filter().state()).tail<2>().norm() > kDiffers_mps;
+}
+
 }  // namespace
 
 Tracker::Tracker(const TrackerParams& params, std::uint64_t first_id) : params_(params), next_id_(first_id) {}
@@ -274,8 +284,8 @@ void Tracker::look_for_unmatched(const Scan& scan, const SortedScan& sorted, con
   }
 }
 
-/// Two tracks in one place are one thing. Where one scan shows both, what it shows says how far apart they are: who stops short of another
-/// is carried on into them for a moment, and is still somebody else.
+/// Two tracks in one place are one thing, but for two that pass each other. Where one scan shows both, what it shows says how far apart
+/// they are: who stops short of another is carried on into them for a moment, and is still somebody else.
 void Tracker::merge_doubles(const std::vector<Detection>& detections, const Matching& matching) {
   std::vector<const Detection*> shown(live_.size(), nullptr);
   for (std::size_t d = 0; d < detections.size(); ++d) {
@@ -285,7 +295,7 @@ void Tracker::merge_doubles(const std::vector<Detection>& detections, const Matc
   std::vector<char> is_double(live_.size(), 0);
   for (std::size_t i = 0; i < live_.size(); ++i) {
     for (std::size_t j = i + 1; j < live_.size() && !is_double[i]; ++j) {
-      if (is_double[j]) continue;
+      if (is_double[j] || are_passing(live_[i], live_[j], params_.shape)) continue;
       const double away_m = geometry::distance(live_[i].position_in_map(), live_[j].position_in_map());
       const bool both_seen = shown[i] != nullptr && shown[j] != nullptr;  // as two, by one scan
       const double shown_m = both_seen ? geometry::distance(shown[i]->position_in_map, shown[j]->position_in_map) : away_m;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <vector>
 
 #include "services/obstacle-tracker/core/tracker.hpp"
@@ -83,6 +84,24 @@ TEST(Company, WhoStopsBesideOneWhoStandsIsNotMergedIntoHim) {
     }
     EXPECT_LE(5 * all.not_two, all.moments) << fleet.size() << " vehicles: " << all.not_two;
     EXPECT_LE(all.other_ids, 7) << fleet.size() << " vehicles";
+  }
+}
+
+/// They brush past each other, one of them hardly seen for a moment.
+TEST(Company, TwoWhoBrushPastEachOtherStayTwo) {
+  for (const std::vector<Vehicle>& fleet : {kOneVehicle, kTwoVehicles}) {
+    int lost = 0;
+    for (unsigned seed = 1; seed <= 16; ++seed) {
+      Stage stage(room(16.0, 12.0), fleet, seed);
+      const auto pass = [&](double t) { stage.world.discs = {{{5.0 + 1.2 * t, 6.0}, 0.25}, {{11.0 - 1.2 * t, 6.25}, 0.25}}; };
+      stage.run(2.0, pass);
+      const std::set<std::uint64_t> before{id_at(stage, 0), id_at(stage, 1)};
+      stage.run(3.2, pass);
+      const std::set<std::uint64_t> after{id_at(stage, 0), id_at(stage, 1)};
+      ASSERT_EQ(before.size(), 2U);
+      if (after != before) ++lost;
+    }
+    EXPECT_LE(lost, 2) << fleet.size() << " vehicles";
   }
 }
 
