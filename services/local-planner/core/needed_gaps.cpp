@@ -23,7 +23,19 @@ double least_distance(const std::vector<Point2>& a, const std::vector<Point2>& b
   return std::sqrt(least2);
 }
 
+constexpr double kStartMps2 = 3.0;        // who stands is at a walk within half a second,
+constexpr double kTurnMps2 = 1.5;         // who walks turns or stops more slowly,
+constexpr double kMostChangeMps = 1.4;    // and changes the velocity by no more than this
+
 }  // namespace
+
+double Mover::reach_m(double t_s) const {
+  if (!may_walk) return 0.0;
+  const double change_mps2 = velocity_in_map == Point2{} ? kStartMps2 : kTurnMps2;
+  const double changing_s = kMostChangeMps / change_mps2;
+  const double since_s = unseen_s + t_s;
+  return since_s < changing_s ? 0.5 * change_mps2 * since_s * since_s : kMostChangeMps * (since_s - 0.5 * changing_s);
+}
 
 double fastest_point_mps(const Scene& scene, const geometry::Twist2& twist) { return std::max(speed_of(twist), swing_m(scene) * std::abs(twist.angular_radps)); }
 
@@ -51,7 +63,7 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
     const double gap = least_distance(here, {mover.position_in_map}) - scene.radius_m - mover.radius_m - mover.margin_m;
     // Somebody who walks right beside us: stand until they are past, whichever way they go.
     if (speed > 0.0 && gap + mover.margin_m < 0.08) needed.somebody_touches = true;
-    if (gap < stopping_m + (speed + mover.growth_mps) * stopping_s) needed.movers.emplace_back(&mover, std::min(0.0, gap));
+    if (gap < stopping_m + (speed + mover.growth_mps) * stopping_s + mover.reach_m(stopping_s)) needed.movers.emplace_back(&mover, std::min(0.0, gap));
     if (gap < (speed + mover.growth_mps + v) * settings.horizon_s + 1.0) needed.foreseen.push_back(&mover);
   }
   return needed;

@@ -25,6 +25,7 @@ class Braking {
         swing_(swing_m(scene)), count_(count), left_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(outlines_, needed.wall), twists_(scene.twist) {
     is_done_.fill(false);
     take_up(TwistLanes(wanted, count));
+    was_ = speed_;
     const bool stands = fastest(scene.twist) < kStoodMps;
     for (std::size_t i = 0; i < count_; ++i) {
       if (stands && speed_[i] < kStoodMps) finish(i, Obstruction::kNone);
@@ -124,17 +125,24 @@ class Braking {
 
   void look_at(const Mover& mover, double gap_m, double t_s, const Box& box) {
     const Point2 there = mover.position_in_map + t_s * mover.velocity_in_map;
-    if (!is_near(box, there, scene_.radius_m + mover.radius_m + mover.margin_m + mover.growth_mps * t_s + gap_m)) return;
+    const double reach_m = mover.reach_m(t_s);
+    if (!is_near(box, there, scene_.radius_m + mover.radius_m + mover.margin_m + mover.growth_mps * t_s + reach_m + gap_m)) return;
     Lane squared;
     outlines_.distances2_to(there, squared);
     for (std::size_t i = 0; i < count_; ++i) {
-      if (speed_[i] <= kStandingMps && mover.velocity_in_map != Point2{}) continue;
-      const double gap = std::sqrt(squared[i]) - scene_.radius_m - mover.radius_m - mover.margin_m - mover.growth_mps * t_s;
+      const bool stood = was_[i] <= kStandingMps;       // throughout this step
+      if (stood && mover.velocity_in_map != Point2{}) continue;
+      const double reached_m = stood ? 0.0 : speed_[i] > kStandingMps ? reach_m : mover.reach_m(t_s - stands_since_s(i));
+      const double gap = std::sqrt(squared[i]) - scene_.radius_m - mover.radius_m - mover.margin_m - mover.growth_mps * t_s - reached_m;
       if (gap < gap_m - kTinyM) finish(i, Obstruction::kMover);
     }
   }
 
+  /// At the end of the step in which it came to stand.
+  double stands_since_s(std::size_t i) const { return was_[i] > speed_[i] ? dt_ * (kStandingMps - speed_[i]) / (was_[i] - speed_[i]) : 0.0; }
+
   void brake() {
+    was_ = speed_;
     slow_down();
     find_speeds();
     set_steps();
@@ -159,7 +167,7 @@ class Braking {
   Outlines outlines_;
   WallWatch walls_;
   TwistLanes twists_, mean_;              // at the end of the step, and over it
-  Lane speed_, driven_m_;
+  Lane speed_, was_, driven_m_;           // was_: speeds at the step's begin
   int standing_{0}, stood_{0};            // lanes that stand, and did so at the step before
   std::array<bool, kLanes> is_done_;
   std::array<Obstruction, kLanes> found_{};

@@ -30,6 +30,11 @@ struct Mover {
   double margin_m{0.1};
   double growth_mps{0.2};
   bool may_walk{true};                      // false: has stood for long
+  double unseen_s{0.0};                     // how long before the scene's moment its motion was measured
+
+  /// How far from where its velocity takes it a person can be `t_s` after the scene's moment, who has started, stopped or turned since
+  /// the motion was measured; in metres. 0 for what has stood for long.
+  double reach_m(double t_s) const;
 };
 
 /// Another vehicle: where it can come while it brakes, and where it says it will be at each step.
@@ -61,7 +66,8 @@ enum class Obstruction { kNone, kWall, kMover, kPeer };
 
 /// What stops a vehicle that takes up `wanted` for one step and then brakes along its arc: nothing, or what it would touch
 /// before it stands. Walls and peers: anywhere on that arc, also of the peer's own braking; movers: at the same time, while
-/// the vehicle is faster than 0.05 m/s. What is too near already forbids only coming nearer.
+/// the vehicle is faster than 0.05 m/s, wherever a person can have come by then (passive safety, Mitsch, Ghorbal and Platzer 2013: it
+/// stands before anybody can touch it). What is too near already forbids only coming nearer.
 Obstruction obstruction(const Scene& scene, const geometry::Twist2& wanted, const DwaSettings& settings);
 
 /// The gaps that a scene asks for: the margins, or what there is now where that is less. Made once a cycle; holds only what the

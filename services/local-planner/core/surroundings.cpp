@@ -23,6 +23,7 @@ Mover mover_of(const SeenTrack& seen, const SurroundingsSettings& settings, time
   mover.position_in_map = track.position_in_map + std::min(age, 1.0) * mover.velocity_in_map;
   mover.radius_m = track.radius_m;
   mover.may_walk = !track.is_static;
+  mover.unseen_s = std::min(age, 1.0);
   if (stands) {
     mover.margin_m = settings.standing_margin_m;
     mover.growth_mps = track.is_static ? 0.0 : 0.5 * settings.mover_growth_mps;

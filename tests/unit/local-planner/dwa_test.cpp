@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -65,6 +66,49 @@ TEST(Obstruction, OfAPersonIsWhereTheyWillBe) {
   EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kNone);
   world.movers = {person({5.8, 6.2}, {0.0, -1.3})};    // coming
   EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kMover);
+}
+
+TEST(Obstruction, IsAPersonBesideTheWayWhoMayWalkAtAnyMoment) {
+  World world(hall(20.0, 10.0));
+  world.movers = {person({5.6, 6.0}, {})};             // 0.5 m from where the vehicle passes
+  world.movers[0].unseen_s = 0.2;
+  EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {0.6, 0.0, 0.0}), {0.6, 0.0, 0.0}, {}), Obstruction::kMover);
+  EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {0.15, 0.0, 0.0}), {0.15, 0.0, 0.0}, {}), Obstruction::kNone);
+  world.movers[0].may_walk = false;
+  EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {0.6, 0.0, 0.0}), {0.6, 0.0, 0.0}, {}), Obstruction::kNone);
+}
+
+/// Passive safety: whoever sets off towards the vehicle since they were last seen touches it at a stand, if at all.
+TEST(Obstruction, LeavesNobodyToBeTouchedByAMovingVehicle) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> apart(0.62, 2.5), angle(-geometry::kPi, geometry::kPi), speed(0.1, 1.2), turn(-0.6, 0.6);
+  const DwaSettings settings;
+  World world(hall(20.0, 20.0));
+  int passed = 0;
+  for (int round = 0; round < 4000; ++round) {
+    const double away_m = apart(random), at_rad = angle(random);
+    const Twist2 twist{speed(random), turn(random), 0.0};
+    const Point2 there{10.0 + away_m * std::cos(at_rad), 10.0 + away_m * std::sin(at_rad)};
+    world.movers = {person(there, {})};
+    world.movers[0].unseen_s = 0.2;
+    if (obstruction(world.scene({10.0, 10.0, 0.0}, twist), twist, settings) != Obstruction::kNone) continue;
+    ++passed;
+    constexpr double kDt = 0.01, kSetOffMps = 1.3, kStartS = 0.45;
+    Pose2 base{10.0, 10.0, 0.0};
+    Twist2 now = twist;
+    Point2 walker = there;
+    double walked_s = 0.0;
+    for (double t = -world.movers[0].unseen_s; std::abs(now.linear_mps) > 0.05; t += kDt) {
+      walked_s += kDt;
+      const Point2 way = base.position() - walker;
+      walker = walker + (kDt * kSetOffMps * std::min(1.0, walked_s / kStartS) / geometry::norm(way)) * way;
+      if (t < 0.0) continue;                           // where the scene begins, the vehicle is there
+      base = kinematics::advance(base, now, kDt);
+      if (t > settings.step_s) now = kinematics::limit_change(now, {}, {}, settings.braking_share * kDt);
+      ASSERT_GT(geometry::distance(base.position(), walker), 0.35 + world.movers[0].radius_m) << "round " << round << ", at " << now.linear_mps << " m/s";
+    }
+  }
+  EXPECT_GT(passed, 500);
 }
 
 TEST(Obstruction, NeverMovesWhileSomebodyWalksRightBesideUs) {
