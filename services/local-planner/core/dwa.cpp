@@ -21,19 +21,22 @@ std::vector<double> spread(double low, double high, int count) {
   return values;
 }
 
-std::size_t best_of(const std::vector<Sample>& samples, const Aim& aim, const Variant& variant) {
-  std::vector<double> total(samples.size(), 0.0);
-  std::vector<double> scores(samples.size());
-  for (const WeightedCritic& critic : variant.critics) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < samples.size(); ++i) sum += scores[i] = critic.score(samples[i], aim);
-    if (sum <= 0.0) continue;
-    const double factor = critic.weight * static_cast<double>(samples.size()) / sum;
-    for (std::size_t i = 0; i < samples.size(); ++i) total[i] += factor * scores[i];
+/// @pre not empty
+const Sample& best_of(const std::vector<const Sample*>& samples, const Aim& aim, const Variant& variant) {
+  const std::size_t critics = variant.critics.size();
+  std::vector<double> scores(samples.size() * critics), factors(critics, 0.0);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    for (std::size_t c = 0; c < critics; ++c) factors[c] += scores[i * critics + c] = variant.critics[c].score(*samples[i], aim);
+  for (std::size_t c = 0; c < critics; ++c) factors[c] = factors[c] > 0.0 ? variant.critics[c].weight * static_cast<double>(samples.size()) / factors[c] : 0.0;
+  std::size_t best = 0;
+  double most = -1.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    double total = 0.0;
+    for (std::size_t c = 0; c < critics; ++c) total += factors[c] * scores[i * critics + c];
+    if (total > most) best = i, most = total;
   }
-  return static_cast<std::size_t>(std::distance(total.begin(), std::max_element(total.begin(), total.end())));
+  return *samples[best];
 }
-
 
 /// Turn rates at this speed: those that the window reaches, straight on among them; of a tricycle those that its wheel can be steered to
 /// within the time that it takes to look there.
@@ -95,19 +98,20 @@ Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const 
     if (stopping[i] == Obstruction::kNone) stoppable.push_back(wanted[i]);
     else ++choice.rejected[static_cast<int>(stopping[i])];
   }
-  std::vector<Sample> samples;
-  samples.reserve(stoppable.size());
-  for (const Rollout& rollout : roll_out(scene, needed, stoppable, aim, settings)) {
+  const std::vector<Rollout> rollouts = roll_out(scene, needed, stoppable, aim, settings);
+  std::vector<const Sample*> samples;
+  samples.reserve(rollouts.size());
+  for (const Rollout& rollout : rollouts) {
     const bool moves = fastest_point_mps(scene, rollout.sample.twist) > kStandingMps;
     if (moves && rollout.collides != Obstruction::kNone) {
       ++choice.rejected[static_cast<int>(rollout.collides)];
       continue;
     }
     if (moves) ++choice.moving;
-    samples.push_back(rollout.sample);
+    samples.push_back(&rollout.sample);
   }
   if (samples.empty()) return choice;
-  const Sample& best = samples[best_of(samples, aim, variant)];
+  const Sample& best = best_of(samples, aim, variant);
   choice.found = true;
   choice.twist = best.twist;
   choice.wall_gap_m = best.wall_gap_m;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/bearings.hpp"
 #include "common/grid/clearance_lanes.hpp"
 
 namespace aisle::local_planner {
@@ -79,7 +80,15 @@ AISLE_WIDE_VECTORS void Lanes::step_sideways() {
   }
 }
 
-Pose2 Lanes::pose(std::size_t i) const { return {x[i], y[i], std::atan2(sin_yaw[i], cos_yaw[i])}; }
+AISLE_WIDE_VECTORS void Lanes::find_yaws_rad(Lane& yaw_rad) const {
+  for (std::size_t first = 0; first < kLanes; first += kWide) {
+    Wide s, c, bearing_rad;
+    load(&sin_yaw[first], s);
+    load(&cos_yaw[first], c);
+    geometry::find_bearing_rad(s, c, bearing_rad);
+    store(bearing_rad, &yaw_rad[first]);
+  }
+}
 
 namespace {
 
@@ -149,17 +158,9 @@ namespace {
 
 constexpr double kFarM = 1e9;
 
-/// Between centres a clearance may be understated by as much: the mean way to the corners, and what interpolation takes off. Of several
-/// discs those are looked up, too, that may be the nearest by it.
-double understated_m(const Outlines& outlines) {
-  constexpr double kUnderstatedCells = 0.83;
-  return outlines.count() == 1 ? 0.0 : kUnderstatedCells * outlines.clearance().geometry().resolution_m;
-}
-
 }  // namespace
 
-WallWatch::WallWatch(const Outlines& outlines, double enough_m)
-    : radius_m_(outlines.radius_m()), enough_m_(enough_m), near_m_(enough_m + outlines.radius_m() + understated_m(outlines)) {
+WallWatch::WallWatch(const Outlines& outlines, double enough_m) : radius_m_(outlines.radius_m()), enough_m_(enough_m) {
   driven_m_.fill(0.0);
   enough_until_m_.fill(-kFarM);
   least_m_.fill(enough_m);
@@ -222,13 +223,13 @@ AISLE_WIDE_VECTORS bool WallWatch::look_at_unknown(const Outlines& outlines) {
         const Wide gap_m = found_m - radius_m_;
         is_near |= is_asked & (gap_m < enough_m_);
         least_m = is_asked & (gap_m < least_m) ? gap_m : least_m;
-        far_until_m = driven_m + (found_m - near_m_);
+        far_until_m = driven_m + (gap_m - enough_m_);
         store(far_until_m, &far_until_m_[disc][first]);
       }
       nearest_until_m = far_until_m < nearest_until_m ? far_until_m : nearest_until_m;
     }
     store(least_m, &least_m_[first]);
-    store(is_asked ? nearest_until_m + (near_m_ - enough_m_ - radius_m_) : enough_until_m, &enough_until_m_[first]);
+    store(is_asked ? nearest_until_m : enough_until_m, &enough_until_m_[first]);
   }
   return is_any(is_near);
 }

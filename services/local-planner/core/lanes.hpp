@@ -32,7 +32,7 @@ struct Lanes {
   /// The twists of the steps from now on.
   void set_steps(const Lane& linear_mps, const Lane& angular_radps, const Lane& sideways_mps, double dt_s);
   void step();
-  geometry::Pose2 pose(std::size_t i) const;
+  void find_yaws_rad(Lane& yaw_rad) const;
 
  private:
   void step_sideways();
@@ -99,8 +99,8 @@ class WallWatch {
   void list_unknown();
   bool look_at_unknown(const Outlines& outlines);
 
-  double radius_m_, enough_m_, near_m_;
-  // Counted in metres driven since the beginning: until when a lane has enough surely, and until when each of its discs is far from walls.
+  double radius_m_, enough_m_;
+  // Counted in metres driven since the beginning: until when a lane has enough surely, and until when each of its discs has.
   alignas(32) Lane driven_m_, enough_until_m_, least_m_;
   alignas(32) std::array<Lane, kMostDiscs> far_until_m_;
   std::array<std::size_t, kLanes / geometry::kWide> unknown_;     // the first of each four lanes of which one has no longer surely enough

@@ -78,9 +78,7 @@ class Bundle {
       outlines_.follow(lanes_);
       meet_walls(out);
       meet(foreseen_[static_cast<std::size_t>(k)]);
-      if (k == look_)
-        for (std::size_t i = 0; i < count_; ++i)
-          if (!is_done_[i]) looks_in_map_[i] = lanes_.pose(i);
+      if (k == look_) look_around();
       if (!aim_.path_in_map.empty() && k % kPathEvery == 0) compare_with_path();
     }
     for (std::size_t i = 0; i < count_; ++i) {
@@ -109,6 +107,14 @@ class Bundle {
   void follow_one_by_one() {
     for (std::size_t i = 0; i < kLanes; ++i)
       if (!is_same(twists_.at(i), wanted_.at(i))) twists_.set(i, kinematics::follow({twists_.at(i), 0.0}, wanted_.at(i), scene_.limits, dt_).twist);
+  }
+
+  /// Where each vehicle is after the heading time.
+  void look_around() {
+    Lane yaw_rad;
+    lanes_.find_yaws_rad(yaw_rad);
+    for (std::size_t i = 0; i < count_; ++i)
+      if (!is_done_[i]) looks_in_map_[i] = {lanes_.x[i], lanes_.y[i], yaw_rad[i]};
   }
 
   void meet_walls(Rollout* out) {

@@ -124,7 +124,8 @@ AISLE_WIDE_VECTORS void SteeringLanes::drive(TwistLanes& twists, const TwistLane
 AISLE_WIDE_VECTORS void driven_m(const TwistLanes& twists, double swing_m, double dt_s, Lane& driven_m) {
   int sideways = 0;
   for (std::size_t i = 0; i < kLanes; ++i) {
-    driven_m[i] = std::abs(twists.linear_mps[i]) * dt_s + swing_m * std::abs(twists.angular_radps[i]) * dt_s;
+    const double along_mps = twists.linear_mps[i], across_mps = swing_m * twists.angular_radps[i];
+    driven_m[i] = std::sqrt(along_mps * along_mps + across_mps * across_mps) * dt_s;
     sideways += twists.sideways_mps[i] != 0.0 ? 1 : 0;
   }
   if (sideways == 0) return;
