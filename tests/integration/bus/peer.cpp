@@ -1,7 +1,7 @@
 // bus_test_peer DOMAIN PARTITION NAME ROLE [STRENGTH]: a process on loopback that tests start, and kill.
 //   plan      writes a plan for agv-1 with STRENGTH every 50 ms, source NAME
 //   member    writes vehicle_state of NAME at 10 Hz, and reads everybody's
-//   site      writes map_info, map_tile, vehicle_info, vehicle_state and plan at 10 Hz
+//   site      writes map_info, map_tile, vehicle_info, vehicle_state, plan and coverage at 10 Hz
 #include <sys/prctl.h>
 
 #include <atomic>
@@ -60,6 +60,18 @@ VehicleInfo forklift(const std::string& name) {
   return vehicle;
 }
 
+Coverage coverage_of(const std::string& name) {
+  Coverage coverage;
+  coverage.source_id(name);
+  coverage.tile_x(1);
+  coverage.tile_y(2);
+  coverage.cell_m(0.25);
+  coverage.width_cells(4);
+  coverage.height_cells(3);
+  coverage.ages().resize(12, 255);
+  return coverage;
+}
+
 void be_a_site(bus::Bus& bus, const std::string& name) {
   MapInfo info;
   info.map_id("site");
@@ -75,10 +87,12 @@ void be_a_site(bus::Bus& bus, const std::string& name) {
   tile.revision(7);
   tile.hash(42);
   tile.cells().resize(64 * 64, 1);
-  bus.every(100ms, [=, infos = bus.writer<topics::MapInfo>(), tiles = bus.writer<topics::MapTile>(), vehicles = bus.writer<topics::VehicleInfo>()]() mutable {
+  bus.every(100ms, [=, infos = bus.writer<topics::MapInfo>(), tiles = bus.writer<topics::MapTile>(), vehicles = bus.writer<topics::VehicleInfo>(),
+                     coverages = bus.writer<topics::Coverage>()]() mutable {
     infos.write(info);
     tiles.write(tile);
     vehicles.write(forklift(name));
+    coverages.write(coverage_of(name));
   });
 }
 

@@ -32,6 +32,7 @@ TEST(Cyclone, DecodesASiteInAPartition) {
   EXPECT_THAT(cyclone.out(), HasSubstr(R"("sideways_mps": 0.25, "steering_rad": -0.5})"));
   EXPECT_THAT(cyclone.out(), HasSubstr(R"("source_id": "planner-1")"));
   EXPECT_THAT(cyclone.out(), HasSubstr(R"("waypoints": 2, "last_x_m": 2.5})"));
+  EXPECT_THAT(cyclone.out(), HasSubstr(R"({"topic": "coverage", "source_id": "planner-1", "tile_x": 1, "tile_y": 2, "cell_m": 0.25, "cells": 12, "unseen": 12})"));
 }
 
 TEST(Cyclone, HearsNothingOfAnotherPartition) {

@@ -1,7 +1,8 @@
 /* aisle_cyclone_subscriber --domain N [--partition NAME] [--interface ADDRESS] [--seconds N]
  *
  * Joins a site with Cyclone DDS, with types made from our IDL, and waits for one sample each of map_info, map_tile, vehicle_info,
- * vehicle_state and plan. Prints a line of JSON for each; exit code 0 when all five were seen, 1 when not within the time (default 20 s). */
+ * vehicle_state, plan and coverage. Prints a line of JSON for each; exit code 0 when all were seen, 1 when not within the time (default
+ * 20 s). */
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -12,6 +13,7 @@
 
 #include "map.h"
 #include "planning.h"
+#include "tracking.h"
 #include "vehicle.h"
 
 struct options {
@@ -113,6 +115,16 @@ static void print_plan(const void *sample)
          plan->waypoints_in_map._length > 0 ? plan->waypoints_in_map._buffer[plan->waypoints_in_map._length - 1].x_m : 0.0);
 }
 
+static void print_coverage(const void *sample)
+{
+  const aisle_Coverage *coverage = sample;
+  unsigned unseen = 0;
+  for (uint32_t i = 0; i < coverage->ages._length; ++i) unseen += coverage->ages._buffer[i] == 255;
+  print_text("source_id", coverage->source_id);
+  printf(", \"tile_x\": %u, \"tile_y\": %u, \"cell_m\": %.9g, \"cells\": %u, \"unseen\": %u", coverage->tile_x, coverage->tile_y, coverage->cell_m,
+         coverage->ages._length, unseen);
+}
+
 struct kind {
   const char *topic;
   const dds_topic_descriptor_t *type;
@@ -186,6 +198,7 @@ int main(int argc, char **argv)
       {"vehicle_info", &aisle_VehicleInfo_desc, true, false, print_vehicle_info, 0, false},
       {"vehicle_state", &aisle_VehicleState_desc, false, false, print_vehicle_state, 0, false},
       {"plan", &aisle_Plan_desc, true, true, print_plan, 0, false},
+      {"coverage", &aisle_Coverage_desc, true, false, print_coverage, 0, false},
   };
   const size_t count = sizeof kinds / sizeof kinds[0];
   if (!parse(argc, argv, &options)) {
