@@ -30,6 +30,7 @@ constexpr int kPoints = 400 * 32;
 constexpr int kRounds = 15;
 constexpr int kCycles = 20;             // of ours a round
 constexpr double kHallM = 20.0;
+constexpr double kFarM = 7.0;                   // from the vehicle: 3.84 m of way, 1.8 m of outline and 1 m of clearance that a critic may ask for
 
 double cpu_ns() {
   timespec t{};
@@ -56,8 +57,9 @@ struct Place {
   std::vector<Mover> movers;
 };
 
-Place make_place(int boxes, int tracks, double room_m) {
-  std::mt19937 random(static_cast<unsigned>(1 + 7 * boxes + tracks));
+/// Of the boxes `anywhere` may be near; the others stand where no sample leads, and no disc is looked up among them.
+Place make_place(int boxes, int anywhere, int tracks, double room_m) {
+  std::mt19937 random(static_cast<unsigned>(1 + 7 * anywhere + tracks));
   std::uniform_real_distribution<double> at(0.5, kHallM - 0.5), speed(-1.2, 1.2);
   const Point2 here{0.5 * kHallM, 0.5 * kHallM};
   const auto away = [&](double least_m) {
@@ -69,7 +71,7 @@ Place make_place(int boxes, int tracks, double room_m) {
   Place place;
   grid::OccupancyGrid grid(grid::Geometry{400, 400, 0.05, {}});
   for (int i = 0; i < boxes; ++i) {
-    const Point2 p = away(room_m);
+    const Point2 p = away(i < anywhere ? room_m : kFarM);
     place.boxes.push_back(p);
     const grid::Cell low = grid.geometry().cell_at(p);
     for (int y = 0; y < 4; ++y)
@@ -108,12 +110,15 @@ Aim make_aim(const Scene& scene) {
 
 struct Row {
   VehicleKind vehicle;
-  int boxes, tracks;
+  int boxes, anywhere, tracks;
   Place place;
   std::vector<double> ours, plain;      // ns a point
 };
 
-Row make_row(const VehicleKind& vehicle, int boxes, int tracks) { return {vehicle, boxes, tracks, make_place(boxes, tracks, vehicle.room_m), {}, {}}; }
+Row make_row(const VehicleKind& vehicle, int boxes, int anywhere, int tracks) {
+  return {vehicle, boxes, anywhere, tracks, make_place(boxes, anywhere, tracks, vehicle.room_m), {}, {}};
+}
+Row make_row(const VehicleKind& vehicle, int boxes, int tracks) { return make_row(vehicle, boxes, boxes, tracks); }
 
 void time_ours(Row& row) {
   static const std::vector<local_planner::PeerMotion> kNoPeers;
@@ -171,18 +176,19 @@ double share_of(std::vector<double> values, double share) {
 double median_of(const std::vector<double>& values) { return share_of(values, 0.5); }
 
 std::vector<Row> make_rows() {
-  return {make_row(disc(), 0, 0),         make_row(disc(), 10, 0),       make_row(disc(), 100, 0),      make_row(disc(), 500, 0),
-          make_row(disc(), 100, 10),      make_row(disc(), 100, 50),     make_row(rectangle(), 10, 0),  make_row(rectangle(), 100, 0),
-          make_row(rectangle(), 500, 0),  make_row(rectangle(), 100, 50), make_row(forklift(), 100, 0), make_row(forklift(), 100, 50)};
+  return {make_row(disc(), 0, 0),           make_row(disc(), 10, 0),           make_row(disc(), 100, 0),       make_row(disc(), 500, 0),
+          make_row(disc(), 500, 10, 0),     make_row(disc(), 100, 10),         make_row(disc(), 100, 50),      make_row(rectangle(), 10, 0),
+          make_row(rectangle(), 100, 0),    make_row(rectangle(), 500, 0),     make_row(rectangle(), 500, 10, 0), make_row(rectangle(), 100, 50),
+          make_row(forklift(), 100, 0),     make_row(forklift(), 100, 50)};
 }
 
 void print_table(const std::vector<Row>& rows) {
-  std::printf("400 samples x 32 steps, eight critics; ns a trajectory point\n  %-10s %5s %6s %7s %8s %8s %8s %8s %8s\n", "vehicle", "discs", "boxes", "tracks", "p10", "median", "p99", "plain",
-              "ratio");
+  std::printf("400 samples x 32 steps, eight critics; ns a trajectory point\n  %-10s %5s %6s %9s %7s %8s %8s %8s %8s %8s\n", "vehicle", "discs", "boxes", "anywhere", "tracks", "p10",
+              "median", "p99", "plain", "ratio");
   for (const Row& row : rows) {
     const double ours = median_of(row.ours);
     const double plain = median_of(row.plain);
-    std::printf("  %-10s %5zu %6d %7d %8.2f %8.2f %8.2f %8.2f %8.3f\n", row.vehicle.name, row.vehicle.discs.ahead_m.size(), row.boxes, row.tracks, share_of(row.ours, 0.1), ours,
+    std::printf("  %-10s %5zu %6d %9d %7d %8.2f %8.2f %8.2f %8.2f %8.3f\n", row.vehicle.name, row.vehicle.discs.ahead_m.size(), row.boxes, row.anywhere, row.tracks, share_of(row.ours, 0.1), ours,
                 share_of(row.ours, 0.99), plain, ours / plain);
   }
 }
@@ -190,14 +196,16 @@ void print_table(const std::vector<Row>& rows) {
 void goal(const std::string& what, double value, double most) { std::printf("  %-52s %6.2f, goal %.2f: %s\n", what.c_str(), value, most, value <= most ? "met" : "missed"); }
 
 void print_goals(const std::vector<Row>& rows) {
-  const auto ours = [&](const std::string& vehicle, int boxes, int tracks) {
+  const auto row_of = [&](const std::string& vehicle, int boxes, int anywhere, int tracks) {
     for (const Row& row : rows)
-      if (row.vehicle.name == vehicle && row.boxes == boxes && row.tracks == tracks) return median_of(row.ours);
+      if (row.vehicle.name == vehicle && row.boxes == boxes && row.anywhere == anywhere && row.tracks == tracks) return median_of(row.ours);
     return 0.0;
   };
+  const auto ours = [&](const std::string& vehicle, int boxes, int tracks) { return row_of(vehicle, boxes, boxes, tracks); };
   for (const auto& [vehicle, most_ns] : {std::pair<std::string, double>{"disc", 10.0}, {"rectangle", 25.0}}) {
     goal(vehicle + ": ns a point, 100 boxes, median", ours(vehicle, 100, 0), most_ns);
-    goal(vehicle + ": 500 boxes to 10", ours(vehicle, 500, 0) / ours(vehicle, 10, 0), 1.1);
+    goal(vehicle + ": 500 boxes to 10, anywhere", ours(vehicle, 500, 0) / ours(vehicle, 10, 0), 1.1);
+    goal(vehicle + ": 500 boxes to 10, the same ten near", row_of(vehicle, 500, 10, 0) / ours(vehicle, 10, 0), 1.1);
     goal(vehicle + ": 50 tracks to none", ours(vehicle, 100, 50) / ours(vehicle, 100, 0), 2.0);
   }
   goal("forklift: ns a point, 100 boxes, median", ours("forklift", 100, 0), 25.0);
@@ -216,9 +224,9 @@ std::string machine() {
 bool write_csv(const char* file, const std::vector<Row>& rows) {
   std::ofstream out(file);
   out << "# machine: " << machine() << ", " << std::thread::hardware_concurrency() << " threads\n# compiler: GCC " << __VERSION__ << "\n";
-  out << "vehicle,discs,boxes,tracks,samples,steps,cycles,ours_p10_ns_a_point,ours_ns_a_point,ours_p99_ns_a_point,plain_ns_a_point\n";
+  out << "vehicle,discs,boxes,boxes_anywhere,tracks,samples,steps,cycles,ours_p10_ns_a_point,ours_ns_a_point,ours_p99_ns_a_point,plain_ns_a_point\n";
   for (const Row& row : rows)
-    out << row.vehicle.name << ',' << row.vehicle.discs.ahead_m.size() << ',' << row.boxes << ',' << row.tracks << ",400,32," << row.ours.size() << ','
+    out << row.vehicle.name << ',' << row.vehicle.discs.ahead_m.size() << ',' << row.boxes << ',' << row.anywhere << ',' << row.tracks << ",400,32," << row.ours.size() << ','
         << share_of(row.ours, 0.1) << ',' << median_of(row.ours) << ',' << share_of(row.ours, 0.99) << ',' << median_of(row.plain) << '\n';
   return out.good();
 }
