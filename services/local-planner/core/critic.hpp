@@ -21,13 +21,14 @@ struct Sample {
 /// What a cycle aims at.
 struct Aim {
   geometry::Point2 target_in_map;   // temporary target: WANG's turning point, or the point of the way that is in sight
-  double wall_cap_m{0.2};           // more room than this earns nothing
+  double wall_cap_m{0.2};           // more room than this earns nothing; no more than the way itself has
   double mover_cap_m{0.6};
   geometry::Twist2 last;            // the command before
   geometry::Point2 sub_target_in_map{};           // the way's point nearest to the vehicle, a look-ahead further on
   std::vector<geometry::Point2> path_in_map{};    // the way from there to the horizon, every 0.2 m; empty: path distance is not asked for
   double radius_m{0.35};            // of the vehicle
   double step_s{0.1};               // of the trajectory
+  double walls_s{1e9};              // walls are looked at for so long, at most to the horizon: beyond the target no arc is what will be driven
 };
 
 /// Scores are >= 0 and higher is better. They are divided by their sum over the admissible samples before weighting

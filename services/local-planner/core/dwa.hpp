@@ -11,6 +11,7 @@ struct Choice {
   double mover_gap_m{0.0};
   int rejected[4]{};                // by Obstruction
   int moving{0};                    // samples that move and were not rejected
+  int rejected_in_all() const { return rejected[0] + rejected[1] + rejected[2] + rejected[3]; }
 };
 
 /// Dynamic window approach (Fox, Burgard, Thrun 1997): samples the window of speeds, drops what could not stop or collides

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "common/kinematics/tricycle.hpp"
@@ -28,6 +27,8 @@ constexpr double kIntentM = 24.0;
 constexpr double kWindowM = 10.0;         // WU's rolling window: the lidar's range
 constexpr double kMeetingS = 4.0;         // how far ahead it says what will be met
 constexpr double kSubTargetM = 0.6;       // LI's look-ahead on the path
+constexpr double kLookAroundRad = 0.1;    // apart are the headings that are tried where walls refuse all that moves
+constexpr double kTryS = 3.0;             // of trying without getting on, besides a turn about on the spot
 constexpr std::size_t kIntentPoints = 60;
 
 double bounded_by_braking(double distance_m, double braking_mps2) { return std::sqrt(2.0 * braking_mps2 * std::max(0.0, distance_m)); }
@@ -223,7 +224,11 @@ void LocalPlanner::find_detour(Cycle& cycle) {
     if (points.empty()) points = search_way(cycle.room(0.05, 0.10), cycle.here(), join, 7.0, accepts);
     if (!points.empty()) {
       cycle.out.events.push_back({obstructed ? "detour around an obstacle" : "back to the lane"});
+      const double left_before_m = lane.length_m() - s;
       way_.detour(points, std::min(lane.length_m(), rejoin + 0.3));
+      const double longer_m = lane.length_m() - way_.lane_s_m() - left_before_m;      // a way round is no step back
+      least_left_m_ += longer_m;
+      best_left_m_ += longer_m;
       blocked_.reset();
       return;
     }
@@ -314,7 +319,9 @@ void LocalPlanner::recover(Cycle& cycle) {
     return;
   }
   const double none_s = seconds(cycle.now - progressed_);
-  const double patience_s = 6.0 + 4.0 * std::min(recoveries_, 5);
+  const kinematics::Limits& limits = cycle.vehicle.limits;
+  const double half_turn_s = geometry::kPi / limits.max_turn_radps + limits.max_turn_radps / limits.max_turn_acceleration_radps2;
+  const double patience_s = kTryS + half_turn_s + 4.0 * std::min(recoveries_, 5);
   if (none_s < patience_s) return;
   progressed_ = cycle.now;
   ++recoveries_;
@@ -355,6 +362,15 @@ double LocalPlanner::speed_cap(const Cycle& cycle) const {
   return cap;
 }
 
+/// Of the way from `s_m` to the horizon, between its walls and the vehicle on it; at most `most_m`.
+double LocalPlanner::least_spare_m(const Cycle& cycle, double s_m, double most_m) const {
+  const Route& route = way_.current();
+  const double end_m = std::min(route.length_m(), s_m + std::max(1.0, last_command_.linear_mps * settings_.dwa.horizon_s));
+  double least_m = most_m;
+  for (double s = s_m; s <= end_m + 1e-9; s += 0.1) least_m = std::min(least_m, cycle.inputs.clearance->clearance_m(route.at(s)) - cycle.discs.radius_m);
+  return least_m;
+}
+
 Aim LocalPlanner::aim(const Cycle& cycle) const {
   Aim out{cycle.target, 0.2, 0.6, last_command_};
   const Route& route = way_.current();
@@ -362,6 +378,11 @@ Aim LocalPlanner::aim(const Cycle& cycle) const {
   out.sub_target_in_map = route.at(nearest + kSubTargetM);
   out.radius_m = cycle.vehicle.radius_m;
   out.step_s = settings_.dwa.step_s;
+  if (variant_.knows_path) {
+    const double to_target_m = geometry::distance(cycle.base_then.position(), cycle.target);
+    out.walls_s = to_target_m / std::max(kStandingMps, last_command_.linear_mps) + settings_.dwa.window_s;
+    out.wall_cap_m = std::max(settings_.dwa.wall_margin_m, least_spare_m(cycle, nearest, out.wall_cap_m));
+  }
   if (!variant_.asks_for(path_distance_critic)) return out;
   const double end = std::min(route.length_m(), nearest + cycle.vehicle.limits.max_speed_mps * settings_.dwa.horizon_s);
   for (double s = nearest; s <= end + 1e-9; s += 0.2) out.path_in_map.push_back(route.at(s));
@@ -400,7 +421,9 @@ void LocalPlanner::drive(Cycle& cycle) {
   Choice choice = choose(scene, aim(cycle), variant_, settings_.dwa);
   const bool refused = scene.speed_cap_mps > 2.0 * kStandingMps && !waits_before_it && is_refused(choice);
   const bool finer = refused && cycle.stands() && take_finer(scene, aim(cycle), choice);
+  const std::optional<double> way_out = refused && cycle.stands() && !finer ? nearest_open_turn_rad(cycle, scene, choice, error) : std::nullopt;
   if (waits_before_it) command(cycle, {});
+  else if (way_out) command(cycle, turn_of(cycle, *way_out));
   else if (choice.found) command(cycle, choice.twist);
   else {
     const double v = last_command_.linear_mps;
@@ -431,16 +454,29 @@ void LocalPlanner::drive(Cycle& cycle) {
 }
 
 /// Nothing that moves was free, though something was tried.
-bool LocalPlanner::is_refused(const Choice& choice) {
-  const bool rejected = std::any_of(std::begin(choice.rejected), std::end(choice.rejected), [](int count) { return count > 0; });
-  return rejected && choice.moving == 0;
+bool LocalPlanner::is_refused(const Choice& choice) { return choice.rejected_in_all() > 0 && choice.moving == 0; }
+
+/// Only walls refused something.
+bool LocalPlanner::is_walled(const Choice& choice) { return choice.rejected[static_cast<int>(Obstruction::kWall)] == choice.rejected_in_all(); }
+
+/// Walls refuse all that moves, as beside a corner that was cut too nearly: the turn on the spot, in rad, to the heading nearest to the
+/// target's from which the vehicle may set off. None: there is no such heading, or it may not turn.
+std::optional<double> LocalPlanner::nearest_open_turn_rad(const Cycle& cycle, const Scene& scene, const Choice& choice, double to_target_rad) const {
+  if (!is_walled(choice) || !cycle.vehicle.turns_on_the_spot() || cycle.vehicle.rectangle) return std::nullopt;
+  for (double off = 0.0; off < geometry::kPi; off += kLookAroundRad)
+    for (const double turn : {to_target_rad + off, to_target_rad - off}) {
+      Scene turned = scene;
+      turned.base_in_map.yaw = geometry::wrap(scene.base_in_map.yaw + turn);
+      turned.twist = {};
+      if (obstruction(turned, {cycle.vehicle.limits.max_speed_mps, 0.0, 0.0}, settings_.dwa) == Obstruction::kNone) return geometry::wrap(turn);
+    }
+  return std::nullopt;
 }
 
 /// Twice as many speeds and turn rates in the same window: a gap between walls may be so narrow that few arcs lead into it. Before people
 /// and other vehicles it waits: there is more room in a moment.
 bool LocalPlanner::take_finer(const Scene& scene, const Aim& aim, Choice& choice) const {
-  const bool only_walls = choice.rejected[static_cast<int>(Obstruction::kMover)] == 0 && choice.rejected[static_cast<int>(Obstruction::kPeer)] == 0;
-  if (!only_walls) return false;
+  if (!is_walled(choice)) return false;
   DwaSettings finer = settings_.dwa;
   finer.linear_samples = 2 * finer.linear_samples - 1;
   finer.angular_samples = 2 * finer.angular_samples - 1;

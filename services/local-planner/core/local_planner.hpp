@@ -37,12 +37,15 @@ class LocalPlanner {
   void recover(Cycle& cycle);
   void drive(Cycle& cycle);
   static bool is_refused(const Choice& choice);
+  static bool is_walled(const Choice& choice);
+  std::optional<double> nearest_open_turn_rad(const Cycle& cycle, const Scene& scene, const Choice& choice, double to_target_rad) const;
   bool take_finer(const Scene& scene, const Aim& aim, Choice& choice) const;
   void tell_recovery(Cycle& cycle, const Scene& scene, bool refused, bool finer) const;
   bool is_lost(const Cycle& cycle) const;
   geometry::Twist2 turn_of(const Cycle& cycle, double error_rad) const;
   Aim aim(const Cycle& cycle) const;
   geometry::Point2 visible_target(const Cycle& cycle) const;
+  double least_spare_m(const Cycle& cycle, double s_m, double most_m) const;
   double speed_cap(const Cycle& cycle) const;
   void describe(Cycle& cycle);
   void command(Cycle& cycle, const geometry::Twist2& wanted);

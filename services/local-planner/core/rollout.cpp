@@ -59,6 +59,7 @@ class Bundle {
  public:
   Bundle(const Scene& scene, const ForeseenByStep& foreseen, const Aim& aim, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
       : scene_(scene), foreseen_(foreseen), aim_(aim), dt_(settings.step_s), look_(static_cast<int>(std::lround(settings.heading_s / dt_))),
+        walls_until_(static_cast<int>(std::ceil(std::min(aim.walls_s, settings.horizon_s) / dt_ - 1e-9))),
         swing_(swing_m(scene)), least_wall_m_(std::min(0.0, wall_gap_m(scene))), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(outlines_, aim.wall_cap_m),
         wanted_(wanted, count), twists_(scene.twist), steering_(scene.limits, scene.steering_rad, wanted_) {
     mover_m_.fill(aim.mover_cap_m);
@@ -76,7 +77,7 @@ class Bundle {
       if (is_changing_) follow(k);
       lanes_.step();
       outlines_.follow(lanes_);
-      meet_walls(out);
+      if (k <= walls_until_) meet_walls(out);
       meet(foreseen_[static_cast<std::size_t>(k)]);
       if (k == look_) look_around();
       if (!aim_.path_in_map.empty() && k % kPathEvery == 0) compare_with_path();
@@ -190,7 +191,7 @@ class Bundle {
   const ForeseenByStep& foreseen_;
   const Aim& aim_;
   double dt_;
-  int look_;
+  int look_, walls_until_;
   double swing_, least_wall_m_;
   std::size_t count_;
   std::size_t left_{count_};

@@ -34,6 +34,35 @@ TEST(FusedDrive, AvoidsWhatThePaperPutsInTheWay) {
   EXPECT_EQ(figures.result.contacts_moving_vehicle, 0);
 }
 
+FusedDrive own_drive(const std::string& map, const std::string& paper, const Surprises& surprises) {
+  const local_planner::Variant variant = paper_variant(paper);
+  return {map, paper, variant, variant.paper, surprises};
+}
+
+TEST(FusedDrive, TurnsSharplyFromOneNarrowAisleIntoAnother) {
+  const DriveFigures figures = drive_fused(own_drive("li-complex", "li", {}), kMaps);
+  EXPECT_TRUE(figures.arrived());
+  EXPECT_EQ(figures.result.contacts, 0);
+  EXPECT_LE(figures.result.distance_m, 1.03 * figures.result.planned_m);
+  EXPECT_LT(figures.result.time_s, 60.0) << "it stood at the corner";
+}
+
+TEST(FusedDrive, GoesThroughADoorThatItSeesFromAfar) {
+  const DriveFigures figures = drive_fused(own_drive("yu-1", "yu", {0, 1}), kMaps);
+  EXPECT_TRUE(figures.arrived());
+  EXPECT_EQ(figures.result.contacts, 0);
+  EXPECT_LE(figures.result.distance_m, 1.05 * figures.result.planned_m);
+  EXPECT_LT(figures.result.time_s, 50.0) << "it was driven off its way before the door";
+}
+
+TEST(FusedDrive, GoesOnWhenWhoCrossedHasPassed) {
+  const DriveFigures figures = drive_fused(own_drive("wang-map-2", "wang", {1, 1}), kMaps);
+  EXPECT_TRUE(figures.met_a_mover());
+  EXPECT_TRUE(figures.arrived());
+  EXPECT_EQ(figures.result.contacts_moving_vehicle, 0);
+  EXPECT_LE(figures.result.distance_m, 1.03 * figures.result.planned_m) << "it backed off in vain";
+}
+
 TEST(FusedDrive, KeepsToThePapersLimits) {
   const DriveFigures figures = drive_fused(wang_drive({}), kMaps);
   for (const DrivePoint& p : figures.points) {

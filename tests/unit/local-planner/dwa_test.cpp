@@ -215,6 +215,28 @@ TEST(Choose, DrivesFastAndStraightWhenNothingIsInTheWay) {
   EXPECT_NEAR(choice.twist.angular_radps, 0.0, 1e-9);
 }
 
+/// A door of 1 m, 3 m ahead, for a vehicle that looks 3 s ahead and is turned by a trifle: each arc as long as that would end on its jambs.
+TEST(Choose, DrivesOnToADoorThatItsArcsWouldMiss) {
+  grid::OccupancyGrid grid = hall(20.0, 10.0);
+  block(grid, 8.0, 0.0, 9.0, 4.5);
+  block(grid, 8.0, 5.5, 9.0, 10.0);
+  const World world(grid);
+  DwaSettings settings;
+  settings.horizon_s = 3.0;
+  Aim aim;
+  aim.target_in_map = {6.5, 5.0};
+  const Scene scene = world.scene({5.0, 5.03, -0.06}, {1.2, 0.0, 0.0});
+  aim.wall_cap_m = 0.15;                // what there is in the door
+  aim.walls_s = 1.5 / 1.2;              // to the target
+  const Choice choice = choose(scene, aim, *find_variant("yu"), settings);
+  ASSERT_TRUE(choice.found);
+  EXPECT_GT(choice.twist.linear_mps, 1.0);
+  EXPECT_NEAR(choice.twist.angular_radps, 0.0, 0.2);
+  aim.walls_s = 1e9;
+  const Choice deterred = choose(scene, aim, *find_variant("yu"), settings);
+  EXPECT_GT(std::abs(deterred.twist.angular_radps), 0.3) << "nothing that this test could see";
+}
+
 TEST(Choose, TurnsTowardsTheTarget) {
   const World world(hall(20.0, 10.0));
   Aim aim;

@@ -50,7 +50,7 @@ TEST(Recovery, LooksFinerBetweenWallsWhereFewArcsLeadIn) {
   coarse.dwa.linear_samples = 2;
   coarse.dwa.angular_samples = 4;
   for (const double yaw_rad : {0.1, 0.3, 0.6}) {
-    Drive drive(aisle(1.0), {3.0, 5.0, yaw_rad});
+    Drive drive(aisle(0.9), {3.0, 5.0, yaw_rad});
     drive.planner = LocalPlanner(coarse);
     drive.give_plan({{3.0, 5.0}, {17.0, 5.0}});
     bool finer = false;
@@ -94,6 +94,23 @@ TEST(Recovery, ASubTargetInsideAThingIsTakenElsewhere) {
     return drive.output.phase == Phase::kArrived;
   });
   EXPECT_TRUE(arrived);
+}
+
+/// Aisles of 1 m that meet at a corner, at (7, 5): in from below at x = 6.5, out to the right at y = 5.5.
+grid::OccupancyGrid corner() {
+  grid::OccupancyGrid grid = hall(14.0, 10.0);
+  block(grid, 0.0, 0.0, 6.0, 10.0);
+  block(grid, 6.0, 6.0, 14.0, 10.0);
+  block(grid, 7.0, 0.0, 14.0, 5.0);
+  return grid;
+}
+
+TEST(Recovery, GetsAwayFromACornerThatItCutTooNearly) {
+  for (const double yaw : {0.5, 0.7, 0.3}) {
+    Drive drive(corner(), {6.70, 5.24, yaw});       // 0.03 m from the corner, less than the margin; straight on leads nearer
+    drive.give_plan({{6.5, 2.0}, {6.5, 5.3}, {6.7, 5.5}, {12.0, 5.5}});
+    EXPECT_TRUE(drive.until(15.0, Phase::kArrived)) << "heading " << yaw << ": stands at " << drive.base.x << ", " << drive.base.y;
+  }
 }
 
 }  // namespace
