@@ -127,6 +127,7 @@ struct RecordingEntry {
   std::string file;
   void describe(YamlReader& r) {
     r.field("file", file)
+        .field("frames_per_s", value.frames_per_s, 1.0, 1000.0)
         .field("radius_m", value.radius_m, 0.05, 5.0)
         .field("begin_s", value.begin_s, 0.0, 1e9)
         .field("end_s", value.end_s, 0.0, 1e9)

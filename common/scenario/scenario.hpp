@@ -45,10 +45,11 @@ struct Mover {
   std::vector<geometry::Point2> waypoints_in_map;
 };
 
-/// Recorded people (frame id x y rows; 25 frames a second), shifted and turned into the map.
+/// Recorded people (frame id x y rows), shifted and turned into the map.
 struct Recording {
   std::filesystem::path file;
   geometry::Pose2 frame_in_map;
+  double frames_per_s{25.0};            // of the film; 15 for biwi_eth, whose rows are ten frames apart like the others'
   double radius_m{0.25};
   double begin_s{0.0};
   double end_s{1e9};

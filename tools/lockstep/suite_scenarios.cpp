@@ -251,17 +251,19 @@ Setup crowd(Dice& dice) {
   struct Place {
     const char* file;
     Pose2 frame_in_map;       // so that its people walk in the middle of the hall, and all of their ways are within its walls
+    double frames_per_s;      // at which its people walk at their own pace
     double last_begin_s;
   };
-  static const Place kPlaces[]{{"data:pedestrians/biwi_eth.txt", {8.6, 4.0, 0.0}, 400.0},
-                               {"data:pedestrians/biwi_hotel.txt", {9.0, 8.4, 0.5 * geometry::kPi}, 650.0},
-                               {"data:pedestrians/crowds_zara01.txt", {4.3, 3.0, 0.0}, 290.0}};
+  static const Place kPlaces[]{{"data:pedestrians/biwi_eth.txt", {8.6, 4.0, 0.0}, 15.0, 660.0},
+                               {"data:pedestrians/biwi_hotel.txt", {9.0, 8.4, 0.5 * geometry::kPi}, 25.0, 650.0},
+                               {"data:pedestrians/crowds_zara01.txt", {4.3, 3.0, 0.0}, 25.0, 290.0}};
   const Place& place = kPlaces[dice.below(3)];
   Setup setup;
   setup.grid = hall(24.0, 18.0, kCellM);
   scenario::Recording recording;
   recording.file = scenario::find_named_file(place.file, std::filesystem::current_path() / "any.yaml");
   recording.frame_in_map = place.frame_in_map;
+  recording.frames_per_s = place.frames_per_s;
   recording.begin_s = dice.between(0.0, place.last_begin_s);
   recording.end_s = recording.begin_s + 100.0;
   setup.people.emplace_back();

@@ -13,7 +13,6 @@
 namespace aisle::fake_world {
 namespace {
 
-constexpr double kFramesPerS = 25.0;
 constexpr std::uintmax_t kLargestBytes = 64u << 20;
 
 using RowsById = std::map<long long, std::vector<RecordedPerson::Row>>;
@@ -35,7 +34,7 @@ RowsById read_rows(const scenario::Recording& recording) {
     geometry::Point2 point;
     if (!(numbers >> frame >> id >> point.x >> point.y)) reject(recording.file, line, "not a row 'frame id x y': " + text.substr(0, 60));
     if (!std::isfinite(frame) || !geometry::is_finite(point) || std::abs(id) > 1e9) reject(recording.file, line, "a number out of all bounds");
-    people[std::llround(id)].push_back({frame / kFramesPerS, geometry::to_map(recording.frame_in_map, point)});
+    people[std::llround(id)].push_back({frame / recording.frames_per_s, geometry::to_map(recording.frame_in_map, point)});
   }
   return people;
 }

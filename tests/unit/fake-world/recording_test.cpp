@@ -26,6 +26,16 @@ class ReadRecording : public ::testing::Test {
   scenario::Recording recording_;
 };
 
+TEST_F(ReadRecording, FramesAreTimedByTheFilm) {
+  recording_.frames_per_s = 10.0;
+  const std::vector<RecordedPerson> people = read("0 1 0 0\n10 1 1 0\n20 1 2 0\n");
+  ASSERT_EQ(people.size(), 1u);
+  const auto later = people[0].at(1.5);
+  ASSERT_TRUE(later.has_value());
+  EXPECT_NEAR(later->position_in_map.x, 1.5, 1e-9);
+  EXPECT_NEAR(later->velocity_in_map.x, 1.0, 1e-9);
+}
+
 TEST_F(ReadRecording, APersonExistsFromFirstToLastRowAndWalksStraightBetween) {
   const std::vector<RecordedPerson> people = read("780\t1.0\t0.0\t0.0\n790 1.0 1.0 2.0\n800 1.0 1.0 2.0\n");
   ASSERT_EQ(people.size(), 1u);
