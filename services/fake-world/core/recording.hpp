@@ -35,8 +35,8 @@ class RecordedPerson {
   std::vector<Row> rows_;
 };
 
-/// Reads `frame id x y` rows, times them by the recording's frames a second and puts them into map by the recording's pose. People who are there only outside
-/// of begin_s..end_s are left out. Ids are "<file's stem>-<number>".
+/// Reads `frame id x y` rows, times them by the recording's frames a second and puts them into map by the recording's pose. People who
+/// are there only outside of begin_s..end_s are left out. Ids are "<file's stem>-<number>".
 /// @throws config::BadInput with file:line for rows that are no numbers, files over 64 MiB, and files without rows
 std::vector<RecordedPerson> read_recording(const scenario::Recording& recording);
 

@@ -26,6 +26,7 @@ constexpr double kLostRad = 1.2;
 constexpr double kIntentM = 24.0;
 constexpr double kWindowM = 10.0;         // WU's rolling window: the lidar's range
 constexpr double kMeetingS = 4.0;         // how far ahead it says what will be met
+constexpr double kBesidePersonM = 0.25;   // so near to somebody who stood for long it creeps: they set off before it could stop
 constexpr double kSubTargetM = 0.6;       // LI's look-ahead on the path
 constexpr double kLookAroundRad = 0.1;    // apart are the headings that are tried where walls refuse all that moves
 constexpr double kTryS = 3.0;             // of trying without getting on, besides a turn about on the spot
@@ -353,6 +354,10 @@ double LocalPlanner::speed_cap(const Cycle& cycle) const {
   if (error > 0.35) cap = std::min(cap, std::max(0.2, cycle.vehicle.limits.max_speed_mps * std::cos(error) * 0.8));
   if (cycle.cautious) cap = std::min(cap, settings_.cautious_mps);
   for (const Mover& mover : cycle.around.movers) {
+    if (!mover.may_walk && mover.has_walked) {
+      const double gap = geometry::distance(cycle.base_then.position(), mover.position_in_map) - cycle.vehicle.radius_m - mover.radius_m;
+      cap = std::min(cap, kStandingMps + std::max(0.0, gap - kBesidePersonM));
+    }
     if (!mover.may_walk) continue;
     double gap = 1e9;
     for (const double t : {0.0, 0.5, 1.0})

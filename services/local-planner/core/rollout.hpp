@@ -30,6 +30,7 @@ struct Mover {
   double margin_m{0.1};
   double growth_mps{0.2};
   bool may_walk{true};                      // false: has stood for long
+  bool has_walked{false};                   // it came from elsewhere, and may set off after all
   double unseen_s{0.0};                     // how long before the scene's moment its motion was measured
 
   /// How far from where its velocity takes it a person can be `t_s` after the scene's moment, who has started, stopped or turned since

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace aisle::local_planner {
 namespace {
@@ -12,6 +13,7 @@ using geometry::Twist2;
 
 constexpr double kReactionS = 0.15;       // a peer may speed up for so long before it sees what we see
 constexpr double kHonouredIntentS = 2.0;
+constexpr double kWalkedM = 0.75;         // what has come so far is no thing: another view of a thing moves its middle by less
 
 Mover mover_of(const SeenTrack& seen, const SurroundingsSettings& settings, time::Stamp now) {
   const auto& track = seen.track;
@@ -114,13 +116,27 @@ PeerView Observer::view(const Peer& peer, time::Stamp now) {
   return view;
 }
 
+bool Observer::has_walked(const SeenTrack& seen) {
+  const auto [first, is_new] = first_seen_in_map_.try_emplace(seen.track.id, seen.track.position_in_map);
+  return !is_new && geometry::distance(first->second, seen.track.position_in_map) > kWalkedM;
+}
+
+void Observer::forget_all_but(const std::vector<SeenTrack>& tracks) {
+  for (auto it = first_seen_in_map_.begin(); it != first_seen_in_map_.end();) {
+    const bool is_there = std::any_of(tracks.begin(), tracks.end(), [&](const SeenTrack& seen) { return seen.track.id == it->first; });
+    it = is_there ? std::next(it) : first_seen_in_map_.erase(it);
+  }
+}
+
 Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, double step_s, int steps, time::Stamp now) {
   Surroundings out;
   for (const SeenTrack& seen : inputs.tracks) {
-    const Mover mover = mover_of(seen, settings_, now);
+    Mover mover = mover_of(seen, settings_, now);
+    mover.has_walked = has_walked(seen);
     out.movers.push_back(mover);
     if (mover.velocity_in_map == Point2{}) out.standing.push_back({{mover.position_in_map, mover.radius_m}, {}});
   }
+  forget_all_but(inputs.tracks);
   for (const Peer& peer : inputs.peers) {
     if (peer.id == own_id) continue;
     PeerView seen = view(peer, now);

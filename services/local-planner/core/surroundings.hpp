@@ -36,7 +36,7 @@ struct Surroundings {
   std::vector<Standing> standing;
 };
 
-/// Remembers since when each peer stands.
+/// Remembers since when each peer stands, and where each track was first seen.
 class Observer {
  public:
   explicit Observer(const SurroundingsSettings& settings) : settings_(settings) {}
@@ -44,8 +44,11 @@ class Observer {
 
  private:
   PeerView view(const Peer& peer, time::Stamp now);
+  bool has_walked(const SeenTrack& seen);
+  void forget_all_but(const std::vector<SeenTrack>& tracks);
   SurroundingsSettings settings_;
   std::map<std::string, time::Stamp> moved_;    // when each peer last moved
+  std::map<std::uint64_t, geometry::Point2> first_seen_in_map_;     // each track, by its id
 };
 
 }  // namespace aisle::local_planner

@@ -338,6 +338,28 @@ TEST(LocalPlanner, SlowsBesideWhoeverStoppedAMomentAgo) {
   EXPECT_LT(fastest_beside(false), 0.8);
 }
 
+/// Who came from elsewhere may set off again, however long they stood: right beside them it creeps.
+TEST(LocalPlanner, CreepsBesideWhoeverHasWalkedThere) {
+  const auto fastest_beside = [](Point2 first_seen_in_map) {
+    Drive drive(aisle(1.7));
+    const Point2 there{7.0, 5.6};
+    drive.inputs.tracks = {drive.track(first_seen_in_map, {}, true)};
+    drive.cycle();
+    drive.give_plan({{3.0, 5.0}, {12.0, 5.0}});
+    double fastest = 0.0;
+    drive.until(60.0, [&] {
+      drive.inputs.tracks = {drive.track(there, {}, true)};
+      const double gap = geometry::distance(drive.base.position(), there) - 0.6;
+      if (gap < 0.35) fastest = std::max(fastest, drive.twist.linear_mps);
+      return drive.output.phase == Phase::kArrived;
+    });
+    EXPECT_EQ(drive.output.phase, Phase::kArrived);
+    return fastest;
+  };
+  EXPECT_GT(fastest_beside({7.0, 5.6}), 0.3);
+  EXPECT_LT(fastest_beside({9.0, 5.6}), 0.2);
+}
+
 TEST(LocalPlanner, TellsTheWayThatItWillTake) {
   Drive drive(hall(40.0, 10.0));
   drive.give_plan({{3.0, 5.0}, {37.0, 5.0}});

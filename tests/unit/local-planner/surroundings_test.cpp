@@ -55,6 +55,22 @@ TEST(Surroundings, PeopleAreLessCertainThanThings) {
   EXPECT_DOUBLE_EQ(around.standing[0].disc.position.x, 4.0);
 }
 
+TEST(Surroundings, RememberWhoHasWalkedWhileTheyAreTracked) {
+  Observer observer{SurroundingsSettings{}};
+  Inputs inputs;
+  const auto has_walked = [&](Point2 position) {
+    inputs.tracks = {track(position, {}, true)};
+    return observe(observer, inputs).movers[0].has_walked;
+  };
+  EXPECT_FALSE(has_walked({2.0, 3.0}));
+  EXPECT_FALSE(has_walked({2.3, 3.0}));       // another view of a thing
+  EXPECT_TRUE(has_walked({3.0, 3.0}));
+  EXPECT_TRUE(has_walked({3.0, 3.0}));
+  inputs.tracks.clear();
+  observe(observer, inputs);
+  EXPECT_FALSE(has_walked({3.0, 3.0}));       // another track
+}
+
 TEST(Surroundings, KnowWhereAPeerCanStop) {
   Observer observer{SurroundingsSettings{}};
   Inputs inputs;
