@@ -110,7 +110,7 @@ Route make_lane(const std::vector<Point2>& waypoints_in_map, const grid::Clearan
 std::vector<double> speed_profile(const Route& route, const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits) {
   const auto& points = route.points();
   std::vector<double> speed(points.size(), limits.max_speed_mps);
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; limits.slows_on_the_way && i < points.size(); ++i) {
     const double gap = std::max(0.0, clearance.clearance_m(points[i]) - radius_m);
     speed[i] = std::min(speed[i], 0.35 + 2.2 * gap);
     const double s = route.along_m(i);

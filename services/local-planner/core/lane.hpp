@@ -26,6 +26,7 @@ struct ProfileLimits {
   double max_turn_radps{1.2};
   double comfort_mps2{0.6};
   double lateral_mps2{0.6};
+  bool slows_on_the_way{true};      // false: only to stand at its end
 };
 std::vector<double> speed_profile(const Route& route, const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits);
 

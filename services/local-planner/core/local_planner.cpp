@@ -247,7 +247,7 @@ void LocalPlanner::find_detour(Cycle& cycle) {
 void LocalPlanner::advise_traffic(Cycle& cycle) {
   const kinematics::Limits& limits = cycle.vehicle.limits;
   way_.profile(*cycle.inputs.clearance, cycle.way_radius_m(),
-               {limits.max_speed_mps, limits.max_turn_radps, std::min(settings_.comfort_mps2, limits.max_deceleration_mps2), 0.6});
+               {limits.max_speed_mps, limits.max_turn_radps, std::min(settings_.comfort_mps2, limits.max_deceleration_mps2), 0.6, settings_.slows_on_the_way});
   const double speed = std::max(0.0, last_command_.linear_mps);
   const double stopping = kinematics::stopping_distance_m(speed, limits.max_deceleration_mps2) + speed * 0.15;
   cycle.advice = advise({cycle.vehicle.id, cycle.vehicle.radius_m, way_.s_m(), speed, stopping, cycle.here(), way_.current(), way_.profile_mps()},

@@ -17,6 +17,7 @@ struct Settings {
   double cautious_mps{0.3};             // speed meanwhile
   double blocked_after_s{3.0};          // standing before something for so long: say so, and ask for a new plan
   double comfort_mps2{0.6};             // braking before bends, goals and conflicts
+  bool slows_on_the_way{true};          // before bends and near walls; false: as the papers drive, by the dynamic window alone
   LaneSettings lane;
   DwaSettings dwa;
   TrafficSettings traffic;

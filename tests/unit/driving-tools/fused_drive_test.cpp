@@ -63,6 +63,15 @@ TEST(FusedDrive, GoesOnWhenWhoCrossedHasPassed) {
   EXPECT_LE(figures.result.distance_m, 1.03 * figures.result.planned_m) << "it backed off in vain";
 }
 
+TEST(FusedDrive, IsSlowerNearThingsWithWusCriticsThanWithTheTraditional) {
+  const local_planner::PaperLimits limits = paper_variant("wu").paper;
+  const DriveFigures own = drive_fused({"wu", "wu", paper_variant("wu"), limits, {0, 1}, false}, kMaps);
+  const DriveFigures traditional = drive_fused({"wu", "wu", traditional_with_path(), limits, {0, 1}, false}, kMaps);
+  ASSERT_TRUE(own.arrived() && traditional.arrived());
+  EXPECT_LT(own.mean_speed_near(0.6), traditional.mean_speed_near(0.6));
+  EXPECT_EQ(own.mean_speed_near(-1.0), 0.0);
+}
+
 TEST(FusedDrive, KeepsToThePapersLimits) {
   const DriveFigures figures = drive_fused(wang_drive({}), kMaps);
   for (const DrivePoint& p : figures.points) {

@@ -79,6 +79,11 @@ TEST(SpeedProfile, StopsAtTheEndAndSlowsInBendsAndNearWalls) {
   EXPECT_DOUBLE_EQ(speed.back(), 0.0);
   EXPECT_DOUBLE_EQ(at(4.0), 1.2);
   EXPECT_LT(at(10.0), 0.8);
+  ProfileLimits only_stops;
+  only_stops.slows_on_the_way = false;
+  const auto unslowed = speed_profile(route, clearance, kRadius, only_stops);
+  EXPECT_DOUBLE_EQ(unslowed[45], 1.2);          // at x = 10
+  EXPECT_DOUBLE_EQ(unslowed.back(), 0.0);
   const Route corner(resample({{2.0, 2.0}, {5.0, 2.0}, {5.0, 8.0}}, 0.2));
   const auto in_bend = speed_profile(corner, clearance, kRadius, {});
   EXPECT_LT(*std::min_element(in_bend.begin() + 12, in_bend.begin() + 18), 0.5);

@@ -87,11 +87,10 @@ double DriveFigures::greatest_change_of_w() const {
 }
 
 double DriveFigures::mean_speed_near(double gap_m) const {
-  const grid::ClearanceField clearance(grid, 4.0);
   double sum = 0.0;
   int count = 0;
   for (const DrivePoint& p : points)
-    if (clearance.clearance_m(p.base_in_map.position()) - kRadiusM < gap_m) sum += p.linear_mps, ++count;
+    if (p.gap_m < gap_m) sum += p.linear_mps, ++count;
   return count > 0 ? sum / count : 0.0;
 }
 
@@ -114,6 +113,7 @@ DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& m
   setup.own_variant->paper = drive.limits;
   setup.paper_limits = true;
   setup.settings.lane.shift_m = 0.0;        // the papers' vehicles are alone and keep no side
+  setup.settings.slows_on_the_way = drive.slows_on_the_way;
   scenario::Vehicle vehicle;
   vehicle.id = "agv-1";
   vehicle.radius_m = kRadiusM;
@@ -125,14 +125,18 @@ DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& m
   setup.scenario.missions.push_back(mission);
   setup.scenario.duration_s = 200.0;
   if (drive.surprises.any()) surprise(setup.scenario, drive, map);
+  const grid::ClearanceField clearance(map.grid, 4.0);
   DriveFigures figures{{}, {}, map.grid};
   figures.movers = static_cast<int>(setup.scenario.movers.size());
   figures.result = lockstep::run(setup, [&](const lockstep::Snapshot& now) {
-    figures.points.push_back({now.t_s, now.vehicles[0], now.outputs[0].twist.linear_mps, now.outputs[0].twist.angular_radps});
+    const Point2 here = now.vehicles[0].position();
+    double gap_m = clearance.clearance_m(here) - kRadiusM;
     for (const geometry::Body& thing : now.things) {
-      if (thing.shape != geometry::Body::Shape::kDisc) continue;
-      figures.nearest_mover_m = std::min(figures.nearest_mover_m, geometry::distance_m(thing, now.vehicles[0].position()) - kRadiusM);
+      const double to_thing_m = geometry::distance_m(thing, here) - kRadiusM;
+      if (thing.shape == geometry::Body::Shape::kDisc) figures.nearest_mover_m = std::min(figures.nearest_mover_m, to_thing_m);
+      else gap_m = std::min(gap_m, to_thing_m);
     }
+    figures.points.push_back({now.t_s, now.vehicles[0], now.outputs[0].twist.linear_mps, now.outputs[0].twist.angular_radps, gap_m});
   });
   return figures;
 }

@@ -22,6 +22,7 @@ struct FusedDrive {
   local_planner::Variant local;
   local_planner::PaperLimits limits;      // of the paper that is compared, whoever drives
   Surprises surprises;
+  bool slows_on_the_way{true};            // by our profile of the way; false: by the critics alone
 };
 
 /// A moment of a drive, as commanded.
@@ -30,6 +31,7 @@ struct DrivePoint {
   geometry::Pose2 base_in_map;
   double linear_mps{0.0};
   double angular_radps{0.0};
+  double gap_m{1e9};                      // from the outline to walls and boxes
 };
 
 struct DriveFigures {
@@ -45,7 +47,7 @@ struct DriveFigures {
   double changes_of_v() const;
   double changes_of_w() const;
   double greatest_change_of_w() const;    // within a tenth of a second
-  /// Mean speed where walls or things that stand are nearer to the outline than this; 0: it never was there.
+  /// Mean speed where walls or boxes are nearer to the outline than this; 0: it never was there.
   double mean_speed_near(double gap_m) const;
 };
 

@@ -104,15 +104,15 @@ std::string counted(const std::vector<Driven>& all, Counts counts, Holds holds) 
   return verdict(good, of);
 }
 
-/// WU's planner with and without its two terms of distance, on the same path.
+/// The traditional critics and WU's on the same path with one avoidance, by the critics alone: our profile of the way slows both alike.
 std::string wu_terms_row(const std::filesystem::path& maps) {
   constexpr double kNearM = 0.6;
-  const local_planner::Variant with = paper_variant("wu");
-  local_planner::Variant without = with;
-  without.critics.resize(3);            // heading, velocity, clearance
-  const double slow = drive_fused({"wu", "wu", with, with.paper, {0, 1}}, maps).mean_speed_near(kNearM);
-  const double fast = drive_fused({"wu", "wu", without, with.paper, {0, 1}}, maps).mean_speed_near(kNearM);
-  return digits(fast, 3) + " m/s without, " + digits(slow, 3) + " m/s with them: " + (slow < fast ? "holds" : "**does not hold**");
+  const local_planner::Variant wu = paper_variant("wu");
+  const DriveFigures with = drive_fused({"wu", "wu", wu, wu.paper, {0, 1}, false}, maps);
+  const DriveFigures without = drive_fused({"wu", "wu", traditional_with_path(), wu.paper, {0, 1}, false}, maps);
+  const double slow = with.mean_speed_near(kNearM), fast = without.mean_speed_near(kNearM);
+  const bool holds = with.arrived() && without.arrived() && slow < fast;
+  return digits(fast, 3) + " m/s with the traditional critics (published 0.6-0.7), " + digits(slow, 3) + " m/s with WU's (0.3-0.6): " + (holds ? "holds" : "**does not hold**");
 }
 
 std::string claims_table(const std::vector<Driven>& all, const std::filesystem::path& maps) {
@@ -129,7 +129,7 @@ std::string claims_table(const std::vector<Driven>& all, const std::filesystem::
       {"fewer changes of w with the improved path", counted(all, both, [](const Driven& d) { return d.improved.changes_of_w() <= d.astar_dwa.changes_of_w(); })},
       {"no moving vehicle touches a mover or a box, goal reached (LI IV, QU 3, YU 6, WANG 3), where a mover came within 1.5 m",
        counted(all, has_movers, [](const Driven& d) { return d.improved.arrived() && d.improved.result.contacts_moving_vehicle == 0; })},
-      {"WU: slower where something is within 0.6 m with its distance terms than without", wu_terms_row(maps)},
+      {"WU: slower where something is within 0.6 m than with the traditional critics on the same path, both without our own slowing near walls and in bends", wu_terms_row(maps)},
   });
 }
 
