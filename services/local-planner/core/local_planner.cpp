@@ -59,6 +59,12 @@ struct LocalPlanner::Cycle {
   }
   /// What keeps the way from walls: all of the vehicle where it may turn anywhere; of a tricycle, whose plan knows headings, its width.
   double way_radius_m() const { return vehicle.turns_on_the_spot() ? vehicle.radius_m : discs.radius_m; }
+  /// Between the outlines, when the next command acts.
+  double gap_then_m(const Mover& mover) const {
+    double least = 1e18;
+    for (const double ahead_m : discs.ahead_m) least = std::min(least, geometry::distance(geometry::to_map(base_then, {ahead_m, 0.0}), mover.position_in_map));
+    return least - discs.radius_m - mover.radius_m;
+  }
   bool stands() const { return std::abs(measured_mps) < kStandingMps; }
 };
 
@@ -355,8 +361,7 @@ double LocalPlanner::speed_cap(const Cycle& cycle) const {
   if (cycle.cautious) cap = std::min(cap, settings_.cautious_mps);
   for (const Mover& mover : cycle.around.movers) {
     if (!mover.may_walk && mover.has_walked) {
-      const double gap = geometry::distance(cycle.base_then.position(), mover.position_in_map) - cycle.vehicle.radius_m - mover.radius_m;
-      cap = std::min(cap, kStandingMps + std::max(0.0, gap - kBesidePersonM));
+      cap = std::min(cap, kStandingMps + std::max(0.0, cycle.gap_then_m(mover) - kBesidePersonM));
     }
     if (!mover.may_walk) continue;
     double gap = 1e9;

@@ -360,6 +360,23 @@ TEST(LocalPlanner, CreepsBesideWhoeverHasWalkedThere) {
   EXPECT_LT(fastest_beside({9.0, 5.6}), 0.2);
 }
 
+TEST(LocalPlanner, ALongVehicleCreepsOnlyBesidePeopleWhoAreNearItsOutline) {
+  Drive drive(hall(20.0, 10.0));
+  drive.inputs.vehicle->rectangle = geometry::rectangle(2.4, 1.1, 0.4);
+  drive.inputs.vehicle->radius_m = geometry::reach_m(*drive.inputs.vehicle->rectangle);
+  const Point2 there{10.0, 6.6};
+  drive.inputs.tracks = {drive.track({10.0, 8.0}, {}, true)};
+  drive.cycle();
+  drive.give_plan({{3.0, 5.0}, {16.0, 5.0}});
+  double slowest = 1e9;
+  ASSERT_TRUE(drive.until(60.0, [&] {
+    drive.inputs.tracks = {drive.track(there, {}, true)};
+    if (std::abs(drive.base.x - there.x) < 1.0) slowest = std::min(slowest, drive.twist.linear_mps);
+    return drive.output.phase == Phase::kArrived;
+  }));
+  EXPECT_GT(slowest, 0.3);
+}
+
 TEST(LocalPlanner, TellsTheWayThatItWillTake) {
   Drive drive(hall(40.0, 10.0));
   drive.give_plan({{3.0, 5.0}, {37.0, 5.0}});
