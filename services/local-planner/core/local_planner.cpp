@@ -442,9 +442,12 @@ void LocalPlanner::drive(Cycle& cycle) {
   }
   if (choice.mover_gap_m < 0.4 && cycle.out.phase == Phase::kDriving) cycle.out.phase = Phase::kAvoiding;
   if (!cycle.stands()) moved_ = cycle.now;
-  const double stuck_s = seconds(cycle.now - moved_);
   tell_recovery(cycle, scene, refused, finer);
-  if (!cycle.stands()) return;
+  if (cycle.stands()) tell_why_it_stands(cycle, choice);
+}
+
+void LocalPlanner::tell_why_it_stands(Cycle& cycle, const Choice& choice) const {
+  const double stuck_s = seconds(cycle.now - moved_);
   const bool waits = !cycle.advice.yields_to.empty();
   if (waits && !blocked_) {
     cycle.out.phase = Phase::kWaiting;

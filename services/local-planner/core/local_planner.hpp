@@ -41,6 +41,7 @@ class LocalPlanner {
   std::optional<double> nearest_open_turn_rad(const Cycle& cycle, const Scene& scene, const Choice& choice, double to_target_rad) const;
   bool take_finer(const Scene& scene, const Aim& aim, Choice& choice) const;
   void tell_recovery(Cycle& cycle, const Scene& scene, bool refused, bool finer) const;
+  void tell_why_it_stands(Cycle& cycle, const Choice& choice) const;
   bool is_lost(const Cycle& cycle) const;
   geometry::Twist2 turn_of(const Cycle& cycle, double error_rad) const;
   Aim aim(const Cycle& cycle) const;
