@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "common/kinematics/tricycle.hpp"
-#include "services/local-planner/core/rolling_window.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -23,14 +22,8 @@ constexpr double kTurnBeginRad = 0.9;
 constexpr double kTurnEndRad = 0.2;
 constexpr double kLostM = 0.6;
 constexpr double kLostRad = 1.2;
-constexpr double kIntentM = 24.0;
-constexpr double kWindowM = 10.0;         // WU's rolling window: the lidar's range
-constexpr double kMeetingS = 4.0;         // how far ahead it says what will be met
 constexpr double kBesidePersonM = 0.25;   // so near to somebody who stood for long it creeps: they set off before it could stop
 constexpr double kSubTargetM = 0.6;       // LI's look-ahead on the path
-constexpr double kLookAroundRad = 0.1;    // apart are the headings that are tried where walls refuse all that moves
-constexpr double kTryS = 3.0;             // of trying without getting on, besides a turn about on the spot
-constexpr std::size_t kIntentPoints = 60;
 
 double bounded_by_braking(double distance_m, double braking_mps2) { return std::sqrt(2.0 * braking_mps2 * std::max(0.0, distance_m)); }
 
@@ -149,7 +142,7 @@ void LocalPlanner::hold(Cycle& cycle, Phase phase, Reason reason) {
   const bool tracker_lives = cycle.inputs.tracker_heard != Stamp{} && seconds(cycle.now - cycle.inputs.tracker_heard) <= settings_.stale_tracker_s;
   if (about_tracker && tracker_lives) cycle.out.detail = "the tracker works, but has no fresh scan of " + cycle.vehicle.id;
   moved_ = cycle.now;
-  progressed_ = cycle.now;
+  patience_.rest(cycle.now);
   turning_ = false;
   command(cycle, {});
 }
@@ -161,7 +154,6 @@ void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
   if (other_goal) {
     arrived_ = false;
     way_.drop_aside();
-    recoveries_ = 0;
   }
   // By what it says: ids begin again with each planner, and whoever takes over keeps the plans that it finds.
   const bool same_plan = !other_goal && plan.waypoints_in_map == plan_waypoints_ && !way_.empty();
@@ -179,8 +171,7 @@ void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
   blocked_.reset();
   searched_ = {};
   moved_ = cycle.now;
-  progressed_ = cycle.now;
-  least_left_m_ = best_left_m_ = 1e18;
+  patience_.begin(cycle.now);
 }
 
 /// At the goal: turns to the goal's heading if that matters, and stays. Returns true when nothing is left to drive.
@@ -205,7 +196,8 @@ bool LocalPlanner::finish(Cycle& cycle) {
   }
   if (cycle.stands() && std::abs(last_command_.linear_mps) < 1e-3) arrived_ = true;
   cycle.out.phase = arrived_ ? Phase::kArrived : Phase::kDriving;
-  moved_ = progressed_ = cycle.now;
+  moved_ = cycle.now;
+  patience_.rest(cycle.now);
   command(cycle, {});
   return true;
 }
@@ -233,20 +225,17 @@ void LocalPlanner::find_detour(Cycle& cycle) {
       cycle.out.events.push_back({obstructed ? "detour around an obstacle" : "back to the lane"});
       const double left_before_m = lane.length_m() - s;
       way_.detour(points, std::min(lane.length_m(), rejoin + 0.3));
-      const double longer_m = lane.length_m() - way_.lane_s_m() - left_before_m;      // a way round is no step back
-      least_left_m_ += longer_m;
-      best_left_m_ += longer_m;
+      patience_.lengthen(lane.length_m() - way_.lane_s_m() - left_before_m);
       blocked_.reset();
       return;
     }
   }
   if (!obstructed) return;
-  blocked_ = obstructed;
-  blocked_by_vehicle_.clear();
+  blocked_ = Blocked{*obstructed, {}};
   double nearest = 1e18;
   for (const Standing& standing : cycle.around.standing) {
     const double d = geometry::distance(standing.disc.position, obstructed->at_in_map) - standing.disc.radius_m;
-    if (d < nearest) nearest = d, blocked_by_vehicle_ = standing.vehicle_id;
+    if (d < nearest) nearest = d, blocked_->vehicle_id = standing.vehicle_id;
   }
 }
 
@@ -259,7 +248,7 @@ void LocalPlanner::advise_traffic(Cycle& cycle) {
   cycle.advice = advise({cycle.vehicle.id, cycle.vehicle.radius_m, way_.s_m(), speed, stopping, cycle.here(), way_.current(), way_.profile_mps()},
                         cycle.around.peers, settings_.traffic);
   cycle.stop_at_m = cycle.advice.stop_at_m;
-  if (blocked_ && !way_.is_aside()) cycle.stop_at_m = std::min(cycle.stop_at_m, blocked_->begin_m - 0.1);
+  if (blocked_ && !way_.is_aside()) cycle.stop_at_m = std::min(cycle.stop_at_m, blocked_->where.begin_m - 0.1);
 }
 
 /// Makes room for peers that go first and whose way runs through here.
@@ -313,25 +302,12 @@ bool LocalPlanner::find_spot(Cycle& cycle, const std::vector<std::string>& for_w
   return true;
 }
 
-/// Grades of recovery while the vehicle wants to move and cannot: a new look for a detour, a place a metre away, another plan.
+/// Backs off, once trying has gone on for long enough.
 void LocalPlanner::recover(Cycle& cycle) {
-  const double left = way_.lane().length_m() - way_.lane_s_m();
-  if (left < least_left_m_ - 0.5) least_left_m_ = left, progressed_ = cycle.now;
-  if (left < best_left_m_ - 0.5) best_left_m_ = left, recoveries_ = 0;
   const bool waits = !cycle.advice.yields_to.empty() && !cycle.advice.follows;
-  const bool asks_for_a_plan = blocked_ && blocked_by_vehicle_.empty();      // backing off does not move what stands there
-  if (way_.is_aside()) least_left_m_ = left;
-  if (waits || way_.is_aside() || asks_for_a_plan) {
-    progressed_ = cycle.now;      // patience is for trying
-    return;
-  }
-  const double none_s = seconds(cycle.now - progressed_);
-  const kinematics::Limits& limits = cycle.vehicle.limits;
-  const double half_turn_s = geometry::kPi / limits.max_turn_radps + limits.max_turn_radps / limits.max_turn_acceleration_radps2;
-  const double patience_s = kTryS + half_turn_s + 4.0 * std::min(recoveries_, 5);
-  if (none_s < patience_s) return;
-  progressed_ = cycle.now;
-  ++recoveries_;
+  const bool is_closed = blocked_ && blocked_->vehicle_id.empty();
+  const double left_m = way_.lane().length_m() - way_.lane_s_m();
+  if (patience_.look({left_m, waits, way_.is_aside(), is_closed, cycle.vehicle.limits}, cycle.now) != Grade::kBackOff) return;
   std::vector<std::string> stuck_with;
   for (const PeerView& peer : cycle.around.peers)
     if (peer.has_goal && geometry::distance(peer.base_in_map.position(), cycle.here()) < 2.5) stuck_with.push_back(peer.id);
@@ -406,7 +382,7 @@ void LocalPlanner::drive(Cycle& cycle) {
   const bool near_end = way_.left_m() < 0.6;
   if (std::abs(error) > (near_end ? 0.45 : kTurnBeginRad) && !near_target) turning_ = true;
   if (std::abs(error) < kTurnEndRad || near_target) turning_ = false;
-  const bool waits_before_it = blocked_ && !way_.is_aside() && cycle.stands() && way_.s_m() > blocked_->begin_m - 0.2;
+  const bool waits_before_it = blocked_ && !way_.is_aside() && cycle.stands() && way_.s_m() > blocked_->where.begin_m - 0.2;
   if (waits_before_it || !cycle.vehicle.turns_on_the_spot()) turning_ = false;
   cycle.out.phase = way_.is_on_detour() || way_.is_aside() ? Phase::kAvoiding : Phase::kDriving;
   const Scene scene{*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.discs.radius_m, cycle.vehicle.limits, speed_cap(cycle),
@@ -428,86 +404,31 @@ void LocalPlanner::drive(Cycle& cycle) {
     moved_ = cycle.now;
     return;
   }
-  Choice choice = choose(scene, aim(cycle), variant_, settings_.dwa);
-  const bool refused = scene.speed_cap_mps > 2.0 * kStandingMps && !waits_before_it && is_refused(choice);
-  const bool finer = refused && cycle.stands() && take_finer(scene, aim(cycle), choice);
-  const std::optional<double> way_out = refused && cycle.stands() && !finer ? nearest_open_turn_rad(cycle, scene, choice, error) : std::nullopt;
-  if (waits_before_it) command(cycle, {});
-  else if (way_out) command(cycle, turn_of(cycle, *way_out));
-  else if (choice.found) command(cycle, choice.twist);
-  else {
-    const double v = last_command_.linear_mps;
-    const double next = std::max(0.0, v - cycle.vehicle.limits.max_deceleration_mps2 * settings_.control_period_s);
-    command(cycle, {0.0, v > 0.01 ? last_command_.angular_radps * next / v : 0.0, 0.0});
+  const Aim aim = this->aim(cycle);
+  WayOut way_out{Grade::kNone, choose(scene, aim, variant_, settings_.dwa)};
+  if (scene.speed_cap_mps > 2.0 * kStandingMps && !waits_before_it && is_refused(way_out.choice)) {
+    const bool may_turn = cycle.vehicle.turns_on_the_spot() && !cycle.vehicle.rectangle;
+    way_out = local_planner::way_out({scene, aim, way_out.choice, cycle.stands(), may_turn, error}, variant_, settings_.dwa);
   }
+  const Choice& choice = way_out.choice;
+  if (waits_before_it) command(cycle, {});
+  else if (way_out.turn_rad) command(cycle, turn_of(cycle, *way_out.turn_rad));
+  else if (choice.found) command(cycle, choice.twist);
+  else brake(cycle);
   if (choice.mover_gap_m < 0.4 && cycle.out.phase == Phase::kDriving) cycle.out.phase = Phase::kAvoiding;
   if (!cycle.stands()) moved_ = cycle.now;
-  tell_recovery(cycle, scene, refused, finer);
-  if (cycle.stands()) tell_why_it_stands(cycle, choice);
+  const Grade grade = way_.is_aside() && backs_off_ ? Grade::kBackOff : way_out.grade;
+  if (grade != Grade::kNone) cycle.out.detail = told(grade);
+  else if (cycle.out.phase == Phase::kAvoiding) cycle.out.detail = told_avoidance(scene);
+  if (cycle.stands())
+    tell_why_it_stands({cycle.advice, blocked_, choice, seconds(cycle.now - moved_), settings_.blocked_after_s, cycle.vehicle.radius_m}, cycle.out);
 }
 
-void LocalPlanner::tell_why_it_stands(Cycle& cycle, const Choice& choice) const {
-  const double stuck_s = seconds(cycle.now - moved_);
-  const bool waits = !cycle.advice.yields_to.empty();
-  if (waits && !blocked_) {
-    cycle.out.phase = Phase::kWaiting;
-    cycle.out.reason = cycle.advice.follows ? Reason::kVehicle : Reason::kYielding;
-    cycle.out.detail = (cycle.advice.follows ? "behind " : "yields to ") + cycle.advice.yields_to;
-  } else if (stuck_s > settings_.blocked_after_s && blocked_) {
-    cycle.out.phase = Phase::kBlocked;
-    cycle.out.reason = blocked_by_vehicle_.empty() ? Reason::kObstacle : Reason::kVehicle;
-    cycle.out.detail = blocked_by_vehicle_.empty() ? "no way around" : "no way around " + blocked_by_vehicle_;
-    cycle.out.blocked_at_in_map = blocked_->at_in_map;
-    cycle.out.blocked_radius_m = cycle.vehicle.radius_m;
-  } else if (stuck_s > 0.5) {
-    const bool mover = choice.rejected[static_cast<int>(Obstruction::kMover)] > 0;
-    const bool peer = choice.rejected[static_cast<int>(Obstruction::kPeer)] > 0;
-    cycle.out.reason = peer ? Reason::kVehicle : mover ? Reason::kObstacle : Reason::kNone;
-  }
-}
-
-/// Nothing that moves was free, though something was tried.
-bool LocalPlanner::is_refused(const Choice& choice) { return choice.rejected_in_all() > 0 && choice.moving == 0; }
-
-/// Only walls refused something.
-bool LocalPlanner::is_walled(const Choice& choice) { return choice.rejected[static_cast<int>(Obstruction::kWall)] == choice.rejected_in_all(); }
-
-/// Walls refuse all that moves, as beside a corner that was cut too nearly: the turn on the spot, in rad, to the heading nearest to the
-/// target's from which the vehicle may set off. None: there is no such heading, or it may not turn.
-std::optional<double> LocalPlanner::nearest_open_turn_rad(const Cycle& cycle, const Scene& scene, const Choice& choice, double to_target_rad) const {
-  if (!is_walled(choice) || !cycle.vehicle.turns_on_the_spot() || cycle.vehicle.rectangle) return std::nullopt;
-  for (double off = 0.0; off < geometry::kPi; off += kLookAroundRad)
-    for (const double turn : {to_target_rad + off, to_target_rad - off}) {
-      Scene turned = scene;
-      turned.base_in_map.yaw = geometry::wrap(scene.base_in_map.yaw + turn);
-      turned.twist = {};
-      if (obstruction(turned, {cycle.vehicle.limits.max_speed_mps, 0.0, 0.0}, settings_.dwa) == Obstruction::kNone) return geometry::wrap(turn);
-    }
-  return std::nullopt;
-}
-
-/// Twice as many speeds and turn rates in the same window: a gap between walls may be so narrow that few arcs lead into it. Before people
-/// and other vehicles it waits: there is more room in a moment.
-bool LocalPlanner::take_finer(const Scene& scene, const Aim& aim, Choice& choice) const {
-  if (!is_walled(choice)) return false;
-  DwaSettings finer = settings_.dwa;
-  finer.linear_samples = 2 * finer.linear_samples - 1;
-  finer.angular_samples = 2 * finer.angular_samples - 1;
-  const Choice found = choose(scene, aim, variant_, finer);
-  if (found.moving == 0) return false;
-  choice = found;
-  return true;
-}
-
-/// Names the grade of recovery, or what is being avoided.
-void LocalPlanner::tell_recovery(Cycle& cycle, const Scene& scene, bool refused, bool finer) const {
-  std::string& detail = cycle.out.detail;
-  if (way_.is_aside() && backs_off_) detail = "recovers: backs off";
-  else if (finer) detail = "recovers: looks finer";
-  else if (refused) detail = cycle.stands() ? "recovers: turns to where there is room" : "recovers: slower";
-  else if (cycle.out.phase == Phase::kAvoiding)
-    if (const Meeting meeting = predict_meeting(scene, kWindowM, kMeetingS); meeting.encounter != Encounter::kNone)
-      detail = std::string("avoids what is ") + name(meeting.encounter);
+/// Along the arc that is being driven.
+void LocalPlanner::brake(Cycle& cycle) {
+  const double v = last_command_.linear_mps;
+  const double next = std::max(0.0, v - cycle.vehicle.limits.max_deceleration_mps2 * settings_.control_period_s);
+  command(cycle, {0.0, v > 0.01 ? last_command_.angular_radps * next / v : 0.0, 0.0});
 }
 
 /// A vehicle that cannot turn on the spot has left its plan: it is far beside it, looks elsewhere, or is past its end.
@@ -541,21 +462,12 @@ void LocalPlanner::describe(Cycle& cycle) {
   const bool moves = out.phase == Phase::kTurning || out.phase == Phase::kDriving || out.phase == Phase::kAvoiding ||
                      out.phase == Phase::kBlocked || (out.phase == Phase::kWaiting && (out.reason == Reason::kYielding || out.reason == Reason::kVehicle));
   if (!moves || way_.empty() || arrived_) return;
-  const Route& route = way_.current();
   out.distance_left_m = way_.lane().length_m() - way_.lane_s_m();
-  double end = std::min(route.length_m(), way_.s_m() + kIntentM);
-  if (!cycle.advice.follows) end = std::min(end, cycle.advice.stop_at_m);
-  if (blocked_ && !way_.is_aside() && blocked_by_vehicle_.empty()) end = std::min(end, blocked_->begin_m);
-  const double step = std::max(0.35, (end - way_.s_m()) / static_cast<double>(kIntentPoints));
-  double t = 0.0;
-  for (double s = way_.s_m() + step; s < end + step - 1e-9; s += step) {
-    const double at = std::min(s, end);
-    t += step / std::max(0.25, way_.speed_at(at));
-    const Point2 p = route.at(at);
-    out.intent.push_back({t, {p.x, p.y, route.heading_at(at)}});
-  }
-  out.time_left_s = t;
-  for (double s = end; s < route.length_m(); s += 0.5) out.time_left_s += 0.5 / std::max(0.25, way_.speed_at(s));
+  double end_m = cycle.advice.follows ? 1e18 : cycle.advice.stop_at_m;
+  if (blocked_ && !way_.is_aside() && blocked_->vehicle_id.empty()) end_m = std::min(end_m, blocked_->where.begin_m);
+  const Claim claim = claim_of(way_, end_m);
+  out.intent.insert(out.intent.end(), claim.points.begin(), claim.points.end());
+  out.time_left_s = claim.time_left_s;
 }
 
 }  // namespace aisle::local_planner

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "services/local-planner/core/inputs.hpp"
+#include "services/local-planner/core/recovery.hpp"
 #include "services/local-planner/core/settings.hpp"
+#include "services/local-planner/core/telling.hpp"
 #include "services/local-planner/core/way.hpp"
 
 namespace aisle::local_planner {
@@ -36,12 +38,7 @@ class LocalPlanner {
   bool find_spot(Cycle& cycle, const std::vector<std::string>& for_whom);
   void recover(Cycle& cycle);
   void drive(Cycle& cycle);
-  static bool is_refused(const Choice& choice);
-  static bool is_walled(const Choice& choice);
-  std::optional<double> nearest_open_turn_rad(const Cycle& cycle, const Scene& scene, const Choice& choice, double to_target_rad) const;
-  bool take_finer(const Scene& scene, const Aim& aim, Choice& choice) const;
-  void tell_recovery(Cycle& cycle, const Scene& scene, bool refused, bool finer) const;
-  void tell_why_it_stands(Cycle& cycle, const Choice& choice) const;
+  void brake(Cycle& cycle);
   bool is_lost(const Cycle& cycle) const;
   geometry::Twist2 turn_of(const Cycle& cycle, double error_rad) const;
   Aim aim(const Cycle& cycle) const;
@@ -71,15 +68,9 @@ class LocalPlanner {
   time::Stamp moved_{};                             // when the vehicle last moved, or had no reason to
   time::Stamp searched_{};                          // when detours were last looked for
   time::Stamp stepped_aside_{};
-  time::Stamp progressed_{};                        // when the distance left last shrank by a good piece
-  double least_left_m_{1e18};   // of the lane, since the last recovery
-  double best_left_m_{1e18};    // ... since the plan came
-  int recoveries_{0};
+  Patience patience_;
   bool backs_off_{false};       // the way aside is a recovery, and no courtesy
-  std::optional<Obstructed> blocked_;               // the way is obstructed here and no detour was found
-  std::string blocked_by_vehicle_;
-  Phase phase_{Phase::kWaiting};
-  Reason reason_{Reason::kNone};
+  std::optional<Blocked> blocked_;
 };
 
 }  // namespace aisle::local_planner
