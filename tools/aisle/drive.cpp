@@ -2,11 +2,15 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <vector>
+
+#include <unistd.h>
 
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
@@ -17,6 +21,7 @@
 #include "tools/aisle/cli.hpp"
 #include "tools/aisle/drive_picture.hpp"
 #include "tools/aisle/json/json.hpp"
+#include "tools/aisle/progress_line.hpp"
 #include "tools/aisle/text.hpp"
 #include "tools/lockstep/families.hpp"
 #include "tools/lockstep/totals.hpp"
@@ -66,9 +71,7 @@ std::string known_vehicle(const std::string& id, const scenario::Scenario& scena
 }
 
 lockstep::Setup setup_of(const Options& options, int run) {
-  const auto seed = static_cast<std::uint64_t>(options.seed + run);
-  const bool is_file = std::filesystem::path(options.scenario).extension() == ".yaml";
-  lockstep::Setup setup = is_file ? lockstep::read_setup(options.scenario, seed) : lockstep::make_setup(options.scenario, seed);
+  lockstep::Setup setup = lockstep::named_setup(options.scenario, static_cast<std::uint64_t>(options.seed) + static_cast<std::uint64_t>(run));
   setup.local = options.local;
   setup.planner = options.global;
   setup.paper_limits = options.paper_limits;
@@ -77,14 +80,26 @@ lockstep::Setup setup_of(const Options& options, int run) {
   return setup;
 }
 
+config::BadEnvironment not_writable(const std::string& file) { return config::BadEnvironment(file + ": cannot be written; check the folder and its permissions"); }
+
+/// Before the run, which may take a while. @throws config::BadEnvironment
+void check_writable(const std::string& file) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::absolute(file).parent_path();
+  std::error_code ignored;
+  const bool is_there = fs::exists(file, ignored);
+  if (is_there ? fs::is_directory(file, ignored) || access(file.c_str(), W_OK) != 0 : !fs::is_directory(folder, ignored) || access(folder.c_str(), W_OK) != 0) throw not_writable(file);
+}
+
 void write_file(const std::string& file, const std::string& text) {
   std::ofstream out(file);
   out << text;
-  if (!out.flush()) throw config::BadEnvironment(file + ": cannot be written; check the folder and its permissions");
+  if (!out.flush()) throw not_writable(file);
 }
 
 void print(const Cli& cli, const Options& options, const lockstep::Totals& totals, double realtime_factor) {
   const std::string hash = fmt::format("{:016x}", totals.trace_hash);
+  const bool has_least = totals.least_clearance_m < lockstep::kNothingNearM;
   if (cli.json) {
     std::printf("%s\n", write_json(Json{{"local", options.local},
                                         {"global", options.global},
@@ -93,7 +108,7 @@ void print(const Cli& cli, const Options& options, const lockstep::Totals& total
                                         {"goals_reached", totals.goals_reached},
                                         {"contacts", totals.contacts},
                                         {"contacts_moving_vehicle", totals.contacts_moving_vehicle},
-                                        {"least_clearance_m", totals.least_clearance_m},
+                                        {"least_clearance_m", has_least ? Json(totals.least_clearance_m) : Json(nullptr)},
                                         {"distance_m", totals.distance_m},
                                         {"time_s", totals.time_s},
                                         {"replans", totals.replans},
@@ -105,34 +120,51 @@ void print(const Cli& cli, const Options& options, const lockstep::Totals& total
     return;
   }
   std::printf("%d run%s, global %s, local %s\n", totals.runs, totals.runs == 1 ? "" : "s", options.global.c_str(), options.local.c_str());
-  std::printf("goals %d of %d, contacts %d (%d of a moving vehicle), least clearance %.3f m\n", totals.goals_reached, totals.goals_assigned, totals.contacts,
-              totals.contacts_moving_vehicle, totals.least_clearance_m);
+  std::printf("goals %d of %d, contacts %d (%d of a moving vehicle), least clearance %s\n", totals.goals_reached, totals.goals_assigned, totals.contacts,
+              totals.contacts_moving_vehicle, has_least ? fmt::format("{:.3f} m", totals.least_clearance_m).c_str() : "-, as nothing came near");
   std::printf("%.1f m in %.1f s, %d replans, %d changes of the turn's sign, jerk %.2f m/s^3\n", totals.distance_m, totals.time_s, totals.replans,
               totals.omega_sign_changes, totals.jerk_rms);
   std::printf("%.0f x real time by CPU time, trace %s\n", realtime_factor, hash.c_str());
+}
+
+struct Driven {
+  lockstep::Totals totals;
+  double took_s{0.0};            // of this process's CPU time: what else the machine does is no matter
+};
+
+/// One run, with its picture where one is asked for. @returns false when the user stopped it
+bool drive_once(const Options& options, int run, ProgressLine& progress, Driven& driven) {
+  const lockstep::Setup setup = setup_of(options, run);
+  DrivePicture picture(setup);
+  const bool draws = !options.svg.empty() && run == 0;
+  const std::chrono::nanoseconds begun = process::cpu_time();
+  const lockstep::Result result = lockstep::run(setup, draws ? picture.watch() : lockstep::Watch{}, [&](double t_s) {
+    progress.tell(fmt::format("run {} of {}: {:.0f} s of at most {:.0f} s simulated", run + 1, options.runs, t_s, setup.scenario.duration_s));
+    return !is_interrupted();
+  });
+  if (is_interrupted()) return false;
+  driven.took_s += Seconds(process::cpu_time() - begun).count();
+  driven.totals.add(result);
+  progress.clear();
+  if (draws) write_file(options.svg, picture.svg(result));
+  for (const std::string& line : result.log)
+    if (options.verbose || lockstep::is_verdict(line)) std::fprintf(stderr, "%s%s\n", options.runs > 1 ? fmt::format("seed {}: ", setup.seed).c_str() : "", printable(line).c_str());
+  return true;
 }
 
 int drive(const Cli& cli, const Options& options) {
   check_name("--local", options.local, names_of(local_planner::all_variants()));
   check_name("--global", options.global, names_of(global_planner::all_variants()));
   if (options.scenario.empty()) throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(lockstep::families()));
-  if (std::filesystem::path(options.scenario).extension() != ".yaml") check_name("--scenario", options.scenario, lockstep::families());
-  lockstep::Totals totals;
-  double took_s = 0.0;           // of this process's CPU time: what else the machine does is no matter
-  for (int run = 0; run < options.runs && !is_interrupted(); ++run) {
-    const lockstep::Setup setup = setup_of(options, run);
-    DrivePicture picture(setup);
-    const bool draws = !options.svg.empty() && run == 0;
-    const std::chrono::nanoseconds begun = process::cpu_time();
-    const lockstep::Result result = lockstep::run(setup, draws ? picture.watch() : lockstep::Watch{});
-    took_s += Seconds(process::cpu_time() - begun).count();
-    totals.add(result);
-    if (draws) write_file(options.svg, picture.svg(result));
-    if (!options.verbose) continue;
-    for (const std::string& line : result.log) std::fprintf(stderr, "%s\n", printable(line).c_str());
-  }
-  print(cli, options, totals, took_s > 0.0 ? totals.time_s / took_s : 0.0);
-  return totals.is_good() ? process::kDone : process::kNegative;
+  if (!options.svg.empty()) check_writable(options.svg);
+  Driven driven;
+  ProgressLine progress;
+  bool goes_on = true;
+  for (int run = 0; run < options.runs && goes_on; ++run) goes_on = drive_once(options, run, progress, driven);
+  progress.clear();
+  if (!goes_on) std::fprintf(stderr, "aisle drive: stopped after %d of %d runs\n", driven.totals.runs, options.runs);
+  print(cli, options, driven.totals, driven.took_s > 0.0 ? driven.totals.time_s / driven.took_s : 0.0);
+  return goes_on && driven.totals.is_good() ? process::kDone : process::kNegative;
 }
 
 }  // namespace
@@ -140,9 +172,9 @@ int drive(const Cli& cli, const Options& options) {
 void add_drive(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<Options>();
   Verb(parent, cli, "drive", "drive a scenario in lock-step, without DDS; exit code 1 when a goal was missed or a moving vehicle touched something")
-      .option("--scenario", options->scenario, "a scenario file (.yaml), or one of " + listed(lockstep::families()))
-      .option("--local", options->local, "local planner: " + local_planner::variant_names())
-      .option("--global", options->global, "global planner: " + listed(names_of(global_planner::all_variants())))
+      .option("--scenario", options->scenario, "a scenario file, or one of " + listed(lockstep::families()))
+      .option("--local", options->local, "local planner: " + local_planner::variant_names() + "; default: " + options->local)
+      .option("--global", options->global, "global planner: " + listed(names_of(global_planner::all_variants())) + "; default: " + options->global)
       .option("--seed", options->seed, 0, 1'000'000'000, "of the first run; the next one has the next seed")
       .option("--runs", options->runs, 1, 100'000, "how many")
       .option("--svg", options->svg, "file for a picture of the first run")

@@ -1,6 +1,8 @@
 #include "tools/aisle/drive_picture.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 
 #include "tools/referee/core/walls.hpp"
 #include "tools/referee/report/fleet_svg.hpp"
@@ -8,6 +10,12 @@
 namespace aisle::cli {
 
 using local_planner::Phase;
+
+namespace {
+
+constexpr double kMovingMps = 0.06;       // what is known of a vehicle that touches: it moved, or it stood
+
+}  // namespace
 
 DrivePicture::DrivePicture(const lockstep::Setup& setup) : setup_(setup) {
   report_.scenario = setup.scenario.name;
@@ -18,15 +26,7 @@ DrivePicture::DrivePicture(const lockstep::Setup& setup) : setup_(setup) {
     const geometry::Footprint footprint = vehicle.footprint();
     row.shape = footprint.is_disc() ? referee::Shape{footprint.radius_m, 0.0, 0.0} : referee::Shape{0.0, footprint.length_m, footprint.width_m};
   }
-  for (const scenario::Mission& mission : setup.scenario.missions)
-    for (const geometry::Pose2& goal : mission.goals_in_map) {
-      referee::GoalRecord record;
-      record.agv_id = mission.vehicle;
-      record.goal_id = mission.vehicle + "-" + std::to_string(report_.goals.size() + 1);
-      record.pose_in_map = goal;
-      report_.goals.push_back(record);
-    }
-  report_.goals_expected = static_cast<int>(report_.goals.size());
+  report_.people_give_way = false;      // who walks into a vehicle that stands is not held against it
 }
 
 lockstep::Watch DrivePicture::watch() {
@@ -41,7 +41,9 @@ void DrivePicture::look(const lockstep::Snapshot& now) {
     const referee::Standing standing = output.phase == Phase::kWaiting ? referee::Standing::kWaits
                                        : output.phase == Phase::kHeld ? referee::Standing::kHolds
                                                                       : referee::Standing::kNone;
-    report_.vehicles[setup_.scenario.vehicles[i].id].drive.drove(now.t_s, outline_in_map, output.twist.linear_mps, true, standing);
+    referee::VehicleRow& row = report_.vehicles[setup_.scenario.vehicles[i].id];
+    row.drive.drove(now.t_s, outline_in_map, output.twist.linear_mps, true, standing);
+    if (now.plans[i] != nullptr) look_at_plan(now.t_s, *now.plans[i], row);
   }
   for (std::size_t i = 0; i < now.things.size(); ++i) {
     const geometry::Body& body = now.things[i];
@@ -53,11 +55,67 @@ void DrivePicture::look(const lockstep::Snapshot& now) {
   }
 }
 
+void DrivePicture::look_at_plan(double t_s, const local_planner::Plan& plan, referee::VehicleRow& row) {
+  const auto before = latest_plans_.find(row.agv_id);
+  if (before != latest_plans_.end() && before->second == plan.id) return;
+  latest_plans_[row.agv_id] = plan.id;
+  if (!plan.waypoints_in_map.empty()) row.plans.push_back({t_s, plan.waypoints_in_map});
+}
+
+/// The goals that were reached, and the one that each vehicle had then.
+void DrivePicture::add_goals(const lockstep::Result& result, referee::RunReport& report) const {
+  for (std::size_t i = 0; i < setup_.scenario.vehicles.size(); ++i) {
+    const std::string& id = setup_.scenario.vehicles[i].id;
+    int number = 0;
+    for (const scenario::Mission& mission : setup_.scenario.missions) {
+      const int count = static_cast<int>(mission.goals_in_map.size());
+      for (int k = 0; mission.vehicle == id && k < count * mission.loops && number <= result.reached[i]; ++k) {
+        referee::GoalRecord goal;
+        goal.agv_id = id;
+        goal.goal_id = id + "-" + std::to_string(number + 1);
+        goal.pose_in_map = mission.goals_in_map[static_cast<std::size_t>(k % count)];
+        goal.outcome = number++ < result.reached[i] ? referee::GoalOutcome::kReached : referee::GoalOutcome::kFailed;
+        report.goals.push_back(goal);
+      }
+    }
+  }
+}
+
+void DrivePicture::add_edits(referee::RunReport& report) const {
+  for (const scenario::MapEdit& edit : setup_.scenario.map_edits) {
+    if (edit.at_s > report.duration_s) continue;
+    const geometry::Point2 low = edit.low_in_map, high = edit.high_in_map;
+    referee::EditRow row;
+    row.edit_id = "edit-" + std::to_string(report.edits.size() + 1);
+    row.block = edit.block;
+    row.outline_in_map = {low, {high.x, low.y}, high, {low.x, high.y}};
+    row.asked_s = row.answered_s = edit.at_s;
+    row.outcome = "applied";
+    report.edits.push_back(row);
+  }
+}
+
+void DrivePicture::add_contacts(const lockstep::Result& result, referee::RunReport& report) {
+  using referee::PairClass;
+  const auto pair_of = [&](const std::string& other) {
+    if (other == "wall") return PairClass::kVehicleWall;
+    return report.vehicles.count(other) > 0 ? PairClass::kVehicleVehicle : PairClass::kVehiclePerson;
+  };
+  for (const lockstep::Touch& touch : result.touches) {
+    if (touch.begins) report.contacts.push_back({pair_of(touch.other), touch.vehicle, touch.other, touch.t_s, touch.t_s, touch.at_in_map, 0.0, 0.0, 0.0});
+    const auto latest = std::find_if(report.contacts.rbegin(), report.contacts.rend(), [&](const referee::Contact& c) { return c.a == touch.vehicle && c.b == touch.other; });
+    if (touch.is_moving && latest != report.contacts.rend()) latest->vehicle_speed_mps = kMovingMps;
+  }
+}
+
 std::string DrivePicture::svg(const lockstep::Result& result) const {
   referee::RunReport report = report_;
-  // Goals are reached in order, vehicle by vehicle; which one was missed the log says.
-  int reached = result.goals_reached;
-  for (referee::GoalRecord& goal : report.goals) goal.outcome = reached-- > 0 ? referee::GoalOutcome::kReached : referee::GoalOutcome::kFailed;
+  report.goals_expected = result.goals_assigned;
+  for (std::size_t i = 0; i < result.replanned.size(); ++i) report.vehicles[setup_.scenario.vehicles[i].id].replans = result.replanned[i];
+  add_goals(result, report);
+  add_edits(report);
+  add_contacts(result, report);
+  if (result.least_clearance_m < lockstep::kNothingNearM) report.clearances.least_m.front() = result.least_clearance_m;
   report.ended_because = "lock-step, " + setup_.planner + " and " + setup_.local;
   return referee::fleet_svg(report, referee::Walls(setup_.grid));
 }

@@ -1,4 +1,6 @@
 #pragma once
+#include <cstdint>
+#include <map>
 #include <string>
 
 #include "tools/lockstep/simulation.hpp"
@@ -17,9 +19,14 @@ class DrivePicture {
 
  private:
   void look(const lockstep::Snapshot& now);
+  void look_at_plan(double t_s, const local_planner::Plan& plan, referee::VehicleRow& row);
+  void add_goals(const lockstep::Result& result, referee::RunReport& report) const;
+  void add_edits(referee::RunReport& report) const;
+  static void add_contacts(const lockstep::Result& result, referee::RunReport& report);
 
   const lockstep::Setup& setup_;
   referee::RunReport report_;
+  std::map<std::string, std::uint64_t> latest_plans_;      // ids, of each vehicle
 };
 
 }  // namespace aisle::cli

@@ -1,12 +1,20 @@
 #include "tools/lockstep/families.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <stdexcept>
 
+#include "common/config/nearest_name.hpp"
+#include "common/config/reader.hpp"
+#include "common/geometry/separation.hpp"
 #include "common/grid/map_file.hpp"
+#include "common/scenario/variation.hpp"
 #include "tools/lockstep/building.hpp"
+#include "tools/lockstep/judge.hpp"
 #include "tools/lockstep/suite_scenarios.hpp"
 
 namespace aisle::lockstep {
@@ -178,6 +186,21 @@ const std::map<std::string, std::function<Setup(Dice&)>>& makers() {
   return all;
 }
 
+/// Nothing that a planner does could get it out.
+void refuse_starts_that_touch(const Setup& setup, const std::filesystem::path& file) {
+  const std::vector<scenario::Vehicle>& vehicles = setup.scenario.vehicles;
+  std::vector<geometry::Body> bodies;
+  for (const scenario::Vehicle& vehicle : vehicles) {
+    const Pose2 start = scenario::varied_start(vehicle, setup.scenario.start_jitter_m, setup.seed);
+    bodies.push_back(geometry::body_of(vehicle.footprint(), start));
+    const std::string where = fmt::format("{}: {} starts at ({:.2f}, {:.2f})", file.string(), vehicle.id, start.x, start.y);
+    if (!setup.grid.geometry().contains(setup.grid.geometry().cell_at(start.position()))) throw config::BadInput(where + ", outside the map");
+    if (gap_to_walls_m(setup.grid, bodies.back(), 0.1) <= 0.0) throw config::BadInput(where + ", where its outline is in a wall or leaves the map");
+    for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
+      if (geometry::separation_m(bodies[i], bodies.back()) <= 0.0) throw config::BadInput(where + ", where its outline touches that of " + vehicles[i].id);
+  }
+}
+
 }  // namespace
 
 Setup read_setup(const std::filesystem::path& scenario_file, std::uint64_t seed) {
@@ -186,6 +209,7 @@ Setup read_setup(const std::filesystem::path& scenario_file, std::uint64_t seed)
   setup.seed = seed;
   setup.grid = grid::read_map_file(setup.scenario.map_file, setup.scenario.map_options);
   for (const scenario::Recording& recording : setup.scenario.recordings) setup.people.push_back(fake_world::read_recording(recording));
+  refuse_starts_that_touch(setup, scenario_file);
   return setup;
 }
 
@@ -203,6 +227,17 @@ Setup make_setup(const std::string& family, std::uint64_t seed) {
   setup.scenario.name = family;
   setup.seed = seed;
   return setup;
+}
+
+Setup named_setup(const std::string& name_or_file, std::uint64_t seed) {
+  if (makers().count(name_or_file) > 0) return make_setup(name_or_file, seed);
+  const std::filesystem::path file(name_or_file);
+  if (file.has_extension() || file.has_parent_path() || std::filesystem::exists(file)) return read_setup(file, seed);
+  std::string all;
+  for (const std::string& name : families()) all += (all.empty() ? "" : ", ") + name;
+  const std::string nearest = config::nearest_name(name_or_file, families());
+  throw config::BadInput(fmt::format("'{}' is neither a scenario file nor a family; {}there are {}", name_or_file,
+                                     nearest.empty() ? "" : "did you mean '" + nearest + "'? ", all));
 }
 
 }  // namespace aisle::lockstep

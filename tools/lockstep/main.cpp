@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/process/exit_code.hpp"
 #include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/critic.hpp"
 #include "tools/lockstep/families.hpp"
@@ -27,10 +28,6 @@ aisle::lockstep::Watch tracer(double period_s) {
       std::printf("%7.2f track %llu (%.2f %.2f) v (%.2f %.2f) r %.2f%s\n", now.t_s, static_cast<unsigned long long>(seen.track.id), seen.track.position_in_map.x,
                   seen.track.position_in_map.y, seen.track.velocity_in_map.x, seen.track.velocity_in_map.y, seen.track.radius_m, seen.track.is_static ? " static" : "");
   };
-}
-
-aisle::lockstep::Setup setup_of(const std::string& name, std::uint64_t seed) {
-  return std::filesystem::path(name).extension() == ".yaml" ? aisle::lockstep::read_setup(name, seed) : aisle::lockstep::make_setup(name, seed);
 }
 
 template <class Variant>
@@ -57,9 +54,7 @@ bool run_suite(const std::vector<std::string>& families, const std::string& loca
   return all.is_good();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int drive_families(int argc, char** argv) {
   CLI::App app{"Drives scenario families in lock-step, without DDS"};
   std::vector<std::string> families;
   std::uint64_t first = 1;
@@ -79,7 +74,11 @@ int main(int argc, char** argv) {
   bool suite = false;
   app.add_flag("--suite", suite, "the families of the suite, each goal within five times its free run");
   app.add_option("--trace", trace_s, "print poses and commands every so many seconds");
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? aisle::process::kDone : aisle::process::kBadInput;
+  }
   if (suite) return run_suite(families.empty() ? aisle::lockstep::suite_families() : families, local, first, static_cast<int>(seeds)) ? 0 : 1;
   if (families.empty()) families = aisle::lockstep::families();
   bool good = true;
@@ -89,7 +88,7 @@ int main(int argc, char** argv) {
     double least = 1e9, time = 0.0, us = 0.0, most_us = 0.0;
     std::string bad;
     for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
-      aisle::lockstep::Setup setup = setup_of(family, seed);
+      aisle::lockstep::Setup setup = aisle::lockstep::named_setup(family, seed);
       setup.local = local;
       setup.planner = global;
       if (truth) setup.perception = aisle::lockstep::Perception::kTruth;
@@ -110,4 +109,10 @@ int main(int argc, char** argv) {
     good = good && bad.empty();
   }
   return good ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return aisle::process::run_guarded("aisle-lockstep", [&] { return drive_families(argc, argv); });
 }

@@ -27,8 +27,11 @@ using local_planner::Phase;
 
 constexpr double kDt = 0.02;
 constexpr int kSlowEvery = 5;                   // scans, status and traces come at 10 Hz
+constexpr int kAskEvery = 50;                   // a second
 constexpr int kTracksAfter = 2;                 // cycles from the scans to their tracks
 constexpr double kClockAtStartS = 100.0;
+constexpr const char* kContact = "CONTACT";
+constexpr const char* kGoalMissed = "goal missed";
 
 double cpu_us() {
   timespec t{};
@@ -50,6 +53,7 @@ struct Agv {
   std::vector<Pose2> goals_in_map;              // of all missions, in order
   std::vector<bool> heading_matters;
   std::size_t goal{0};
+  int replans{0};
   local_planner::Inputs inputs;
   Output output;
   local_planner::Peer announced;                // as its last status said
@@ -80,18 +84,24 @@ class Run {
     for (const scenario::Vehicle& vehicle : setup.scenario.vehicles) add(vehicle);
   }
 
-  Result all() {
+  Result all(const std::function<bool(double t_s)>& goes_on) {
     fleet_.set_map("lockstep", revision_, grid_, {0, 0}, {grid_.geometry().width - 1, grid_.geometry().height - 1});
     const int steps = static_cast<int>(setup_.scenario.duration_s / kDt);
     for (tick_ = 0; tick_ < steps; ++tick_) {
       t_ = tick_ * kDt;
+      if (goes_on && tick_ % kAskEvery == 0 && !goes_on(t_)) break;
       step();
       if (std::all_of(agvs_.begin(), agvs_.end(), [](const Agv& a) { return a.is_done(); })) break;
     }
     result_.time_s = t_;
+    for (const Agv& agv : agvs_) {
+      result_.reached.push_back(static_cast<int>(agv.goal));
+      result_.replanned.push_back(agv.replans);
+      result_.replans += agv.replans;
+    }
     for (const Agv& agv : agvs_) result_.done_s.push_back(agv.is_done() ? agv.done_s : -1.0);
     for (const Agv& agv : agvs_)
-      if (!agv.is_done()) note(agv, std::string("goal missed: ") + name(agv.output.phase) + ", " + name(agv.output.reason) + " " + agv.output.detail);
+      if (!agv.is_done()) note(agv, std::string(kGoalMissed) + ": " + name(agv.output.phase) + ", " + name(agv.output.reason) + " " + agv.output.detail);
     result_.step_us_mean = cycles_ > 0 ? total_us_ / static_cast<double>(cycles_) : 0.0;
     return result_;
   }
@@ -130,7 +140,7 @@ class Run {
       settings.comfort_mps2 = std::min(settings.comfort_mps2, paper.max_deceleration_mps2);
     }
     const Pose2 start = scenario::varied_start(vehicle, setup_.scenario.start_jitter_m, setup_.seed);
-    Agv agv{vehicle.id, parameters, fake_vehicle::SimulatedVehicle(parameters, start), local_planner::LocalPlanner(settings, variant), {}, {}, 0, {}, {}, {}};
+    Agv agv{vehicle.id, parameters, fake_vehicle::SimulatedVehicle(parameters, start), local_planner::LocalPlanner(settings, variant), {}, {}, 0, 0, {}, {}, {}};
     for (const scenario::Mission& mission : setup_.scenario.missions)
       for (int loop = 0; mission.vehicle == vehicle.id && loop < mission.loops; ++loop)
         for (const Pose2& goal : mission.goals_in_map) {
@@ -249,8 +259,8 @@ class Run {
   void plan() {
     for (const Agv& agv : agvs_) fleet_.set_pose(agv.id, agv.inputs.state.any()->base_in_map, now());
     while (const auto made = fleet_.step(now(), [] { return false; })) {
-      if (made->trigger != global_planner::Trigger::kNewGoal) ++result_.replans;
-      else result_.planned_m += length_m(made->waypoints_in_map);
+      const bool is_replan = made->trigger != global_planner::Trigger::kNewGoal;
+      if (!is_replan) result_.planned_m += length_m(made->waypoints_in_map);
       local_planner::Plan plan;
       plan.id = made->plan_id;
       plan.goal_id = made->goal.id;
@@ -262,7 +272,7 @@ class Run {
       plan.yaw_tolerance_rad = made->goal.yaw_tolerance_rad;
       plan.waypoints_in_map = made->waypoints_in_map;
       for (Agv& agv : agvs_)
-        if (agv.id == made->agv_id) agv.inputs.plan = plan;
+        if (agv.id == made->agv_id) agv.inputs.plan = plan, agv.replans += is_replan ? 1 : 0;
     }
     for (const std::string& event : fleet_.take_events()) note("global: " + event);
   }
@@ -326,7 +336,11 @@ class Run {
     for (const Agv& a : agvs_) vehicles.push_back({a.id, body_of(a), a.moved || is_moving(a)});
     std::vector<Judge::Thing> things;
     for (const fake_world::Thing& thing : world_.things()) things.push_back({thing.id, thing.body});
-    for (const std::string& line : judge_.look(vehicles, things, grid_, clearance_, result_)) note(line);
+    for (Touch& touch : judge_.look(vehicles, things, grid_, clearance_, result_)) {
+      touch.t_s = t_;
+      note(kContact + (" " + touch.vehicle + " " + touch.other + (touch.is_moving ? " moving" : " standing")));
+      result_.touches.push_back(std::move(touch));
+    }
   }
 
   void show() {
@@ -334,6 +348,7 @@ class Run {
     snapshot.t_s = t_;
     for (const Agv& a : agvs_) snapshot.vehicles.push_back(a.body.base_in_map()), snapshot.outputs.push_back(a.output);
     for (const fake_world::Thing& thing : world_.things()) snapshot.things.push_back(thing.body);
+    for (const Agv& a : agvs_) snapshot.plans.push_back(a.inputs.plan ? &*a.inputs.plan : nullptr);
     snapshot.tracks = perceiver_->tracks();
     watch_(snapshot);
   }
@@ -367,6 +382,8 @@ class Run {
 
 }  // namespace
 
-Result run(const Setup& setup, const Watch& watch) { return Run(setup, watch).all(); }
+bool is_verdict(const std::string& line) { return line.find(kContact) != std::string::npos || line.find(kGoalMissed) != std::string::npos; }
+
+Result run(const Setup& setup, const Watch& watch, const std::function<bool(double t_s)>& goes_on) { return Run(setup, watch).all(goes_on); }
 
 }  // namespace aisle::lockstep

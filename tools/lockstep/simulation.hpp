@@ -33,14 +33,29 @@ struct Setup {
   std::uint64_t seed{1};
 };
 
+/// A vehicle touches something, from one look of the judge to the next.
+struct Touch {
+  double t_s{0.0};
+  std::string vehicle;
+  std::string other;                            // a vehicle, a thing, or "wall"
+  geometry::Point2 at_in_map;                   // of the vehicle
+  bool begins{true};                            // else they touch already, and now the vehicle moves
+  bool is_moving{false};                        // the vehicle was faster than 0.05 m/s
+};
+
+inline constexpr double kNothingNearM = 1e9;
+
 struct Result {
   int goals_assigned{0};
   int goals_reached{0};
   int contacts{0};                              // beginnings of contacts, of each vehicle
   int contacts_moving_vehicle{0};               // the vehicle was faster than 0.05 m/s
-  double least_clearance_m{1e9};                // of moving vehicles to anything
+  std::vector<Touch> touches;
+  double least_clearance_m{kNothingNearM};      // of moving vehicles to anything; walls within 2 m are looked at
   double distance_m{0.0};
   double time_s{0.0};
+  std::vector<int> reached;                     // goals of each vehicle
+  std::vector<int> replanned;                   // how often
   std::vector<double> done_s;                   // of each vehicle: when its last goal was reached; -1: never
   double planned_m{0.0};                        // length of the first plan of each goal
   int replans{0};
@@ -52,6 +67,9 @@ struct Result {
   std::vector<std::string> log;                 // contacts, goals missed and what the cores said, with time and vehicle
 };
 
+/// Does a line of the log tell of a contact or of a goal that was missed?
+bool is_verdict(const std::string& line);
+
 /// What can be seen at a moment, for traces and drawings. Vehicles and outputs in the scenario's order.
 struct Snapshot {
   double t_s{0.0};
@@ -59,12 +77,14 @@ struct Snapshot {
   std::vector<local_planner::Output> outputs;
   std::vector<geometry::Body> things;
   std::vector<local_planner::SeenTrack> tracks;
+  std::vector<const local_planner::Plan*> plans;      // of each vehicle, valid while it is looked at; null: none yet
 };
 using Watch = std::function<void(const Snapshot&)>;
 
 /// Runs a scenario with the services' own cores, in lock-step and without DDS: vehicles, lidars and people of the simulation,
 /// tracker, both planners; 50 Hz control, 10 Hz scans, 10 Hz status. Ends when all goals are reached or the time is over.
 /// The same setup gives the same result, but for the microseconds.
-Result run(const Setup& setup, const Watch& watch = {});
+/// @param goes_on asked each simulated second, with the time; where it says no, the run ends there
+Result run(const Setup& setup, const Watch& watch = {}, const std::function<bool(double t_s)>& goes_on = {});
 
 }  // namespace aisle::lockstep

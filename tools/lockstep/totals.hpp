@@ -12,7 +12,7 @@ struct Totals {
   int goals_reached{0};
   int contacts{0};
   int contacts_moving_vehicle{0};
-  double least_clearance_m{1e9};                // of moving vehicles to anything, in all runs
+  double least_clearance_m{kNothingNearM};               // of moving vehicles to anything, in all runs
   double distance_m{0.0};
   double time_s{0.0};                           // simulated
   int replans{0};

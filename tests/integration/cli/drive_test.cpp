@@ -2,11 +2,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,17 +58,85 @@ TEST(Drive, TakesPlannersByNameAndDrawsThePicture) {
   EXPECT_THAT(svg, HasSubstr("agv-4"));
 }
 
+struct Refusal {
+  std::optional<int> code;
+  std::string err;
+};
+
+Refusal refusal(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {AISLE_CLI, "drive"});
+  ChildProcess aisle(arguments);
+  const std::optional<int> code = aisle.wait(seconds(60));
+  EXPECT_EQ(aisle.out(), "");
+  EXPECT_EQ(std::count(aisle.err().begin(), aisle.err().end(), '\n'), 1) << aisle.err();
+  return {code, aisle.err()};
+}
+
 TEST(Drive, NamesWhatIsMisspelt) {
-  const auto refusal = [](std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {AISLE_CLI, "drive"});
-    ChildProcess aisle(arguments);
-    EXPECT_EQ(aisle.wait(seconds(20)), 2);
-    return aisle.err();
+  const auto bad_input = [](const std::vector<std::string>& arguments) {
+    const Refusal refused = refusal(arguments);
+    EXPECT_EQ(refused.code, 2);
+    return refused.err;
   };
-  EXPECT_THAT(refusal({"--scenario", "crosing"}), HasSubstr("did you mean 'crossing'?"));
-  EXPECT_THAT(refusal({"--scenario", "crossing", "--local", "weng"}), HasSubstr("did you mean 'wang'?"));
-  EXPECT_THAT(refusal({"--scenario", "none.yaml"}), HasSubstr("none.yaml"));
-  EXPECT_THAT(refusal({}), HasSubstr("--scenario is missing"));
+  EXPECT_THAT(bad_input({"--scenario", "crosing"}), HasSubstr("did you mean 'crossing'?"));
+  EXPECT_THAT(bad_input({"--scenario", "crossing", "--local", "weng"}), HasSubstr("did you mean 'wang'?"));
+  EXPECT_THAT(bad_input({"--scenario", "none.yaml"}), HasSubstr("none.yaml"));
+  EXPECT_THAT(bad_input({}), HasSubstr("--scenario is missing"));
+  EXPECT_THAT(bad_input({"--scenario", "crossing", "--seed", "-1"}), HasSubstr("--seed"));
+  EXPECT_THAT(bad_input({"--scenario", "crossing", "--runs", "0"}), HasSubstr("--runs"));
+}
+
+TEST(Drive, APictureThatCannotBeWrittenIsRefusedBeforeTheRun) {
+  for (const std::string file : {"/no-such-folder/drive.svg", "/tmp"}) {
+    const Refusal refused = refusal({"--scenario", "none.yaml", "--svg", file});   // not even read
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_THAT(refused.err, HasSubstr(file + ": cannot be written"));
+  }
+}
+
+/// A scenario of one vehicle in the room, beside the test's other files.
+class OwnScenario {
+ public:
+  OwnScenario(const std::string& vehicle, const std::string& goal) : file_(std::filesystem::temp_directory_path() / ("aisle-own-" + std::to_string(getpid()) + ".yml")) {
+    std::ofstream(file_) << "map: " AISLE_SOURCE_DIR "/deploy/maps/room.txt\nmoving_ai_cell_m: 0.5\nduration_s: 5\nvehicles: [" << vehicle << "]\n"
+                         << "missions: [{vehicle: agv-1, goals: [" << goal << "]}]\n";
+  }
+  ~OwnScenario() { std::filesystem::remove(file_); }
+  std::string file() const { return file_.string(); }
+
+ private:
+  std::filesystem::path file_;
+};
+
+TEST(Drive, NobodyStartsInAWallOutsideOrInAnother) {
+  const auto err_of = [](const std::string& vehicle) {
+    const OwnScenario scenario(vehicle, "[8.0, 5.0]");
+    const Refusal refused = refusal({"--scenario", scenario.file()});
+    EXPECT_EQ(refused.code, 2);
+    return refused.err;
+  };
+  EXPECT_THAT(err_of("{id: agv-1, start: [0.6, 5.0]}"), HasSubstr("agv-1 starts at (0.60, 5.00), where its outline is in a wall"));
+  EXPECT_THAT(err_of("{id: agv-1, start: [4.0, 5.0], length_m: 9.0, width_m: 1.0}"), HasSubstr("where its outline is in a wall"));
+  EXPECT_THAT(err_of("{id: agv-1, start: [99.0, 5.0]}"), HasSubstr("outside the map"));
+  EXPECT_THAT(err_of("{id: agv-1, start: [4.0, 5.0]}, {id: agv-2, start: [4.5, 5.0]}"), HasSubstr("agv-2 starts at (4.50, 5.00), where its outline touches that of agv-1"));
+}
+
+TEST(Drive, AGoalThatCannotBeReachedIsMissedWithItsReason) {
+  const OwnScenario scenario("{id: agv-1, start: [4.0, 5.0]}", "[0.1, 0.1]");
+  ChildProcess aisle({AISLE_CLI, "drive", "--json", "--scenario", scenario.file()});
+  EXPECT_EQ(aisle.wait(seconds(60)), 1);
+  EXPECT_THAT(aisle.err(), HasSubstr("goal missed: failed, unreachable the goal (0.10, 0.10) has 0.00 m of clearance"));
+  const nlohmann::json report = nlohmann::json::parse(aisle.out());
+  EXPECT_EQ(report["goals_reached"], 0);
+  EXPECT_TRUE(report["least_clearance_m"].is_null()) << "it never moved";
+}
+
+TEST(Drive, TellsHowFarItIsAndEndsWhenAsked) {
+  ChildProcess aisle({AISLE_CLI, "drive", "--scenario", "warehouse", "--runs", "100000"});
+  ASSERT_TRUE(aisle.wait_for_output("of 100000: ", seconds(60))) << aisle.err();
+  aisle.signal(SIGINT);
+  EXPECT_EQ(aisle.wait(seconds(60)), 1) << aisle.err();
+  EXPECT_THAT(aisle.err(), HasSubstr("stopped after"));
 }
 
 }  // namespace
