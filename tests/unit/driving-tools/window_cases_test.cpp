@@ -36,6 +36,15 @@ TEST(WindowCases, ACollisionCourseIsLeftAndThePathTakenAgain) {
   EXPECT_LT(drive.back_on_it_m, 0.2);
 }
 
+TEST(WindowCases, WhoComesTowardsItIsDrivenAroundAndThePathTakenAgain) {
+  const WindowDrive drive = drive_named("window-oncoming");
+  EXPECT_EQ(drive.result.goals_reached, 1);
+  EXPECT_EQ(drive.result.contacts, 0);
+  EXPECT_GT(drive.farthest_off_m, 1.0) << "keeping right alone is 0.8 m";
+  EXPECT_GT(drive.slowest_mps, 0.2);
+  EXPECT_LT(drive.back_on_it_m, 0.2);
+}
+
 TEST(WindowCases, AnUnknownBoxIsDrivenAround) {
   const WindowDrive drive = drive_named("window-box");
   EXPECT_EQ(drive.result.goals_reached, 1);

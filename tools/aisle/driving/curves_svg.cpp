@@ -15,6 +15,14 @@ constexpr double kLeftPx = 60.0;
 constexpr double kStripPx = 170.0;
 constexpr double kTopPx = 50.0;
 
+/// 1, 2 or 5 times a power of ten, so that there are at most `most` of them in `span`.
+double step_of(double span, int most) {
+  const double power = std::pow(10.0, std::floor(std::log10(span / most)));
+  for (const double times : {1.0, 2.0, 5.0})
+    if (span / (times * power) <= most) return times * power;
+  return 10.0 * power;
+}
+
 /// Axes of one strip; values from `low` to `high`.
 struct Strip {
   double top_px, duration_s, low, high;
@@ -25,11 +33,10 @@ struct Strip {
 std::string axes(const Strip& s, const std::string& label) {
   std::string text = fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#ffffff\" stroke=\"#cbd2d9\"/>\n<text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>\n",
                                  kLeftPx, s.top_px, kWidthPx - kLeftPx - 20.0, kStripPx, kLeftPx, s.top_px - 6.0, label);
-  for (int i = 0; i <= 4; ++i) {
-    const double value = s.low + 0.25 * i * (s.high - s.low);
-    text += fmt::format("<path d=\"M{0:.0f} {1:.1f}H{2:.0f}\" stroke=\"#e4e7eb\"/><text x=\"{3:.0f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5:.2f}</text>\n", kLeftPx, s.y(value),
-                        kWidthPx - 20.0, kLeftPx - 6.0, s.y(value) + 4.0, value);
-  }
+  const double step = step_of(s.high - s.low, 6);
+  for (int i = static_cast<int>(std::ceil(s.low / step - 1e-9)); i * step <= s.high + 1e-9; ++i)
+    text += fmt::format("<path d=\"M{0:.0f} {1:.1f}H{2:.0f}\" stroke=\"{6}\"/><text x=\"{3:.0f}\" y=\"{4:.1f}\" text-anchor=\"end\">{5:.1f}</text>\n", kLeftPx, s.y(i * step),
+                        kWidthPx - 20.0, kLeftPx - 6.0, s.y(i * step) + 4.0, i * step, i == 0 ? "#9aa5b1" : "#e4e7eb");
   return text;
 }
 
@@ -57,11 +64,13 @@ std::string curves_svg(const std::string& title, const std::vector<NamedDrive>& 
     body += fmt::format("<path d=\"M{:.0f} 40h24\" stroke=\"{}\" stroke-width=\"3\"/><text x=\"{:.0f}\" y=\"44\">{}</text>\n", x, colour, x + 30.0, drives[i].name);
   }
   const double bottom = turn.top_px + kStripPx;
-  for (int i = 0; i <= 5; ++i)
-    body += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{:.0f} s</text>\n", speed.x(0.2 * i * duration_s), bottom + 18.0, 0.2 * i * duration_s);
+  const double step_s = step_of(duration_s, 8);
+  for (int i = 0; i * step_s <= duration_s; ++i)
+    body += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{:.0f}</text>\n", speed.x(i * step_s), bottom + 18.0, i * step_s);
+  body += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">time, s</text>\n", 0.5 * (kLeftPx + kWidthPx - 20.0), bottom + 36.0);
   return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\">\n"
                      "<rect width=\"100%\" height=\"100%\" fill=\"#f5f7fa\"/>\n<text x=\"{2:.0f}\" y=\"22\" font-size=\"15\" font-weight=\"bold\">{3}</text>\n{4}</svg>\n",
-                     kWidthPx, bottom + 30.0, kLeftPx, title, body);
+                     kWidthPx, bottom + 46.0, kLeftPx, title, body);
 }
 
 }  // namespace aisle::cli

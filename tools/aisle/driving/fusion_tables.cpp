@@ -13,6 +13,8 @@
 namespace aisle::cli {
 namespace {
 
+constexpr double kNearM = 0.6;
+
 using Rows = std::vector<std::vector<std::string>>;
 
 /// One line of a paper's table. Lengths in metres; "-" where the paper gives none.
@@ -26,22 +28,25 @@ struct Case {
   const char* improved;
   const char* curves;               // file of the picture, or empty
   bool is_said_smoother{false};     // the paper says so of its curves of v and w
+  const char* figure{""};           // the paper's, of these curves,
+  const char* said{""};             // and what it says of it
 };
 
 const std::vector<Case>& cases() {
   static const std::vector<Case> all{
       {"LI, 20x20, static", "li-complex", "li", {}, "-", "-", "-", ""},
       {"LI IV, one mover, unknown boxes", "li-complex", "li", {1, 2}, "-", "-", "38.60 (planned 29.85)", ""},
-      {"WU, figures 10 and 11, one avoidance", "wu", "wu", {0, 1}, "-", "-", "-", "wu-10-11", true},
+      {"WU, figures 10 and 11, one avoidance", "wu", "wu", {0, 1}, "-", "-", "-", "wu-10-11", true, "WU 10-11",
+       "near the obstacle 0.6-0.7 m/s -> 0.3-0.4 and 0.5-0.6 m/s; w from -0.4 to 0.4 rad/s -> from -0.3 to 0.4 rad/s"},
       {"QU, 21x21 simple, static", "qu-simple", "qu", {}, "-", "-", "21.03", ""},
       {"QU 3, simple, one mover", "qu-simple", "qu", {1, 0}, "-", "-", "21.0337", ""},
-      {"QU 3, simple, two movers", "qu-simple", "qu", {2, 0}, "-", "-", "21.5279", "qu-8"},
+      {"QU 3, simple, two movers", "qu-simple", "qu", {2, 0}, "-", "-", "21.5279", "qu-8", false, "QU 8", "v and w fall while it avoids the movers"},
       {"QU, 21x21 maze, static", "qu-maze", "qu", {}, "-", "-", "25.17", ""},
       {"QU 3, maze, one mover", "qu-maze", "qu", {1, 0}, "-", "-", "26.1942", ""},
       {"QU 3, maze, two movers", "qu-maze", "qu", {2, 0}, "-", "-", "26.6783", ""},
       {"YU 5, static", "yu-1", "yu", {0, 1}, "27.0026", "27.9319", "24.5729", "", true},
-      {"YU 6, dynamic", "yu-1", "yu", {1, 1}, "28.4446", "25.4588", "24.6606", "yu-7", true},
-      {"WANG 2, fused", "wang-1", "wang", {}, "-", "30.15", "28.57", "wang-6-7", true},
+      {"YU 6, dynamic", "yu-1", "yu", {1, 1}, "28.4446", "25.4588", "24.6606", "yu-7", true, "YU 7", "w settles soonest and is steadiest; reaches the goal sooner"},
+      {"WANG 2, fused", "wang-1", "wang", {}, "-", "30.15", "28.57", "wang-6-7", true, "WANG 6-7", "v and w change less; 70.56 s -> 57.67 s"},
       {"WANG 3, map 1", "wang-map-1", "wang", {1, 1}, "-", "-", "29.30", ""},
       {"WANG 3, map 2", "wang-map-2", "wang", {1, 1}, "-", "-", "28.46", ""},
       {"WANG 3, map 3", "wang-map-3", "wang", {1, 2}, "-", "-", "57.14", ""},
@@ -107,7 +112,6 @@ std::string counted(const std::vector<Driven>& all, Counts counts, Holds holds) 
 
 /// The traditional critics and WU's on the same path with one avoidance, by the critics alone: our profile of the way slows both alike.
 std::string wu_terms_row(const std::filesystem::path& maps) {
-  constexpr double kNearM = 0.6;
   const local_planner::Variant wu = paper_variant("wu");
   const DriveFigures with = drive_fused({"wu", "wu", wu, wu.paper, {0, 1}, false}, maps);
   const DriveFigures without = drive_fused({"wu", "wu", traditional_with_path(), wu.paper, {0, 1}, false}, maps);
@@ -146,12 +150,28 @@ void write(const std::filesystem::path& file, const std::string& text) {
   if (!out.flush()) throw config::BadEnvironment(file.string() + ": cannot be written");
 }
 
+std::string curve_figures(const DriveFigures& d) {
+  double low = 0.0, high = 0.0;
+  for (const DrivePoint& p : d.points) low = std::min(low, p.angular_radps), high = std::max(high, p.angular_radps);
+  const double near_mps = d.mean_speed_near(kNearM);
+  return (near_mps > 0.0 ? digits(near_mps, 2) + " m/s near" : std::string("never near")) + ", w from " + digits(low, 2) + " to " + digits(high, 2) + ", " +
+         digits(d.changes_of_w(), 1) + " rad/s of changes, " + digits(d.result.time_s, 1) + " s";
+}
+
+/// What the papers say in words and numbers; their curves themselves are printed as pictures.
+std::string curves_table(const std::vector<Driven>& all) {
+  Rows rows{{"curves", "the paper says, traditional -> improved", "ours: A* + traditional DWA", "ours: improved A* + its DWA"}};
+  for (const Driven& d : all)
+    if (!std::string(d.of->curves).empty()) rows.push_back({d.of->figure, d.of->said, curve_figures(d.astar_dwa), curve_figures(d.improved)});
+  return markdown_table(rows);
+}
+
 std::string curves(const std::vector<Driven>& all, const std::filesystem::path& pictures, const std::string& from_page) {
   std::string text;
   for (const Driven& d : all) {
     if (std::string(d.of->curves).empty()) continue;
     const std::string file = std::string(d.of->curves) + ".svg";
-    write(pictures / file, curves_svg(d.of->title, {{"A* + traditional DWA", &d.astar_dwa}, {std::string("improved A* + ") + d.of->paper, &d.improved}}));
+    write(pictures / file, curves_svg(std::string(d.of->title) + " (compare " + d.of->figure + ")", {{"A* + traditional DWA", &d.astar_dwa}, {std::string("improved A* + ") + d.of->paper, &d.improved}}));
     text += std::string("![") + d.of->title + "](" + from_page + "/" + file + ")\n\n";
   }
   return text;
@@ -169,7 +189,7 @@ std::string fusion_tables(const std::filesystem::path& maps, const std::filesyst
          "QU's path passes walls more closely than A\\*'s, and our own slowing near walls brakes there; without it all six of QU's drives have fewer changes of v. "
          "LI's path is no shorter than A\\*'s on this map, and its corners are sharper.\n\n"
          "Smoothness, traditional A\\* + DWA -> the paper's improved A\\* + its DWA; sums of all changes up and down:\n\n" + smoothness_table(all) +
-         "#### Speed and turn rate\n\n" + curves(all, pictures, pictures_from_page);
+         "#### Speed and turn rate\n\nThe papers print curves, and say of them what stands here; *near* is where something is within 0.6 m of the outline.\n\n" + curves_table(all) + curves(all, pictures, pictures_from_page);
 }
 
 }  // namespace aisle::cli

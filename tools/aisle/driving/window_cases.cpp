@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "common/config/reader.hpp"
+#include "tools/aisle/driving/window_svg.hpp"
 #include "tools/aisle/planning/markdown.hpp"
-#include "tools/aisle/planning/plan_svg.hpp"
 #include "tools/lockstep/building.hpp"
 
 namespace aisle::cli {
@@ -48,6 +48,22 @@ void add_box(lockstep::Setup& setup, double length_m, double width_m) {
   setup.scenario.blocks.push_back(box);
 }
 
+WindowScene scene_of(const WindowCase& of, const WindowDrive& drive) {
+  WindowScene scene;
+  scene.title = of.title;
+  scene.start_in_map = {kStartM, kLineM};
+  scene.goal_in_map = {kGoalM, kLineM};
+  scene.vehicle_radius_m = of.setup.scenario.vehicles.front().radius_m;
+  scene.driven_in_map = drive.driven_in_map;
+  for (const scenario::Mover& mover : of.setup.scenario.movers) scene.mover_radius_m = mover.radius_m;
+  scene.mover_in_map = drive.mover_in_map;
+  for (const scenario::Block& b : of.setup.scenario.blocks) {
+    const Point2 half{0.5 * b.length_m, 0.5 * b.width_m};
+    scene.boxes.push_back({b.center_in_map.position() - half, b.center_in_map.position() + half});
+  }
+  return scene;
+}
+
 void write(const std::filesystem::path& file, const std::string& text) {
   std::ofstream out(file);
   out << text;
@@ -60,7 +76,10 @@ std::vector<WindowCase> window_cases() {
   std::vector<WindowCase> cases;
   cases.push_back(crosser("window-ahead", "fast crosser passes ahead", 1.5, 0.5));
   cases.push_back(crosser("window-behind", "slow crosser passes behind", 0.5, 6.5));
-  cases.push_back(crosser("window-collision", "collision course", 0.8, 2.2));
+  cases.push_back(crosser("window-collision", "collision course, crossing", 0.8, 2.2));
+  cases.push_back({"window-oncoming", "collision course, oncoming; keeps right, as by default", straight(10.0)});
+  cases.back().setup.settings.lane = {};
+  lockstep::add_mover(cases.back().setup, 0.6, 0.0, false, {{17.0, kLineM}, {2.0, kLineM}});
   cases.push_back({"window-box", "unknown box on the path", straight(10.0)});
   add_box(cases.back().setup, 0.8, 0.8);
   cases.push_back({"window-closed", "aisle closed by something unknown", straight(2.0)});
@@ -90,14 +109,7 @@ std::string window_section(const std::filesystem::path& pictures, const std::str
     const WindowDrive d = drive_window_case(of);
     rows.push_back({of.title, d.result.goals_reached == 1 ? "reached" : "not reached", std::to_string(d.result.contacts), digits(d.farthest_off_m, 2),
                     digits(d.back_on_it_m, 2), digits(d.slowest_mps, 2), d.asked_for_a_plan ? "yes" : "no"});
-    std::vector<DrawnPath> paths{{"vehicle", d.driven_in_map}};
-    if (!d.mover_in_map.empty()) paths.push_back({"mover", d.mover_in_map});
-    for (const scenario::Block& b : of.setup.scenario.blocks) {
-      const Point2 low{b.center_in_map.x - 0.5 * b.length_m, b.center_in_map.y - 0.5 * b.width_m};
-      const Point2 high{b.center_in_map.x + 0.5 * b.length_m, b.center_in_map.y + 0.5 * b.width_m};
-      paths.push_back({"unknown box", {low, {high.x, low.y}, high, {low.x, high.y}, low}});
-    }
-    write(pictures / (of.name + ".svg"), plan_svg(of.setup.grid, paths));
+    write(pictures / (of.name + ".svg"), window_svg(of.setup.grid, scene_of(of, d)));
     shown += "![" + of.title + "](" + pictures_from_page + "/" + of.name + ".svg)\n\n";
   }
   return markdown_table(rows) + shown;

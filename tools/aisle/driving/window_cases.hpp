@@ -15,7 +15,7 @@ struct WindowCase {
   std::string title;
   lockstep::Setup setup;
 };
-/// A crosser who passes ahead, one who passes behind, one on collision course, an unknown box, an aisle that is closed.
+/// A crosser who passes ahead, one who passes behind, one on collision course, one who comes towards it, an unknown box, an aisle that is closed.
 std::vector<WindowCase> window_cases();
 
 struct WindowDrive {
