@@ -4,13 +4,9 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
@@ -21,6 +17,7 @@
 #include "tools/aisle/cli.hpp"
 #include "tools/aisle/drive_picture.hpp"
 #include "tools/aisle/json/json.hpp"
+#include "tools/aisle/output_file.hpp"
 #include "tools/aisle/progress_line.hpp"
 #include "tools/aisle/text.hpp"
 #include "tools/lockstep/families.hpp"
@@ -80,23 +77,6 @@ lockstep::Setup setup_of(const Options& options, int run) {
   return setup;
 }
 
-config::BadEnvironment not_writable(const std::string& file) { return config::BadEnvironment(file + ": cannot be written; check the folder and its permissions"); }
-
-/// Before the run, which may take a while. @throws config::BadEnvironment
-void check_writable(const std::string& file) {
-  namespace fs = std::filesystem;
-  const fs::path folder = fs::absolute(file).parent_path();
-  std::error_code ignored;
-  const bool is_there = fs::exists(file, ignored);
-  if (is_there ? fs::is_directory(file, ignored) || access(file.c_str(), W_OK) != 0 : !fs::is_directory(folder, ignored) || access(folder.c_str(), W_OK) != 0) throw not_writable(file);
-}
-
-void write_file(const std::string& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw not_writable(file);
-}
-
 void print(const Cli& cli, const Options& options, const lockstep::Totals& totals, double realtime_factor) {
   const std::string hash = fmt::format("{:016x}", totals.trace_hash);
   const bool has_least = totals.least_clearance_m < lockstep::kNothingNearM;
@@ -146,7 +126,7 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
   driven.took_s += Seconds(process::cpu_time() - begun).count();
   driven.totals.add(result);
   progress.clear();
-  if (draws) write_file(options.svg, picture.svg(result));
+  if (draws) write_output_file(options.svg, picture.svg(result));
   for (const std::string& line : result.log)
     if (options.verbose || lockstep::is_verdict(line)) std::fprintf(stderr, "%s%s\n", options.runs > 1 ? fmt::format("seed {}: ", setup.seed).c_str() : "", printable(line).c_str());
   return true;

@@ -4,12 +4,14 @@
 #include <iterator>
 #include <memory>
 #include <string>
+#include <system_error>
 
 #include "common/config/reader.hpp"
 #include "common/process/exit_code.hpp"
 #include "common/scenario/data_path.hpp"
 #include "tools/aisle/cli.hpp"
 #include "tools/aisle/driving/local_experiment.hpp"
+#include "tools/aisle/output_file.hpp"
 #include "tools/aisle/planning/global_experiment.hpp"
 #include "tools/aisle/planning/markdown.hpp"
 #include "tools/aisle/tracking/tracking_experiment.hpp"
@@ -40,6 +42,14 @@ fs::path reference_data(const std::string& maps) {
   }
 }
 
+/// Before the work, which takes minutes. @throws config::BadEnvironment
+void make_place(const fs::path& page, const fs::path& pictures) {
+  std::error_code failure;
+  fs::create_directories(pictures, failure);
+  if (failure) throw config::BadEnvironment(pictures.string() + ": cannot be made: " + failure.message());
+  check_writable(page);
+}
+
 void say(const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); }
 
 /// Replaces one section of the page and leaves the others as they are.
@@ -47,9 +57,7 @@ void write_section(const fs::path& page, const std::string& name, const std::str
   std::ifstream in(page);
   const std::string before{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   in.close();
-  std::ofstream out(page);
-  out << with_section(before, name, section);
-  if (!out.flush()) throw config::BadEnvironment(page.string() + ": cannot be written");
+  write_output_file(page, with_section(before, name, section));
   std::printf("%s\n", page.c_str());
 }
 
@@ -62,7 +70,7 @@ int run_global(const ExperimentOrders& orders) {
   experiment.data = reference_data(orders.maps);
   experiment.random_maps = orders.random_maps;
   experiment.queries = orders.queries;
-  fs::create_directories(experiment.pictures);
+  make_place(page, experiment.pictures);
   const std::string section = global_section(experiment, say);
   write_section(page, "global planning", section);
   return process::kDone;
@@ -75,7 +83,7 @@ int run_local(const ExperimentOrders& orders) {
   experiment.pictures = page.parent_path() / "experiments";
   experiment.pictures_from_page = "experiments";
   experiment.seeds = orders.seeds;
-  fs::create_directories(experiment.pictures);
+  make_place(page, experiment.pictures);
   write_section(page, "local planning", local_section(experiment, say));
   return process::kDone;
 }
@@ -90,7 +98,7 @@ int run_tracking(const ExperimentOrders& orders) {
   experiment.longest_s = orders.longest_s;
   experiment.empty_s = orders.empty_s;
   experiment.detour_seeds = orders.detour_seeds;
-  fs::create_directories(experiment.pictures);
+  make_place(page, experiment.pictures);
   write_section(page, "obstacle tracking", tracking_section(experiment, say));
   return process::kDone;
 }

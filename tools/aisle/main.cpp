@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "common/config/reader.hpp"
 #include "common/process/exit_code.hpp"
 #include "common/process/signals.hpp"
 #include "common/process/version.hpp"
@@ -64,6 +66,8 @@ int main(int argc, char** argv) {
     std::vector<const char*> pointers;
     for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
     if (const std::optional<int> code = aisle::service::parse_arguments(app, argc, pointers.data())) return *code;
-    return cli.action();
+    const int code = cli.action();
+    if (std::fflush(stdout) != 0) throw aisle::config::BadEnvironment("stdout cannot be written; is the disk full?");
+    return code;
   });
 }

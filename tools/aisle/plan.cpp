@@ -1,7 +1,6 @@
 // aisle plan: plans offline, on a map file, with one planner or all of them; one query, or every scenario of a file.
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +12,7 @@
 #include "services/global-planner/core/refusal.hpp"
 #include "tools/aisle/cli.hpp"
 #include "tools/aisle/coordinates.hpp"
+#include "tools/aisle/output_file.hpp"
 #include "tools/aisle/planning/chosen_planners.hpp"
 #include "tools/aisle/planning/plan_report.hpp"
 #include "tools/aisle/planning/plan_svg.hpp"
@@ -122,13 +122,8 @@ Run run(const PlanOrders& orders, const std::vector<const Variant*>& variants, c
   return result;
 }
 
-void write_picture(const std::string& file, const std::string& svg) {
-  std::ofstream out(file);
-  out << svg;
-  if (!out.flush()) throw config::BadEnvironment(file + ": cannot be written");
-}
-
 int plan_offline(const Cli& cli, const PlanOrders& orders) {
+  if (!orders.svg.empty()) check_writable(orders.svg);
   const std::vector<const Variant*> variants = chosen_planners(orders.planners);
   const grid::OccupancyGrid grid = grid::read_map_file(orders.map);
   const std::vector<Query> queries = queries_of(orders, grid.geometry());
@@ -137,7 +132,7 @@ int plan_offline(const Cli& cli, const PlanOrders& orders) {
   const Run result = run(orders, variants, clearance, queries);
 
   std::printf("%s", cli.json ? (json_of(result.tallies).dump() + "\n").c_str() : text_of_table(rows_of(result.tallies)).c_str());
-  if (!orders.svg.empty()) write_picture(orders.svg, plan_svg(grid, result.paths));
+  if (!orders.svg.empty()) write_output_file(orders.svg, plan_svg(grid, result.paths));
   bool is_clean = !is_interrupted();
   for (const Tally& tally : result.tallies) {
     is_clean = is_clean && tally.solved() == tally.asked() && tally.checker_failures() == 0;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +10,7 @@
 #include "common/process/exit_code.hpp"
 #include "tools/aisle/cli.hpp"
 #include "tools/aisle/json/json.hpp"
+#include "tools/aisle/output_file.hpp"
 #include "tools/tracking/picture.hpp"
 #include "tools/tracking/trial.hpp"
 
@@ -96,6 +96,7 @@ std::vector<std::unique_ptr<tracking::Contestant>> contestants_of(const std::str
 }
 
 int track(const Cli& cli, const Options& options) {
+  if (!options.svg.empty()) check_writable(options.svg);
   const std::unique_ptr<tracking::Scene> scene = scene_of(options);
   const std::vector<std::unique_ptr<tracking::Contestant>> contestants = contestants_of(options.tracker);
   tracking::Sensing sensing = options.sensing;
@@ -103,11 +104,7 @@ int track(const Cli& cli, const Options& options) {
   tracking::Picture picture(scene->walls(), 0, 0.0, kDrawn_s);
   const std::vector<tracking::Row> rows = tracking::run_trial(*scene, sensing, static_cast<std::uint64_t>(options.seed), contestants, options.seconds,
                                                               [&](const tracking::Glance& now) { picture.look(now); });
-  if (!options.svg.empty()) {
-    std::ofstream out(options.svg);
-    out << picture.svg();
-    if (!out.flush()) throw config::BadEnvironment(options.svg + ": cannot be written; check the folder and its permissions");
-  }
+  if (!options.svg.empty()) write_output_file(options.svg, picture.svg());
   print(cli, rows);
   return process::kDone;
 }

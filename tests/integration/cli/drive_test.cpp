@@ -94,6 +94,18 @@ TEST(Drive, APictureThatCannotBeWrittenIsRefusedBeforeTheRun) {
   }
 }
 
+TEST(Drive, AnExperimentsPageThatCannotBeWrittenIsRefusedBeforeTheDrives) {
+  ChildProcess aisle({AISLE_CLI, "experiment", "local", "--maps", "/no-such-folder", "--page", "/dev/null/page.md"});
+  EXPECT_EQ(aisle.wait(seconds(60)), 3);
+  EXPECT_THAT(aisle.err(), HasSubstr("/dev/null/"));
+}
+
+TEST(Drive, AFullDiskBehindStdoutIsNoSuccess) {
+  ChildProcess aisle({"/bin/sh", "-c", AISLE_CLI " drive --truth --scenario crossing > /dev/full"});
+  EXPECT_EQ(aisle.wait(seconds(60)), 3);
+  EXPECT_THAT(aisle.err(), HasSubstr("stdout cannot be written"));
+}
+
 /// A scenario of one vehicle in the room, beside the test's other files.
 class OwnScenario {
  public:
