@@ -68,6 +68,7 @@ struct Variant {
   bool knows_path{true};            // else it drives straight at the goal (the papers' traditional DWA)
   PaperLimits paper{};
   std::string summary{};            // one line
+  bool has_rolling_window{false};   // WU: aims at a local sub-target while driving on along the path would end in a collision
 
   bool asks_for(Critic critic) const;
 };

@@ -109,6 +109,7 @@ struct Output {
   geometry::Point2 blocked_at_in_map;                  // in Phase::kBlocked
   double blocked_radius_m{0.0};
   std::vector<IntentPoint> intent;                     // from `now`; at most 64
+  std::optional<geometry::Point2> sub_target_in_map{};      // aimed at instead of the path, to avoid a collision
   std::vector<Event> events;
 };
 

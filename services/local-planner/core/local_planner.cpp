@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/kinematics/tricycle.hpp"
+#include "services/local-planner/core/rolling_window.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -23,6 +24,7 @@ constexpr double kTurnEndRad = 0.2;
 constexpr double kLostM = 0.6;
 constexpr double kLostRad = 1.2;
 constexpr double kBesidePersonM = 0.25;   // so near to somebody who stood for long it creeps: they set off before it could stop
+constexpr double kNearEnoughS = 3.0;      // within the goal's tolerance, while somebody is in the way of its middle
 constexpr double kSubTargetM = 0.6;       // LI's look-ahead on the path
 
 double bounded_by_braking(double distance_m, double braking_mps2) { return std::sqrt(2.0 * braking_mps2 * std::max(0.0, distance_m)); }
@@ -153,6 +155,7 @@ void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
                           plan.goal_in_map.yaw != goal_in_map_.yaw;
   if (other_goal) {
     arrived_ = false;
+    near_since_ = cycle.now;
     way_.drop_aside();
   }
   // By what it says: ids begin again with each planner, and whoever takes over keeps the plans that it finds.
@@ -181,8 +184,10 @@ bool LocalPlanner::finish(Cycle& cycle) {
   if (arrived_ && distance > 2.0 * plan.position_tolerance_m) arrived_ = false;      // pushed away
   if (!arrived_) {
     const bool near = distance <= plan.position_tolerance_m;
+    if (!near) near_since_ = cycle.now;
+    const bool long_enough = seconds(cycle.now - near_since_) > kNearEnoughS;
     const double ahead = geometry::from_map(cycle.base_now, plan.goal_in_map.position()).x;
-    const bool no_nearer = std::abs(ahead) < 0.02 || distance < 0.3 * plan.position_tolerance_m || ahead < 0.0;
+    const bool no_nearer = std::abs(ahead) < 0.02 || distance < 0.3 * plan.position_tolerance_m || ahead < 0.0 || long_enough;
     if (!near || !no_nearer) return false;
   }
   way_.drop_aside();
@@ -377,6 +382,7 @@ Aim LocalPlanner::aim(const Cycle& cycle) const {
 
 void LocalPlanner::drive(Cycle& cycle) {
   cycle.target = visible_target(cycle);
+  if (variant_.has_rolling_window) leave_path_for_sub_target(cycle);
   const double error = geometry::wrap(geometry::bearing(cycle.base_then.position(), cycle.target) - cycle.base_then.yaw);
   const bool near_target = geometry::distance(cycle.base_then.position(), cycle.target) < 0.03;
   const bool near_end = way_.left_m() < 0.6;
@@ -385,8 +391,7 @@ void LocalPlanner::drive(Cycle& cycle) {
   const bool waits_before_it = blocked_ && !way_.is_aside() && cycle.stands() && way_.s_m() > blocked_->where.begin_m - 0.2;
   if (waits_before_it || !cycle.vehicle.turns_on_the_spot()) turning_ = false;
   cycle.out.phase = way_.is_on_detour() || way_.is_aside() ? Phase::kAvoiding : Phase::kDriving;
-  const Scene scene{*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.discs.radius_m, cycle.vehicle.limits, speed_cap(cycle),
-                    cycle.around.movers, cycle.around.peer_motions, steering_rad_, cycle.discs.ahead_m};
+  const Scene scene = scene_of(cycle);
   // A disc may always turn; whatever else turns on the spot looks where its corners go.
   if (turning_ && cycle.vehicle.rectangle && obstruction(scene, turn_of(cycle, error), settings_.dwa) != Obstruction::kNone) turning_ = false;
   if (is_lost(cycle)) {
@@ -422,6 +427,21 @@ void LocalPlanner::drive(Cycle& cycle) {
   else if (cycle.out.phase == Phase::kAvoiding) cycle.out.detail = told_avoidance(scene);
   if (cycle.stands())
     tell_why_it_stands({cycle.advice, blocked_, choice, seconds(cycle.now - moved_), settings_.blocked_after_s, cycle.vehicle.radius_m}, cycle.out);
+}
+
+/// Where the path's target would be driven at into a collision: aims at the sub-target instead. Not while others are let past, nor
+/// with a vehicle that cannot turn back to its path on the spot.
+void LocalPlanner::leave_path_for_sub_target(Cycle& cycle) const {
+  if (way_.is_aside() || !cycle.vehicle.turns_on_the_spot()) return;
+  const Room room = cycle.room(0.02, 0.02);
+  const Scene scene = scene_of(cycle);
+  cycle.out.sub_target_in_map = avoid({scene, room, way_.current(), way_.s_m()}, cycle.target);
+  if (cycle.out.sub_target_in_map) cycle.target = *cycle.out.sub_target_in_map;
+}
+
+Scene LocalPlanner::scene_of(const Cycle& cycle) const {
+  return {*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.discs.radius_m, cycle.vehicle.limits, speed_cap(cycle),
+          cycle.around.movers, cycle.around.peer_motions, steering_rad_, cycle.discs.ahead_m};
 }
 
 /// Along the arc that is being driven.

@@ -38,6 +38,8 @@ class LocalPlanner {
   bool find_spot(Cycle& cycle, const std::vector<std::string>& for_whom);
   void recover(Cycle& cycle);
   void drive(Cycle& cycle);
+  void leave_path_for_sub_target(Cycle& cycle) const;
+  Scene scene_of(const Cycle& cycle) const;
   void brake(Cycle& cycle);
   bool is_lost(const Cycle& cycle) const;
   geometry::Twist2 turn_of(const Cycle& cycle, double error_rad) const;
@@ -64,6 +66,7 @@ class LocalPlanner {
   std::uint64_t seen_revision_{0};
   time::Stamp revision_changed_{};
   bool arrived_{false};
+  time::Stamp near_since_{};                        // within the goal's tolerance
   bool turning_{false};
   time::Stamp moved_{};                             // when the vehicle last moved, or had no reason to
   time::Stamp searched_{};                          // when detours were last looked for

@@ -9,6 +9,12 @@ namespace {
 using geometry::Point2;
 
 constexpr double kStandingMps = 0.05;
+constexpr double kStepM = 0.2;            // along the route
+constexpr double kLeastMps = 0.4;         // at which who stands is expected to drive on
+constexpr double kLeastWindowM = 0.5;
+constexpr double kDirectionRad = 0.08;    // apart are the directions looked in,
+constexpr int kDirections = 10;           // so many to each side of the route's,
+constexpr double kMostTurnRad = 0.8;      // none so far from the heading that the vehicle would stop to turn there
 constexpr double kAlongCosine = 0.7;      // of the angle between two directions that count as one line
 
 Encounter kind_of(Point2 own_velocity, Point2 its_velocity) {
@@ -56,14 +62,47 @@ Meeting predict_meeting(const Scene& scene, double window_m, double horizon_s) {
   return first;
 }
 
-Point2 local_sub_target(const Route& route, double s_m, Point2 here_in_map, double window_m) {
-  if (geometry::distance(route.points().back(), here_in_map) <= window_m) return route.points().back();
-  Point2 target = route.at(s_m);
-  for (double s = s_m; s <= route.length_m(); s += 0.2) {
-    if (geometry::distance(route.at(s), here_in_map) > window_m) break;
-    target = route.at(s);
+namespace {
+
+/// Who would be met straight on in this direction.
+Meeting predict_towards(const Window& window, double bearing_rad) {
+  Scene towards = window.scene;
+  towards.base_in_map.yaw = bearing_rad;
+  towards.twist = {std::max(kLeastMps, window.scene.twist.linear_mps), 0.0, 0.0};
+  return predict_meeting(towards, window.radius_m, window.horizon_s);
+}
+
+/// The route's last point before it leaves the disc.
+Point2 exit_in_map(const Window& window, double radius_m) {
+  const Point2 here = window.scene.base_in_map.position();
+  const double end_m = window.route.length_m();
+  double s = window.s_m;
+  while (s < end_m && geometry::distance(window.route.at(s + kStepM), here) <= radius_m) s += kStepM;
+  return window.route.at(s);
+}
+
+}  // namespace
+
+std::optional<Point2> local_sub_target(const Window& window) {
+  const Point2 here = window.scene.base_in_map.position();
+  const double goal_m = geometry::distance(window.route.points().back(), here);
+  for (const double share : {1.0, 0.7, 0.5, 0.35, 0.25, 0.15}) {
+    const Point2 exit = exit_in_map(window, share * std::min(window.radius_m, std::max(goal_m, kLeastWindowM)));
+    for (int i = 0; i <= 2 * kDirections; ++i) {      // straight at it, then ever farther to either side
+      const double bearing = geometry::bearing(here, exit) + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * kDirectionRad;
+      if (std::abs(geometry::wrap(bearing - window.scene.base_in_map.yaw)) > kMostTurnRad) continue;
+      if (predict_towards(window, bearing).encounter != Encounter::kNone) continue;
+      const Point2 p = here + geometry::distance(here, exit) * Point2{std::cos(bearing), std::sin(bearing)};
+      if (window.room.is_line_free(here, p)) return p;
+    }
   }
-  return target;
+  return std::nullopt;
+}
+
+std::optional<Point2> avoid(const Window& window, Point2 path_target_in_map) {
+  const Encounter met = predict_towards(window, geometry::bearing(window.scene.base_in_map.position(), path_target_in_map)).encounter;
+  if (met == Encounter::kNone || met == Encounter::kOvertaking) return std::nullopt;
+  return local_sub_target(window);
 }
 
 }  // namespace aisle::local_planner

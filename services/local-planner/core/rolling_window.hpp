@@ -2,10 +2,15 @@
 #include <optional>
 #include <vector>
 
+#include "services/local-planner/core/local_search.hpp"
 #include "services/local-planner/core/rollout.hpp"
 #include "services/local-planner/core/route.hpp"
 
 namespace aisle::local_planner {
+
+inline constexpr double kWindowM = 10.0;      // of the rolling window: the lidar's range
+inline constexpr double kMeetingS = 4.0;      // how far ahead the status says what will be met,
+inline constexpr double kAvoidS = 3.0;        // and the path is left for: tracks do not keep their course for longer
 
 /// Where two discs at constant velocity come nearest to each other.
 struct Approach {
@@ -32,7 +37,28 @@ struct Meeting {
 /// @param window_m what is farther than this is not looked at; the sensor's range
 Meeting predict_meeting(const Scene& scene, double window_m, double horizon_s);
 
-/// WU eq. 13: the goal where it is inside the window, else the route's last point inside it.
-geometry::Point2 local_sub_target(const Route& route, double s_m, geometry::Point2 here_in_map, double window_m);
+/// What a sub-target is looked for in.
+struct Window {
+  const Scene& scene;               // the vehicle, and who may be met
+  const Room& room;                 // walls and what stands
+  const Route& route;               // to the goal
+  double s_m{0.0};                  // where the vehicle is on it
+  double radius_m{kWindowM};
+  double horizon_s{kAvoidS};
+};
+
+/// WU eq. 13: the goal where it is inside the window, else the free point of the window's border that is nearest to the goal, of those
+/// that can be reached. Here:
+/// - reachable: straight on, within 0.8 rad of the heading and with room all along, for the dynamic window knows no path; and without
+///   a predicted collision, or the vehicle would be led to where it is to be led away from;
+/// - nearest to the goal: along the border, to where the route leaves the window; as the crow flies a building's dead ends would be;
+/// - the window: as large as it can be, at most the sensor's range, or to the goal; in aisles nothing is in sight at that range, so smaller
+///   ones are looked in too, down to a seventh.
+/// None: nothing can be reached so; keep to the path.
+std::optional<geometry::Point2> local_sub_target(const Window& window);
+
+/// WU's strategy: the sub-target while the straight way to `path_target_in_map` ends in a predicted collision with what stands, comes or
+/// crosses. None: keep to the path; nobody is met, or somebody slower ahead, who is followed, or there is no sub-target.
+std::optional<geometry::Point2> avoid(const Window& window, geometry::Point2 path_target_in_map);
 
 }  // namespace aisle::local_planner

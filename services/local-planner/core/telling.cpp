@@ -11,8 +11,6 @@ namespace {
 constexpr double kIntentM = 24.0;
 constexpr std::size_t kIntentPoints = 60;
 constexpr double kSlowestMps = 0.25;      // for times: it will not stand there for long
-constexpr double kWindowM = 10.0;         // WU's rolling window: the lidar's range
-constexpr double kMeetingS = 4.0;         // how far ahead it says what will be met
 
 }  // namespace
 

@@ -30,6 +30,7 @@ TEST(WindowCases, WhoPassesBehindIsNoReasonForADetour) {
 
 TEST(WindowCases, ACollisionCourseIsLeftAndThePathTakenAgain) {
   const WindowDrive drive = drive_named("window-collision");
+  EXPECT_GT(drive.sub_target_s, 0.3);
   EXPECT_EQ(drive.result.goals_reached, 1);
   EXPECT_EQ(drive.result.contacts_moving_vehicle, 0);
   EXPECT_TRUE(drive.farthest_off_m > 0.1 || drive.slowest_mps < 0.6) << "it neither left the path nor slowed";

@@ -57,6 +57,19 @@ TEST(LocalPlanner, TurnsOnTheSpotWhenTheWayLeadsBack) {
   EXPECT_LT(farthest, 10.2);
 }
 
+TEST(LocalPlanner, IsThereWithinTheToleranceWhenSomebodyStandsAtTheGoal) {
+  for (const geometry::Point2 off : {geometry::Point2{0.60, 0.0}, {0.66, 0.0}, {0.55, 0.23}}) {
+    Drive drive(hall(20.0, 10.0));
+    drive.give_plan({{3.0, 5.0}, {12.0, 5.0}});
+    const bool arrived = drive.until(40.0, [&] {
+      drive.inputs.tracks = {drive.track(geometry::Point2{12.0, 5.0} + off, {}, true)};
+      return drive.output.phase == Phase::kArrived;
+    });
+    EXPECT_TRUE(arrived) << off.x << " " << off.y;
+    EXPECT_LE(geometry::distance(drive.base.position(), {12.0, 5.0}), drive.inputs.plan->position_tolerance_m);
+  }
+}
+
 TEST(LocalPlanner, TurnsToTheGoalsHeadingWhenItMatters) {
   Drive drive(hall(20.0, 10.0));
   drive.give_plan({{3.0, 5.0}, {9.0, 5.0}});

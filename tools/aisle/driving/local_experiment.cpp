@@ -32,7 +32,7 @@ std::string local_section(const LocalExperiment& orders, const Progress& progres
   text +=
       "### WU's rolling window\n\n"
       "The situations of WU's section 4 with `wu`, in a hall of 20 x 10 m and in an aisle of 2 m: who passes ahead or behind is no reason to leave the "
-      "path; who crosses and would be hit is let by, slower; who comes towards it and an unknown box are driven around, and the vehicle comes back to the path; before what closes the aisle it stops and asks for another plan.\n\n";
+      "path; who would be hit is avoided by way of the local sub-targets (green), and the vehicle comes back to the path; a detour leads around an unknown box; before what closes the aisle it stops and asks for another plan.\n\n";
   return text + window_section(orders.pictures, orders.pictures_from_page, progress);
 }
 

@@ -57,6 +57,7 @@ WindowScene scene_of(const WindowCase& of, const WindowDrive& drive) {
   scene.driven_in_map = drive.driven_in_map;
   for (const scenario::Mover& mover : of.setup.scenario.movers) scene.mover_radius_m = mover.radius_m;
   scene.mover_in_map = drive.mover_in_map;
+  scene.sub_targets = drive.sub_targets;
   for (const scenario::Block& b : of.setup.scenario.blocks) {
     const Point2 half{0.5 * b.length_m, 0.5 * b.width_m};
     scene.boxes.push_back({b.center_in_map.position() - half, b.center_in_map.position() + half});
@@ -89,10 +90,16 @@ std::vector<WindowCase> window_cases() {
 
 WindowDrive drive_window_case(const WindowCase& of) {
   WindowDrive drive;
+  double looked_s = 0.0;
   drive.result = lockstep::run(of.setup, [&](const lockstep::Snapshot& now) {
     const Point2 here = now.vehicles[0].position();
     drive.driven_in_map.push_back(here);
     if (!of.setup.scenario.movers.empty()) drive.mover_in_map.push_back(now.things.front().base_in_map.position());
+    if (const auto& sub_target = now.outputs[0].sub_target_in_map) {
+      drive.sub_targets.push_back({here, *sub_target});
+      drive.sub_target_s += now.t_s - looked_s;
+    }
+    looked_s = now.t_s;
     drive.farthest_off_m = std::max(drive.farthest_off_m, std::abs(here.y - kLineM));
     drive.back_on_it_m = std::abs(here.y - kLineM);
     if (here.x > kStartM + 3.0 && here.x < kGoalM - 3.0) drive.slowest_mps = std::min(drive.slowest_mps, now.outputs[0].twist.linear_mps);
@@ -102,13 +109,13 @@ WindowDrive drive_window_case(const WindowCase& of) {
 }
 
 std::string window_section(const std::filesystem::path& pictures, const std::string& pictures_from_page, const Progress& progress) {
-  std::vector<std::vector<std::string>> rows{{"case", "goal", "contacts", "farthest off the path m", "off it at the end m", "slowest m/s", "asked for another plan"}};
+  std::vector<std::vector<std::string>> rows{{"case", "goal", "contacts", "farthest off the path m", "off it at the end m", "slowest m/s", "aimed at a sub-target s", "asked for another plan"}};
   std::string shown;
   for (const WindowCase& of : window_cases()) {
     progress("window: " + of.title);
     const WindowDrive d = drive_window_case(of);
     rows.push_back({of.title, d.result.goals_reached == 1 ? "reached" : "not reached", std::to_string(d.result.contacts), digits(d.farthest_off_m, 2),
-                    digits(d.back_on_it_m, 2), digits(d.slowest_mps, 2), d.asked_for_a_plan ? "yes" : "no"});
+                    digits(d.back_on_it_m, 2), digits(d.slowest_mps, 2), digits(d.sub_target_s, 1), d.asked_for_a_plan ? "yes" : "no"});
     write(pictures / (of.name + ".svg"), window_svg(of.setup.grid, scene_of(of, d)));
     shown += "![" + of.title + "](" + pictures_from_page + "/" + of.name + ".svg)\n\n";
   }

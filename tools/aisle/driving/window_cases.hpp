@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/geometry/pose.hpp"
+#include "tools/aisle/driving/window_svg.hpp"
 #include "tools/aisle/planning/progress.hpp"
 #include "tools/lockstep/simulation.hpp"
 
@@ -22,6 +23,8 @@ struct WindowDrive {
   lockstep::Result result;
   std::vector<geometry::Point2> driven_in_map;
   std::vector<geometry::Point2> mover_in_map;
+  std::vector<WindowScene::Aimed> sub_targets;          // where it aimed instead of along the path
+  double sub_target_s{0.0};     // for how long
   double farthest_off_m{0.0};   // from the straight line to the goal
   double back_on_it_m{0.0};     // how far off it is where it ends
   double slowest_mps{1e9};      // between the first and the last 3 m

@@ -19,6 +19,7 @@ constexpr std::size_t kOutlineEvery = 20;     // points: two seconds
 constexpr double kOutlineApartM = 0.5;        // nearer to the one before, none is drawn
 constexpr const char* kVehicle = "#0072b2";
 constexpr const char* kMover = "#d55e00";
+constexpr const char* kSubTarget = "#1b7837";
 constexpr const char* kInk = "#323f4b";
 
 struct Sheet {
@@ -76,6 +77,14 @@ std::string way(const Sheet& sheet, const std::vector<Point2>& points, double ra
   return outlines + fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\"/>\n", line, colour);
 }
 
+std::string aims(const Sheet& sheet, const WindowScene& scene) {
+  std::string text;
+  for (const WindowScene::Aimed& aimed : scene.sub_targets)
+    text += fmt::format("<path d=\"M{0:.1f} {1:.1f}L{2:.1f} {3:.1f}\" stroke=\"{4}\" stroke-width=\"0.5\" opacity=\"0.6\"/><circle cx=\"{2:.1f}\" cy=\"{3:.1f}\" r=\"2.5\" fill=\"{4}\"/>\n",
+                        sheet.x(aimed.from_in_map), sheet.y(aimed.from_in_map), sheet.x(aimed.at_in_map), sheet.y(aimed.at_in_map), kSubTarget);
+  return text;
+}
+
 std::string nearest(const Sheet& sheet, const WindowScene& scene) {
   const std::size_t moments = std::min(scene.driven_in_map.size(), scene.mover_in_map.size());
   if (moments == 0) return "";
@@ -107,6 +116,7 @@ std::string legend(const Sheet& sheet, const WindowScene& scene) {
   entry(stroke("#7b8794", "6 4"), "path");
   entry(stroke(kVehicle, "none"), "vehicle, every 2 s");
   if (!scene.mover_in_map.empty()) entry(stroke(kMover, "none"), "mover, every 2 s");
+  if (!scene.sub_targets.empty()) entry(stroke(kSubTarget, "none"), "local sub-target");
   if (!scene.boxes.empty()) entry("<rect x=\"5\" y=\"-8\" width=\"16\" height=\"16\" fill=\"#8d6e63\"/>", "box, not in the map");
   text += fmt::format("<path d=\"M{0:.1f} {1:.1f}v6h{2:.1f}v-6\" fill=\"none\" stroke=\"{3}\"/><text x=\"{4:.1f}\" y=\"{5:.1f}\" text-anchor=\"end\" fill=\"{3}\">2 m</text>\n",
                       sheet.width_px() - 10.0 - 2.0 * kPxPerM, y - 6.0, 2.0 * kPxPerM, kInk, sheet.width_px() - 18.0 - 2.0 * kPxPerM, y + 4.0);
@@ -123,6 +133,7 @@ std::string window_svg(const grid::OccupancyGrid& grid, const WindowScene& scene
   for (const WindowScene::Box& box : scene.boxes)
     body += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#8d6e63\"/>\n", sheet.x(box.low_in_map), sheet.y(box.high_in_map),
                         (box.high_in_map.x - box.low_in_map.x) * kPxPerM, (box.high_in_map.y - box.low_in_map.y) * kPxPerM);
+  body += aims(sheet, scene);
   const bool is_across = scene.mover_in_map.empty() || std::abs(scene.mover_in_map.back().y - scene.mover_in_map.front().y) > std::abs(scene.mover_in_map.back().x - scene.mover_in_map.front().x);
   const double outline_px = scene.mover_radius_m * kPxPerM;
   body += way(sheet, scene.mover_in_map, scene.mover_radius_m, kMover, is_across ? Beside{outline_px + 4.0, 4.0, "start"} : Beside{0.0, -outline_px - 4.0, "middle"});
