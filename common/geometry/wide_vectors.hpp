@@ -26,6 +26,9 @@ using WideMarks = std::int64_t __attribute__((vector_size(32)));      // -1 wher
 [[gnu::always_inline]] inline void load(const std::int64_t* from, WideMarks& to) { std::memcpy(&to, from, sizeof(to)); }
 [[gnu::always_inline]] inline void store(const Wide& from, double* to) { std::memcpy(to, &from, sizeof(from)); }
 [[gnu::always_inline]] inline void store(const WideMarks& from, std::int64_t* to) { std::memcpy(to, &from, sizeof(from)); }
-[[gnu::always_inline]] inline bool is_any(const WideMarks& marks) { return (marks[0] | marks[1] | marks[2] | marks[3]) != 0; }
+[[gnu::always_inline]] inline bool is_any(const WideMarks& marks) {
+  const auto either = __builtin_shufflevector(marks, marks, 0, 1) | __builtin_shufflevector(marks, marks, 2, 3);
+  return (either[0] | either[1]) != 0;
+}
 
 }  // namespace aisle::geometry

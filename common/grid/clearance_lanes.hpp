@@ -20,7 +20,20 @@ class ClearanceLanes {
     if (geometry::is_any(wanted & ~(clearance_m > 0.0))) find_others_m(x, y, wanted, clearance_m);
   }
 
+  /// No more than `find_m` says, and less by at most two cells: what the centre of each point's own cell has, less a cell. A third
+  /// of the work. 0 or less outside the grid and near obstacles.
+  [[gnu::always_inline]] void find_at_least_m(const geometry::Wide& x, const geometry::Wide& y, geometry::Wide& at_least_m) const {
+    using geometry::Wide;
+    const Wide u = (x - origin_x_) * cells_a_metre_, v = (y - origin_y_) * cells_a_metre_;
+    const geometry::WideMarks is_inside = (u >= 0.0) & (v >= 0.0) & (u < columns_) & (v < rows_);
+    const Cells column = __builtin_convertvector(is_inside ? u : Wide{}, Cells), row = __builtin_convertvector(is_inside ? v : Wide{}, Cells);
+    const auto index = reinterpret_cast<Indices>(row * width_ + column);
+    const Four center_m{cells_m_[index[0]], cells_m_[index[1]], cells_m_[index[2]], cells_m_[index[3]]};
+    at_least_m = is_inside ? __builtin_convertvector(center_m, Wide) - cell_m_ : Wide{};
+  }
+
  private:
+  using Four = float __attribute__((vector_size(16)));
   using Cells = std::int32_t __attribute__((vector_size(16)));
   using Indices = std::uint32_t __attribute__((vector_size(16)));
   using Corners = float __attribute__((vector_size(32)));     // pairs of left and right
@@ -70,6 +83,7 @@ class ClearanceLanes {
   std::int32_t width_;
   double origin_x_, origin_y_, cell_m_;
   double last_u_, last_v_;                  // the last centres, in cells from the first
+  double cells_a_metre_, columns_, rows_;
 };
 
 }  // namespace aisle::grid

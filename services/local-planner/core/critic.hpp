@@ -1,21 +1,33 @@
 #pragma once
+#include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "common/geometry/pose.hpp"
+#include "services/local-planner/core/side_by_side.hpp"
 
 namespace aisle::local_planner {
 
-/// One admissible (v, w) with what its trajectory meets, as critics see it.
-struct Sample {
-  geometry::Twist2 twist;
-  geometry::Pose2 look_in_map;      // where it is after the heading time
-  geometry::Point2 end_in_map;      // where it is at the horizon
-  double wall_gap_m{0.0};           // least distance to walls, vehicle's radius taken off, at the cap at most
-  double mover_gap_m{0.0};          // the same to predicted tracks and peers, margins taken off
-  double standing_gap_m{0.0};       // to tracks that stand, radii taken off
-  double moving_gap_m{0.0};         // to people and peers where they will be at that time, radii taken off
-  double path_distance_m{0.0};      // mean distance of the trajectory to the way; 0 where the variant does not ask for it
+enum class Obstruction { kNone, kWall, kMover, kPeer };
+
+/// Side by side as many (v, w) as there are lanes, with what their trajectories meet. Of one that moves and collides with a wall no more
+/// than that is known. Not filled by itself; with fewer samples than lanes the last one stands in the others too.
+struct Samples {
+  alignas(32) Lane linear_mps, angular_radps, sideways_mps;
+  alignas(32) Lane look_x_m, look_y_m, look_yaw_rad;          // where it is in map after the heading time; yaw within [-pi, pi]
+  alignas(32) Lane end_x_m, end_y_m;                          // where it is in map at the horizon
+  alignas(32) Lane wall_gap_m;          // least distance to walls, vehicle's radius taken off, at the cap at most
+  alignas(32) Lane mover_gap_m;         // the same to predicted tracks and peers, margins taken off
+  alignas(32) Lane standing_gap_m;      // to tracks that stand, radii taken off
+  alignas(32) Lane moving_gap_m;        // to people and peers where they will be at that time, radii taken off
+  alignas(32) Lane path_distance_m;     // mean distance of the trajectory to the way; 0 where the variant does not ask for it
+  std::size_t count;                    // of samples
+  std::array<bool, kLanes> moves;       // some point of the vehicle, faster than 0.05 m/s
+  std::array<Obstruction, kLanes> collides;
+
+  Samples() {}                          // a cycle has many of them, and writes every one
+  geometry::Twist2 twist(std::size_t i) const { return {linear_mps[i], angular_radps[i], sideways_mps[i]}; }
 };
 
 /// What a cycle aims at.
@@ -31,18 +43,18 @@ struct Aim {
   double walls_s{1e9};              // walls are looked at for so long, at most to the horizon: beyond the target no arc is what will be driven
 };
 
-/// Scores are >= 0 and higher is better. They are divided by their sum over the admissible samples before weighting
-/// (the papers' smoothing), so weights mean the same for every vehicle.
-using Critic = double (*)(const Sample&, const Aim&);
+/// Writes a score for each lane. Scores are >= 0 and higher is better. They are divided by their sum over the admissible samples before
+/// weighting (the papers' smoothing), so weights mean the same for every vehicle.
+using Critic = void (*)(const Samples& samples, const Aim& aim, Lane& scores);
 
-double heading_critic(const Sample& sample, const Aim& aim);               // C1
-double clearance_critic(const Sample& sample, const Aim& aim);             // C2
-double velocity_critic(const Sample& sample, const Aim& aim);              // C3
-double sub_target_heading_critic(const Sample& sample, const Aim& aim);    // C4
-double path_distance_critic(const Sample& sample, const Aim& aim);         // C5
-double sub_target_distance_critic(const Sample& sample, const Aim& aim);   // C6
-double static_clearance_critic(const Sample& sample, const Aim& aim);      // C7
-double dynamic_clearance_critic(const Sample& sample, const Aim& aim);     // C8
+void heading_critic(const Samples& samples, const Aim& aim, Lane& scores);               // C1
+void clearance_critic(const Samples& samples, const Aim& aim, Lane& scores);             // C2
+void velocity_critic(const Samples& samples, const Aim& aim, Lane& scores);              // C3
+void sub_target_heading_critic(const Samples& samples, const Aim& aim, Lane& scores);    // C4
+void path_distance_critic(const Samples& samples, const Aim& aim, Lane& scores);         // C5
+void sub_target_distance_critic(const Samples& samples, const Aim& aim, Lane& scores);   // C6
+void static_clearance_critic(const Samples& samples, const Aim& aim, Lane& scores);      // C7
+void dynamic_clearance_critic(const Samples& samples, const Aim& aim, Lane& scores);     // C8
 
 struct WeightedCritic {
   Critic score;

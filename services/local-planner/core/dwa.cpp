@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
+#include <optional>
 #include <vector>
 
+#include "common/geometry/wide_vectors.hpp"
 #include "common/kinematics/tricycle.hpp"
 
 namespace aisle::local_planner {
 namespace {
 
 using geometry::Twist2;
-
-constexpr double kStandingMps = 0.05;
 
 std::vector<double> spread(double low, double high, int count) {
   std::vector<double> values;
@@ -21,21 +22,49 @@ std::vector<double> spread(double low, double high, int count) {
   return values;
 }
 
-/// @pre not empty
-const Sample& best_of(const std::vector<const Sample*>& samples, const Aim& aim, const Variant& variant) {
-  const std::size_t critics = variant.critics.size();
-  std::vector<double> scores(samples.size() * critics), factors(critics, 0.0);
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    for (std::size_t c = 0; c < critics; ++c) factors[c] += scores[i * critics + c] = variant.critics[c].score(*samples[i], aim);
-  for (std::size_t c = 0; c < critics; ++c) factors[c] = factors[c] > 0.0 ? variant.critics[c].weight * static_cast<double>(samples.size()) / factors[c] : 0.0;
-  std::size_t best = 0;
-  double most = -1.0;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    double total = 0.0;
-    for (std::size_t c = 0; c < critics; ++c) total += factors[c] * scores[i * critics + c];
-    if (total > most) best = i, most = total;
+/// 1 for each sample that may be taken, 0 for the others: standing may always be.
+std::vector<Lane> admit(const std::vector<Samples>& all, Choice& choice) {
+  std::vector<Lane> admitted(all.size());
+  for (std::size_t b = 0; b < all.size(); ++b)
+    for (std::size_t i = 0; i < all[b].count; ++i) {
+      const bool is_rejected = all[b].moves[i] && all[b].collides[i] != Obstruction::kNone;
+      if (is_rejected) ++choice.rejected[static_cast<int>(all[b].collides[i])];
+      else if (all[b].moves[i]) ++choice.moving;
+      admitted[b][i] = is_rejected ? 0.0 : 1.0;
+    }
+  return admitted;
+}
+
+/// To `sums`, lane by lane, what of `values` is admitted.
+AISLE_WIDE_VECTORS void add(const Lane& values, const Lane& admitted, Lane& sums) {
+  for (std::size_t i = 0; i < kLanes; ++i) sums[i] += admitted[i] * values[i];
+}
+
+AISLE_WIDE_VECTORS void add(const Lane& values, double factor, Lane& sums) {
+  for (std::size_t i = 0; i < kLanes; ++i) sums[i] += factor * values[i];
+}
+
+/// The admitted sample with the greatest sum of weighted scores, counted over all lanes; the first of them. None where none is admitted.
+std::optional<std::size_t> best_of(const std::vector<Samples>& all, const std::vector<Lane>& admitted, const Aim& aim, const Variant& variant) {
+  Lane count{};
+  for (const Lane& lanes : admitted) add(lanes, 1.0, count);
+  const double samples = std::accumulate(count.begin(), count.end(), 0.0);
+  std::vector<Lane> totals(all.size()), scores(all.size());
+  for (const WeightedCritic& critic : variant.critics) {
+    Lane sums{};
+    for (std::size_t b = 0; b < all.size(); ++b) {
+      critic.score(all[b], aim, scores[b]);
+      add(scores[b], admitted[b], sums);
+    }
+    const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
+    for (std::size_t b = 0; sum > 0.0 && b < all.size(); ++b) add(scores[b], critic.weight * samples / sum, totals[b]);
   }
-  return *samples[best];
+  std::optional<std::size_t> best;
+  double most = -1.0;
+  for (std::size_t b = 0; b < all.size(); ++b)
+    for (std::size_t i = 0; i < kLanes; ++i)
+      if (admitted[b][i] > 0.0 && totals[b][i] > most) best = b * kLanes + i, most = totals[b][i];
+  return best;
 }
 
 /// Turn rates at this speed: those that the window reaches, straight on among them; of a tricycle those that its wheel can be steered to
@@ -98,24 +127,16 @@ Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const 
     if (stopping[i] == Obstruction::kNone) stoppable.push_back(wanted[i]);
     else ++choice.rejected[static_cast<int>(stopping[i])];
   }
-  const std::vector<Rollout> rollouts = roll_out(scene, needed, stoppable, aim, settings);
-  std::vector<const Sample*> samples;
-  samples.reserve(rollouts.size());
-  for (const Rollout& rollout : rollouts) {
-    const bool moves = fastest_point_mps(scene, rollout.sample.twist) > kStandingMps;
-    if (moves && rollout.collides != Obstruction::kNone) {
-      ++choice.rejected[static_cast<int>(rollout.collides)];
-      continue;
-    }
-    if (moves) ++choice.moving;
-    samples.push_back(&rollout.sample);
-  }
-  if (samples.empty()) return choice;
-  const Sample& best = best_of(samples, aim, variant);
+  const std::vector<Samples> all = roll_out(scene, needed, stoppable, aim, settings);
+  const std::vector<Lane> admitted = admit(all, choice);
+  const std::optional<std::size_t> best = best_of(all, admitted, aim, variant);
+  if (!best) return choice;
+  const Samples& samples = all[*best / kLanes];
+  const std::size_t lane = *best % kLanes;
   choice.found = true;
-  choice.twist = best.twist;
-  choice.wall_gap_m = best.wall_gap_m;
-  choice.mover_gap_m = best.mover_gap_m;
+  choice.twist = samples.twist(lane);
+  choice.wall_gap_m = samples.wall_gap_m[lane];
+  choice.mover_gap_m = samples.mover_gap_m[lane];
   return choice;
 }
 

@@ -31,8 +31,10 @@ double swing_m(const Scene& scene) {
 Lanes::Lanes(const Pose2& base_in_map) {
   x.fill(base_in_map.x);
   y.fill(base_in_map.y);
-  cos_yaw.fill(std::cos(base_in_map.yaw));
-  sin_yaw.fill(std::sin(base_in_map.yaw));
+  cos_chord_.fill(std::cos(base_in_map.yaw));
+  sin_chord_.fill(std::sin(base_in_map.yaw));
+  cos_half_.fill(1.0);
+  sin_half_.fill(0.0);
 }
 
 AISLE_WIDE_VECTORS void Lanes::set_steps(const Lane& linear_mps, const Lane& angular_radps, const Lane& sideways_mps, double dt_s) {
@@ -41,50 +43,61 @@ AISLE_WIDE_VECTORS void Lanes::set_steps(const Lane& linear_mps, const Lane& ang
   for (std::size_t i = 0; i < kLanes; ++i) {
     const double half = 0.5 * angular_radps[i] * dt_s;
     const double h2 = half * half;
-    cos_half[i] = 1.0 - 0.5 * h2 + h2 * h2 / 24.0;
-    sin_half[i] = half * (1.0 - h2 / 6.0 + h2 * h2 / 120.0);
-    ahead_m[i] = linear_mps[i] * dt_s * (1.0 - h2 / 6.0);
-    left_m[i] = sideways_mps[i] * dt_s * (1.0 - h2 / 6.0);
+    cos_turn_[i] = 1.0 - 0.5 * h2 + h2 * h2 / 24.0;
+    sin_turn_[i] = half * (1.0 - h2 / 6.0 + h2 * h2 / 120.0);
+    ahead_m_[i] = linear_mps[i] * dt_s * (1.0 - h2 / 6.0);
+    left_m_[i] = sideways_mps[i] * dt_s * (1.0 - h2 / 6.0);
     turns_far += std::abs(half) >= kSeriesRad ? 1 : 0;
     sideways += sideways_mps[i] != 0.0 ? 1 : 0;
   }
   goes_sideways_ = sideways > 0;
-  if (turns_far == 0) return;
-  for (std::size_t i = 0; i < kLanes; ++i) {
+  for (std::size_t i = 0; turns_far > 0 && i < kLanes; ++i) {
     const double half = 0.5 * angular_radps[i] * dt_s;
-    if (std::abs(half) >= kSeriesRad) cos_half[i] = std::cos(half), sin_half[i] = std::sin(half);
+    if (std::abs(half) >= kSeriesRad) cos_turn_[i] = std::cos(half), sin_turn_[i] = std::sin(half);
+  }
+  aim_chords();
+}
+
+/// From chords that point half the last step's turn from the heading to such as point half the next one's, of which `turn` holds the half.
+AISLE_WIDE_VECTORS void Lanes::aim_chords() {
+  for (std::size_t i = 0; i < kLanes; ++i) {
+    const double cos_yaw = cos_half_[i] * cos_chord_[i] + sin_half_[i] * sin_chord_[i];
+    const double sin_yaw = cos_half_[i] * sin_chord_[i] - sin_half_[i] * cos_chord_[i];
+    const double c = cos_turn_[i], s = sin_turn_[i];
+    cos_chord_[i] = c * cos_yaw - s * sin_yaw;
+    sin_chord_[i] = s * cos_yaw + c * sin_yaw;
+    cos_half_[i] = c;
+    sin_half_[i] = s;
+    cos_turn_[i] = c * c - s * s;
+    sin_turn_[i] = 2.0 * s * c;
   }
 }
 
-/// Along the arc's chord, which points half the turn to the side.
 AISLE_WIDE_VECTORS void Lanes::step() {
   if (goes_sideways_) return step_sideways();
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const double c = cos_half[i] * cos_yaw[i] - sin_half[i] * sin_yaw[i];
-    const double s = sin_half[i] * cos_yaw[i] + cos_half[i] * sin_yaw[i];
-    x[i] = x[i] + ahead_m[i] * c;
-    y[i] = y[i] + ahead_m[i] * s;
-    cos_yaw[i] = cos_half[i] * c - sin_half[i] * s;
-    sin_yaw[i] = sin_half[i] * c + cos_half[i] * s;
+    const double c = cos_chord_[i], s = sin_chord_[i];
+    x[i] = x[i] + ahead_m_[i] * c;
+    y[i] = y[i] + ahead_m_[i] * s;
+    cos_chord_[i] = cos_turn_[i] * c - sin_turn_[i] * s;
+    sin_chord_[i] = sin_turn_[i] * c + cos_turn_[i] * s;
   }
 }
 
 AISLE_WIDE_VECTORS void Lanes::step_sideways() {
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const double c = cos_half[i] * cos_yaw[i] - sin_half[i] * sin_yaw[i];
-    const double s = sin_half[i] * cos_yaw[i] + cos_half[i] * sin_yaw[i];
-    x[i] = x[i] + ahead_m[i] * c - left_m[i] * s;
-    y[i] = y[i] + ahead_m[i] * s + left_m[i] * c;
-    cos_yaw[i] = cos_half[i] * c - sin_half[i] * s;
-    sin_yaw[i] = sin_half[i] * c + cos_half[i] * s;
+    const double c = cos_chord_[i], s = sin_chord_[i];
+    x[i] = x[i] + ahead_m_[i] * c - left_m_[i] * s;
+    y[i] = y[i] + ahead_m_[i] * s + left_m_[i] * c;
+    cos_chord_[i] = cos_turn_[i] * c - sin_turn_[i] * s;
+    sin_chord_[i] = sin_turn_[i] * c + cos_turn_[i] * s;
   }
 }
 
 AISLE_WIDE_VECTORS void Lanes::find_yaws_rad(Lane& yaw_rad) const {
   for (std::size_t first = 0; first < kLanes; first += kWide) {
     Wide s, c, bearing_rad;
-    load(&sin_yaw[first], s);
-    load(&cos_yaw[first], c);
+    find_headings(first, c, s);
     geometry::find_bearing_rad(s, c, bearing_rad);
     store(bearing_rad, &yaw_rad[first]);
   }
@@ -131,9 +144,12 @@ AISLE_WIDE_VECTORS void Outlines::place() {
     return;
   }
   for (std::size_t disc = 0; disc < count(); ++disc) {
-    const double ahead_m = scene_.discs_ahead_m[disc];
-    for (std::size_t i = 0; i < kLanes; ++i)
-      off_x_[disc][i] = lanes_->x[i] + ahead_m * lanes_->cos_yaw[i], off_y_[disc][i] = lanes_->y[i] + ahead_m * lanes_->sin_yaw[i];
+    for (std::size_t first = 0; first < kLanes; first += kWide) {
+      Wide x, y;
+      find_centers(disc, first, x, y);
+      store(x, &off_x_[disc][first]);
+      store(y, &off_y_[disc][first]);
+    }
     x_[disc] = off_x_[disc].data();
     y_[disc] = off_y_[disc].data();
   }
@@ -160,24 +176,22 @@ constexpr double kFarM = 1e9;
 
 }  // namespace
 
-WallWatch::WallWatch(const Outlines& outlines, double enough_m) : radius_m_(outlines.radius_m()), enough_m_(enough_m) {
+WallWatch::WallWatch(const Outlines& outlines, const DiscGaps& gaps_m, double enough_m) : radius_m_(outlines.radius_m()), enough_m_(enough_m) {
   driven_m_.fill(0.0);
-  enough_until_m_.fill(-kFarM);
+  enough_until_m_.fill(*std::min_element(gaps_m.begin(), gaps_m.end()) - enough_m);
   least_m_.fill(enough_m);
-  for (std::size_t disc = 0; disc < outlines.count(); ++disc) far_until_m_[disc].fill(-kFarM);
+  for (std::size_t disc = 0; disc < outlines.count(); ++disc) far_until_m_[disc].fill(gaps_m[disc] - enough_m);
 }
 
 void WallWatch::leave(std::size_t lane) { enough_until_m_[lane] = kFarM; }
 
 bool WallWatch::look(const Outlines& outlines, const Lane& driven_m) {
-  if (!drive_on(driven_m)) return false;
-  list_unknown();
-  return look_at_unknown(outlines);
+  drive_on(driven_m);
+  return unknown_count_ > 0 && look_at_unknown(outlines);
 }
 
-/// Returns whether a lane has no longer surely enough.
-AISLE_WIDE_VECTORS bool WallWatch::drive_on(const Lane& driven_m) {
-  WideMarks is_unknown{};
+AISLE_WIDE_VECTORS void WallWatch::drive_on(const Lane& driven_m) {
+  unknown_count_ = 0;
   for (std::size_t first = 0; first < kLanes; first += kWide) {
     Wide so_far_m, step_m, until_m;
     load(&driven_m_[first], so_far_m);
@@ -185,17 +199,6 @@ AISLE_WIDE_VECTORS bool WallWatch::drive_on(const Lane& driven_m) {
     load(&enough_until_m_[first], until_m);
     so_far_m += step_m;
     store(so_far_m, &driven_m_[first]);
-    is_unknown |= so_far_m > until_m;
-  }
-  return is_any(is_unknown);
-}
-
-AISLE_WIDE_VECTORS void WallWatch::list_unknown() {
-  unknown_count_ = 0;
-  for (std::size_t first = 0; first < kLanes; first += kWide) {
-    Wide so_far_m, until_m;
-    load(&driven_m_[first], so_far_m);
-    load(&enough_until_m_[first], until_m);
     unknown_[unknown_count_] = first;       // without a branch, which nobody could predict
     unknown_count_ += is_any(so_far_m > until_m) ? 1 : 0;
   }
@@ -214,16 +217,18 @@ AISLE_WIDE_VECTORS bool WallWatch::look_at_unknown(const Outlines& outlines) {
     load(&enough_until_m_[first], enough_until_m);
     load(&least_m_[first], least_m);
     const WideMarks is_asked = enough_until_m < kFarM;
+    const bool is_near_already = is_any(is_asked & (least_m < enough_m_));
     for (std::size_t disc = 0; disc < discs; ++disc) {
       Wide x, y, found_m, far_until_m;
       load(&far_until_m_[disc][first], far_until_m);
       if (is_any(is_asked & (driven_m > far_until_m))) {
         outlines.find_centers(disc, first, x, y);
-        clearance.find_m(x, y, is_asked, found_m);
+        if (!is_near_already) clearance.find_at_least_m(x, y, found_m);
+        if (is_near_already || is_any(is_asked & (found_m - radius_m_ < least_m))) clearance.find_m(x, y, is_asked, found_m);
         const Wide gap_m = found_m - radius_m_;
         is_near |= is_asked & (gap_m < enough_m_);
         least_m = is_asked & (gap_m < least_m) ? gap_m : least_m;
-        far_until_m = driven_m + (gap_m - enough_m_);
+        far_until_m = driven_m + (gap_m - least_m);
         store(far_until_m, &far_until_m_[disc][first]);
       }
       nearest_until_m = far_until_m < nearest_until_m ? far_until_m : nearest_until_m;

@@ -5,16 +5,9 @@
 
 #include "common/geometry/wide_vectors.hpp"
 #include "services/local-planner/core/rollout.hpp"
+#include "services/local-planner/core/side_by_side.hpp"
 
 namespace aisle::local_planner {
-
-/// So many samples are rolled out side by side, in arrays that compilers make vectors of.
-inline constexpr std::size_t kLanes = 32;
-using Lane = std::array<double, kLanes>;
-
-/// By value, which loops over lanes need to become vectors; std::min takes references.
-inline double least(double a, double b) { return b < a ? b : a; }
-inline double most(double a, double b) { return a < b ? b : a; }
 
 /// Length of the velocity of the base, m/s.
 double speed_of(const geometry::Twist2& twist);
@@ -22,20 +15,34 @@ double speed_of(const geometry::Twist2& twist);
 double swing_m(const Scene& scene);
 
 /// Poses with their headings as unit vectors, each stepping along an arc of its own. Stepping them costs no call of libm.
-struct Lanes {
+class Lanes {
+ public:
   alignas(32) Lane x, y;                    // in map
-  alignas(32) Lane cos_yaw, sin_yaw;
-  alignas(32) Lane cos_half, sin_half;      // of half a step's turn
-  alignas(32) Lane ahead_m, left_m;         // the step's chord, in the direction of half its turn
 
   explicit Lanes(const geometry::Pose2& base_in_map);
   /// The twists of the steps from now on.
   void set_steps(const Lane& linear_mps, const Lane& angular_radps, const Lane& sideways_mps, double dt_s);
   void step();
   void find_yaws_rad(Lane& yaw_rad) const;
+  /// Of four lanes, `first` and the next.
+  [[gnu::always_inline]] void find_headings(std::size_t first, geometry::Wide& cos_yaw, geometry::Wide& sin_yaw) const {
+    geometry::Wide cos_chord, sin_chord, cos_half, sin_half;
+    geometry::load(&cos_chord_[first], cos_chord);
+    geometry::load(&sin_chord_[first], sin_chord);
+    geometry::load(&cos_half_[first], cos_half);
+    geometry::load(&sin_half_[first], sin_half);
+    cos_yaw = cos_half * cos_chord + sin_half * sin_chord;
+    sin_yaw = cos_half * sin_chord - sin_half * cos_chord;
+  }
 
  private:
+  void aim_chords();
   void step_sideways();
+
+  alignas(32) Lane cos_chord_, sin_chord_;  // the direction of the next step's chord: the heading, and half the step's turn
+  alignas(32) Lane cos_half_, sin_half_;    // of half a step's turn
+  alignas(32) Lane cos_turn_, sin_turn_;    // of all of it
+  alignas(32) Lane ahead_m_, left_m_;       // the chord
   bool goes_sideways_{false};
 };
 
@@ -60,11 +67,11 @@ class Outlines {
   const grid::ClearanceField& clearance() const { return scene_.clearance; }
   /// One disc's centres in four lanes, `first` and the next.
   [[gnu::always_inline]] void find_centers(std::size_t disc, std::size_t first, geometry::Wide& x, geometry::Wide& y) const {
-    geometry::Wide cos_yaw, sin_yaw;
     geometry::load(&lanes_->x[first], x);
     geometry::load(&lanes_->y[first], y);
-    geometry::load(&lanes_->cos_yaw[first], cos_yaw);
-    geometry::load(&lanes_->sin_yaw[first], sin_yaw);
+    if (is_disc_) return;
+    geometry::Wide cos_yaw, sin_yaw;
+    lanes_->find_headings(first, cos_yaw, sin_yaw);
     const double ahead_m = scene_.discs_ahead_m[disc];
     x = x + ahead_m * cos_yaw;
     y = y + ahead_m * sin_yaw;
@@ -85,8 +92,9 @@ class Outlines {
 /// at most what was driven. Of several discs only those are looked up that can be too near.
 class WallWatch {
  public:
+  /// @param gaps_m of the vehicle's discs, where all samples begin
   /// @param enough_m gaps that are as wide are not asked for
-  WallWatch(const Outlines& outlines, double enough_m);
+  WallWatch(const Outlines& outlines, const DiscGaps& gaps_m, double enough_m);
   /// One step on. Returns whether some gap is less than enough.
   bool look(const Outlines& outlines, const Lane& driven_m);
   /// The least gap of each vehicle's outline that was seen so far; enough where there always was enough.
@@ -95,8 +103,7 @@ class WallWatch {
   void leave(std::size_t lane);
 
  private:
-  bool drive_on(const Lane& driven_m);
-  void list_unknown();
+  void drive_on(const Lane& driven_m);
   bool look_at_unknown(const Outlines& outlines);
 
   double radius_m_, enough_m_;

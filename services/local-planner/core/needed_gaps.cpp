@@ -39,10 +39,12 @@ double Mover::reach_m(double t_s) const {
 
 double fastest_point_mps(const Scene& scene, const geometry::Twist2& twist) { return std::max(speed_of(twist), swing_m(scene) * std::abs(twist.angular_radps)); }
 
-double wall_gap_m(const Scene& scene) {
-  double least = 1e18;
-  for (const Point2 p : centers_in_map(scene)) least = std::min(least, scene.clearance.clearance_m(p));
-  return least - scene.radius_m;
+DiscGaps wall_gaps_m(const Scene& scene) {
+  DiscGaps gaps_m;
+  gaps_m.fill(1e18);
+  const std::vector<Point2> centers = centers_in_map(scene);
+  for (std::size_t i = 0; i < centers.size(); ++i) gaps_m[i] = scene.clearance.clearance_m(centers[i]) - scene.radius_m;
+  return gaps_m;
 }
 
 Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
@@ -51,7 +53,8 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
   const double stopping_m = v * settings.step_s + kinematics::stopping_distance_m(v, settings.braking_share * scene.limits.max_deceleration_mps2);
   const double stopping_s = settings.step_s + v / (settings.braking_share * scene.limits.max_deceleration_mps2);
   Needed needed;
-  needed.wall = std::min(settings.wall_margin_m, wall_gap_m(scene));
+  needed.wall_gaps_m = wall_gaps_m(scene);
+  needed.wall = std::min(settings.wall_margin_m, *std::min_element(needed.wall_gaps_m.begin(), needed.wall_gaps_m.end()));
   for (const PeerMotion& peer : scene.peers) {
     const double gap = least_distance(here, peer.stopping_in_map) - scene.radius_m - peer.radius_m;
     if (gap < settings.peer_margin_m + stopping_m) needed.peers.emplace_back(&peer, std::min(settings.peer_margin_m, gap));

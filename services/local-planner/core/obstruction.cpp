@@ -22,7 +22,7 @@ class Braking {
  public:
   Braking(const Scene& scene, const Needed& needed, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
       : scene_(scene), needed_(needed), dt_(settings.step_s), braking_mps2_(settings.braking_share * scene.limits.max_deceleration_mps2),
-        swing_(swing_m(scene)), count_(count), left_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(outlines_, needed.wall), twists_(scene.twist) {
+        swing_(swing_m(scene)), count_(count), left_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(outlines_, needed.wall_gaps_m, needed.wall), twists_(scene.twist) {
     is_done_.fill(false);
     take_up(TwistLanes(wanted, count));
     was_ = speed_;

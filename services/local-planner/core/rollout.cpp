@@ -12,9 +12,10 @@ namespace aisle::local_planner {
 namespace {
 
 using geometry::Point2;
+using geometry::Pose2;
 using geometry::Twist2;
 
-constexpr double kFarM = 1e9;
+constexpr double kStandingMps = 0.05;
 constexpr int kPathEvery = 4;             // steps; of a smooth trajectory that is enough
 
 /// Somebody at one step, who may come near to some sample.
@@ -54,44 +55,57 @@ ForeseenByStep foresee(const Scene& scene, const Needed& needed, const std::vect
   return by_step;
 }
 
+/// The way as seen from the base, in axes of the map: near enough for single precision, of which twice as many fit into a vector.
+struct NearPoint {
+  float x_m, y_m;
+};
+using NearPath = std::vector<std::array<NearPoint, 4>>;      // each pass over the lanes costs loads and stores
+
+NearPath near_path(const std::vector<Point2>& path_in_map, const Pose2& base_in_map) {
+  NearPath path((path_in_map.size() + 3) / 4);
+  for (std::size_t i = 0; i < 4 * path.size(); ++i) {
+    const Point2 p = path_in_map[std::min(i, path_in_map.size() - 1)] - base_in_map.position();
+    path[i / 4][i % 4] = {static_cast<float>(p.x), static_cast<float>(p.y)};
+  }
+  return path;
+}
+
 /// A bundle of samples: from the twist in force towards theirs, then on with it.
 class Bundle {
  public:
-  Bundle(const Scene& scene, const ForeseenByStep& foreseen, const Aim& aim, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
-      : scene_(scene), foreseen_(foreseen), aim_(aim), dt_(settings.step_s), look_(static_cast<int>(std::lround(settings.heading_s / dt_))),
-        walls_until_(static_cast<int>(std::ceil(std::min(aim.walls_s, settings.horizon_s) / dt_ - 1e-9))),
-        swing_(swing_m(scene)), least_wall_m_(std::min(0.0, wall_gap_m(scene))), count_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(outlines_, aim.wall_cap_m),
-        wanted_(wanted, count), twists_(scene.twist), steering_(scene.limits, scene.steering_rad, wanted_) {
-    mover_m_.fill(aim.mover_cap_m);
-    standing_m_.fill(aim.mover_cap_m);
-    moving_m_.fill(aim.mover_cap_m);
-    path_m_.fill(0.0);
+  Bundle(const Scene& scene, const Needed& needed, const ForeseenByStep& foreseen, const NearPath& path, const Aim& aim, const DwaSettings& settings, const Twist2* wanted,
+         Samples& out)
+      : scene_(scene), foreseen_(foreseen), path_(path), dt_(settings.step_s), look_(static_cast<int>(std::lround(settings.heading_s / dt_))),
+        walls_until_(static_cast<int>(std::ceil(std::min(aim.walls_s, settings.horizon_s) / dt_ - 1e-9))), swing_(swing_m(scene)),
+        least_wall_m_(std::min(0.0, needed.wall)), out_(out), lanes_(scene.base_in_map), outlines_(scene), walls_(outlines_, needed.wall_gaps_m, aim.wall_cap_m),
+        wanted_(wanted, out.count), twists_(scene.twist), steering_(scene.limits, scene.steering_rad, wanted_) {
+    out_.linear_mps = wanted_.linear_mps, out_.angular_radps = wanted_.angular_radps, out_.sideways_mps = wanted_.sideways_mps;
+    out_.mover_gap_m.fill(aim.mover_cap_m);
+    out_.standing_gap_m.fill(aim.mover_cap_m);
+    out_.moving_gap_m.fill(aim.mover_cap_m);
+    out_.path_distance_m.fill(0.0);
+    out_.look_x_m.fill(scene.base_in_map.x), out_.look_y_m.fill(scene.base_in_map.y), out_.look_yaw_rad.fill(geometry::wrap(scene.base_in_map.yaw));
     hit_.fill(static_cast<double>(Obstruction::kNone));
-    looks_in_map_.fill(scene.base_in_map);
-    is_done_.fill(false);
+    out_.collides.fill(Obstruction::kNone);
+    for (std::size_t i = 0; i < kLanes; ++i) out_.moves[i] = std::max(speed_of(wanted_.at(i)), swing_ * std::abs(wanted_.angular_radps[i])) > kStandingMps;
   }
 
-  void run(Rollout* out) {
+  void run() {
     const int steps = static_cast<int>(foreseen_.size()) - 1;
     for (int k = 1; k <= steps && left_ > 0; ++k) {
       if (is_changing_) follow(k);
       lanes_.step();
       outlines_.follow(lanes_);
-      if (k <= walls_until_) meet_walls(out);
+      if (k <= walls_until_) meet_walls();
       meet(foreseen_[static_cast<std::size_t>(k)]);
       if (k == look_) look_around();
-      if (!aim_.path_in_map.empty() && k % kPathEvery == 0) compare_with_path();
+      if (!path_.empty() && k % kPathEvery == 0) compare_with_path();
     }
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (is_done_[i]) continue;
-      out[i] = so_far(i, static_cast<Obstruction>(static_cast<int>(hit_[i])));
-      out[i].sample.end_in_map = {lanes_.x[i], lanes_.y[i]};
-      if (path_looks_ > 0) out[i].sample.path_distance_m = path_m_[i] / path_looks_;
-    }
+    finish();
   }
 
  private:
-  /// Twists change until they are what is wanted, or nothing comes nearer to it any more.
+/// Twists change until they are what is wanted, or nothing comes nearer to it any more.
   void follow(int k) {
     is_changing_ = k == 1;
     const TwistLanes before = twists_;
@@ -112,24 +126,21 @@ class Bundle {
 
   /// Where each vehicle is after the heading time.
   void look_around() {
-    Lane yaw_rad;
-    lanes_.find_yaws_rad(yaw_rad);
-    for (std::size_t i = 0; i < count_; ++i)
-      if (!is_done_[i]) looks_in_map_[i] = {lanes_.x[i], lanes_.y[i], yaw_rad[i]};
+    out_.look_x_m = lanes_.x, out_.look_y_m = lanes_.y;
+    lanes_.find_yaws_rad(out_.look_yaw_rad);
   }
 
-  void meet_walls(Rollout* out) {
+  void meet_walls() {
     if (!walls_.look(outlines_, driven_m_)) return;
     const Lane& gaps = walls_.least_gaps_m();
-    if (count_less(gaps, least_wall_m_) == done_) return;
+    if (count_less(gaps, least_wall_m_) == at_walls_) return;
     for (std::size_t i = 0; i < kLanes; ++i) {
-      if (gaps[i] >= least_wall_m_ || is_done_[i]) continue;
-      is_done_[i] = true;
-      ++done_;
+      if (gaps[i] >= least_wall_m_ || out_.collides[i] == Obstruction::kWall) continue;
+      out_.collides[i] = Obstruction::kWall;
+      ++at_walls_;
+      if (!out_.moves[i]) continue;
       walls_.leave(i);
-      if (i >= count_) continue;
-      out[i] = so_far(i, Obstruction::kWall);
-      --left_;
+      if (i < out_.count) --left_;
     }
   }
 
@@ -146,7 +157,7 @@ class Bundle {
     for (const Foreseen& whom : all) {
       if (box.distance2(whom.there_in_map) >= whom.reach_m * whom.reach_m) continue;
       outlines_.distances2_to(whom.there_in_map, squared);
-      meet(whom, squared, whom.stands ? standing_m_ : moving_m_);
+      meet(whom, squared, whom.stands ? out_.standing_gap_m : out_.moving_gap_m);
     }
   }
 
@@ -160,64 +171,65 @@ class Bundle {
     Lane distance;
     for (std::size_t i = 0; i < kLanes; ++i) distance[i] = std::sqrt(squared[i]) - own_m - its_m;
     for (std::size_t i = 0; i < kLanes; ++i) gap_of_kind[i] = least(gap_of_kind[i], distance[i]);
-    for (std::size_t i = 0; i < kLanes; ++i) mover_m_[i] = least(mover_m_[i], distance[i] - margin_m - growth_m);
+    for (std::size_t i = 0; i < kLanes; ++i) out_.mover_gap_m[i] = least(out_.mover_gap_m[i], distance[i] - margin_m - growth_m);
     for (std::size_t i = 0; i < kLanes; ++i) hit_[i] = distance[i] < 0.0 ? kind : hit_[i];
   }
 
   AISLE_WIDE_VECTORS void compare_with_path() {
-    constexpr std::size_t kTogether = 4;    // points; each pass over the lanes costs loads and stores
-    const std::vector<Point2>& path = aim_.path_in_map;
-    const auto at = [&](std::size_t j) { return path[std::min(j, path.size() - 1)]; };
-    Lane nearest;
-    nearest.fill(kFarM * kFarM);
-    for (std::size_t first = 0; first < path.size(); first += kTogether) {
-      const Point2 a = at(first), b = at(first + 1), c = at(first + 2), d = at(first + 3);
+    std::array<float, kLanes> x_m, y_m, nearest_m2;
+    for (std::size_t i = 0; i < kLanes; ++i) x_m[i] = static_cast<float>(lanes_.x[i] - scene_.base_in_map.x), y_m[i] = static_cast<float>(lanes_.y[i] - scene_.base_in_map.y);
+    nearest_m2.fill(1e30F);
+    for (const auto& [a, b, c, d] : path_) {
       for (std::size_t i = 0; i < kLanes; ++i) {
-        const double x = lanes_.x[i], y = lanes_.y[i];
-        const double to_a = (x - a.x) * (x - a.x) + (y - a.y) * (y - a.y), to_b = (x - b.x) * (x - b.x) + (y - b.y) * (y - b.y);
-        const double to_c = (x - c.x) * (x - c.x) + (y - c.y) * (y - c.y), to_d = (x - d.x) * (x - d.x) + (y - d.y) * (y - d.y);
-        nearest[i] = least(nearest[i], least(least(to_a, to_b), least(to_c, to_d)));
+        const float to_a = squared(x_m[i] - a.x_m, y_m[i] - a.y_m), to_b = squared(x_m[i] - b.x_m, y_m[i] - b.y_m);
+        const float to_c = squared(x_m[i] - c.x_m, y_m[i] - c.y_m), to_d = squared(x_m[i] - d.x_m, y_m[i] - d.y_m);
+        const float to_ab = to_b < to_a ? to_b : to_a, to_cd = to_d < to_c ? to_d : to_c, to_all = to_cd < to_ab ? to_cd : to_ab;
+        nearest_m2[i] = to_all < nearest_m2[i] ? to_all : nearest_m2[i];
       }
     }
-    for (std::size_t i = 0; i < kLanes; ++i) path_m_[i] += std::sqrt(nearest[i]);
+    for (std::size_t i = 0; i < kLanes; ++i) out_.path_distance_m[i] += static_cast<double>(std::sqrt(nearest_m2[i]));
     ++path_looks_;
   }
+  static float squared(float x, float y) { return x * x + y * y; }
 
-  Rollout so_far(std::size_t i, Obstruction collides) const {
-    return {{wanted_.at(i), looks_in_map_[i], scene_.base_in_map.position(), walls_.least_gaps_m()[i], mover_m_[i], standing_m_[i], moving_m_[i], 0.0}, collides};
+  void finish() {
+    out_.end_x_m = lanes_.x, out_.end_y_m = lanes_.y;
+    out_.wall_gap_m = walls_.least_gaps_m();
+    for (std::size_t i = 0; path_looks_ > 0 && i < kLanes; ++i) out_.path_distance_m[i] /= path_looks_;
+    for (std::size_t i = 0; i < kLanes; ++i)
+      if (out_.collides[i] == Obstruction::kNone) out_.collides[i] = static_cast<Obstruction>(static_cast<int>(hit_[i]));
   }
 
   const Scene& scene_;
   const ForeseenByStep& foreseen_;
-  const Aim& aim_;
+  const NearPath& path_;
   double dt_;
   int look_, walls_until_;
   double swing_, least_wall_m_;
-  std::size_t count_;
-  std::size_t left_{count_};
+  Samples& out_;
+  std::size_t left_{out_.count};          // that can still be taken
   Lanes lanes_;
   Outlines outlines_;
   WallWatch walls_;
   TwistLanes wanted_, twists_;
   SteeringLanes steering_;                // of a tricycle
   bool is_changing_{true};
-  Lane driven_m_;
-  Lane mover_m_, standing_m_, moving_m_, path_m_, hit_;
-  int path_looks_{0};
-  std::array<geometry::Pose2, kLanes> looks_in_map_;
-  std::array<bool, kLanes> is_done_;
-  int done_{0};
+  Lane driven_m_, hit_;                   // hit_: an Obstruction's number
+  int path_looks_{0}, at_walls_{0};
 };
 
 }  // namespace
 
-std::vector<Rollout> roll_out(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted, const Aim& aim, const DwaSettings& settings) {
+std::vector<Samples> roll_out(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted, const Aim& aim, const DwaSettings& settings) {
   const int steps = static_cast<int>(std::lround(settings.horizon_s / settings.step_s));
   const ForeseenByStep foreseen = foresee(scene, needed, wanted, aim, steps, settings.step_s);
-  std::vector<Rollout> rollouts(wanted.size());
-  for (std::size_t first = 0; first < wanted.size(); first += kLanes)
-    Bundle(scene, foreseen, aim, settings, wanted.data() + first, std::min(kLanes, wanted.size() - first)).run(rollouts.data() + first);
-  return rollouts;
+  const NearPath path = near_path(aim.path_in_map, scene.base_in_map);
+  std::vector<Samples> all((wanted.size() + kLanes - 1) / kLanes);
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    all[b].count = std::min(kLanes, wanted.size() - b * kLanes);
+    Bundle(scene, needed, foreseen, path, aim, settings, wanted.data() + b * kLanes, all[b]).run();
+  }
+  return all;
 }
 
 }  // namespace aisle::local_planner

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -59,11 +60,10 @@ struct Scene {
   std::vector<double> discs_ahead_m{0.0};   // the footprint's discs of radius_m: their centres before the base; at most kMostDiscs
 };
 inline constexpr std::size_t kMostDiscs = 5;
+using DiscGaps = std::array<double, kMostDiscs>;    // one a disc of the footprint
 
 /// The fastest that any point of the vehicle moves, in m/s: for a disc, turning on the spot moves nothing.
 double fastest_point_mps(const Scene& scene, const geometry::Twist2& twist);
-
-enum class Obstruction { kNone, kWall, kMover, kPeer };
 
 /// What stops a vehicle that takes up `wanted` for one step and then brakes along its arc: nothing, or what it would touch
 /// before it stands. Walls and peers: anywhere on that arc, also of the peer's own braking; movers: at the same time, while
@@ -75,6 +75,7 @@ Obstruction obstruction(const Scene& scene, const geometry::Twist2& wanted, cons
 /// vehicle can come near to, and points into the scene.
 struct Needed {
   double wall{0.0};
+  DiscGaps wall_gaps_m{};                       // now
   std::vector<std::pair<const PeerMotion*, double>> peers;
   std::vector<std::pair<const Mover*, double>> movers;
   std::vector<const Mover*> foreseen;           // within the horizon
@@ -83,19 +84,14 @@ struct Needed {
 };
 Needed needed_gaps(const Scene& scene, const DwaSettings& settings);
 
-/// From the vehicle, where it is now, to the nearest wall, in metres; negative: overlaps.
-double wall_gap_m(const Scene& scene);
+/// From each of the vehicle's discs, where it is now, to the nearest wall, in metres; negative: overlaps.
+DiscGaps wall_gaps_m(const Scene& scene);
 
 /// The same of many samples at once, in their order.
 std::vector<Obstruction> obstructions(const Scene& scene, const Needed& needed, const std::vector<geometry::Twist2>& wanted, const DwaSettings& settings);
 
-struct Rollout {
-  Sample sample;
-  Obstruction collides{Obstruction::kNone};
-};
-
-/// From the twist in force towards each of `wanted`, then on with it, to the horizon. In the order of `wanted`; what collides with a
-/// wall ends there.
-std::vector<Rollout> roll_out(const Scene& scene, const Needed& needed, const std::vector<geometry::Twist2>& wanted, const Aim& aim, const DwaSettings& settings);
+/// From the twist in force towards each of `wanted`, then on with it, to the horizon. In the order of `wanted`; what moves and collides
+/// with a wall ends there.
+std::vector<Samples> roll_out(const Scene& scene, const Needed& needed, const std::vector<geometry::Twist2>& wanted, const Aim& aim, const DwaSettings& settings);
 
 }  // namespace aisle::local_planner

@@ -30,14 +30,14 @@ Point2 some_point(std::mt19937& random, const Geometry& g) {
 }
 
 TEST(ClearancesOfManyPoints, AreThoseOfEachToTheBit) {
-  int free = 0;
+  int free = 0, far_less = 0;
   for (unsigned seed = 0; seed < 400; ++seed) {
     std::mt19937 random(seed);
     const OccupancyGrid grid = testing::random_grid(random);
     const ClearanceField field(grid, 5.0);
     const ClearanceLanes clearances(field);
     for (int round = 0; round < 160; ++round) {
-      geometry::Wide x, y, found_m;
+      geometry::Wide x, y, found_m, at_least_m;
       geometry::WideMarks wanted;
       for (std::size_t i = 0; i < geometry::kWide; ++i) {
         const Point2 p = some_point(random, grid.geometry());
@@ -45,8 +45,11 @@ TEST(ClearancesOfManyPoints, AreThoseOfEachToTheBit) {
         wanted[i] = random() % 4 == 0 ? 0 : -1;
       }
       clearances.find_m(x, y, wanted, found_m);
+      clearances.find_at_least_m(x, y, at_least_m);
       for (std::size_t i = 0; i < geometry::kWide; ++i) {
         const Point2 p{x[i], y[i]};
+        ASSERT_LE(at_least_m[i], field.clearance_m(p)) << "seed " << seed << " at " << p.x << " " << p.y;
+        if (field.clearance_m(p) - at_least_m[i] > 2.0 * field.geometry().resolution_m) ++far_less;
         if (wanted[i] == 0 && found_m[i] == 0.0) continue;
         ASSERT_EQ(found_m[i], field.clearance_m(p)) << "seed " << seed << " at " << p.x << " " << p.y;
         if (found_m[i] > 0.0) ++free;
@@ -54,6 +57,7 @@ TEST(ClearancesOfManyPoints, AreThoseOfEachToTheBit) {
     }
   }
   EXPECT_GT(free, 40000);
+  EXPECT_EQ(far_less, 0);
 }
 
 }  // namespace

@@ -160,45 +160,64 @@ TEST(RollOut, GivesEachSampleWhatItGetsAlone) {
     Aim aim;
     aim.path_in_map = {{6.0, 6.0}, {6.5, 6.2}, {7.0, 6.4}};
     const std::vector<Twist2> twists = many_twists();
-    const std::vector<Rollout> together = roll_out(scene, needed, twists, aim, {});
+    const std::vector<Samples> together = roll_out(scene, needed, twists, aim, {});
     const std::vector<Obstruction> stopping = obstructions(scene, needed, twists, {});
     for (std::size_t i = 0; i < twists.size(); ++i) {
-      const Rollout alone = roll_out(scene, needed, {twists[i]}, aim, {}).front();
-      EXPECT_EQ(together[i].collides, alone.collides);
-      EXPECT_EQ(together[i].sample.wall_gap_m, alone.sample.wall_gap_m);
-      EXPECT_EQ(together[i].sample.mover_gap_m, alone.sample.mover_gap_m);
-      EXPECT_EQ(together[i].sample.moving_gap_m, alone.sample.moving_gap_m);
-      EXPECT_EQ(together[i].sample.path_distance_m, alone.sample.path_distance_m);
-      EXPECT_EQ(together[i].sample.end_in_map, alone.sample.end_in_map);
+      const Samples& among = together[i / kLanes];
+      const std::size_t k = i % kLanes;
+      const Samples alone = roll_out(scene, needed, {twists[i]}, aim, {}).front();
       EXPECT_EQ(stopping[i], obstruction(scene, twists[i], {}));
+      EXPECT_EQ(among.collides[k], alone.collides[0]);
+      EXPECT_EQ(among.moves[k], alone.moves[0]);
+      if (alone.moves[0] && alone.collides[0] == Obstruction::kWall) continue;
+      constexpr double kRoundingM = 1e-9;             // headings are turned forth and back while others still change theirs
+      EXPECT_NEAR(among.wall_gap_m[k], alone.wall_gap_m[0], kRoundingM);
+      EXPECT_NEAR(among.mover_gap_m[k], alone.mover_gap_m[0], kRoundingM);
+      EXPECT_NEAR(among.moving_gap_m[k], alone.moving_gap_m[0], kRoundingM);
+      EXPECT_NEAR(among.path_distance_m[k], alone.path_distance_m[0], kRoundingM);
+      EXPECT_NEAR(among.end_x_m[k], alone.end_x_m[0], kRoundingM);
+      EXPECT_NEAR(among.end_y_m[k], alone.end_y_m[0], kRoundingM);
     }
   }
+}
+
+double nearest_m(const std::vector<Point2>& path, Point2 p) {
+  double nearest = 1e18;
+  for (const Point2 q : path) nearest = std::min(nearest, geometry::distance(p, q));
+  return nearest;
 }
 
 /// The same by one step after the other, of everybody, with the models' own exact arcs.
 TEST(RollOut, MeetsWhomAPlainLoopMeets) {
   const DwaSettings settings;
-  const Aim aim;
+  Aim aim;
+  aim.path_in_map = {{6.0, 6.0}, {6.5, 6.2}, {7.0, 6.4}, {7.2, 6.9}, {7.1, 7.4}};
   int met = 0;
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const World world = crowded(seed);
     const Scene scene = world.scene({6.0, 6.0, 0.3 * static_cast<double>(seed)}, {0.5, 0.2, 0.0});
-    for (const Rollout& rollout : roll_out(scene, needed_gaps(scene, settings), many_twists(), aim, settings)) {
-      if (rollout.collides == Obstruction::kWall) continue;
+    const std::vector<Twist2> twists = many_twists();
+    const std::vector<Samples> all = roll_out(scene, needed_gaps(scene, settings), twists, aim, settings);
+    for (std::size_t i = 0; i < twists.size(); ++i) {
+      const Samples& samples = all[i / kLanes];
+      const std::size_t lane = i % kLanes;
+      if (samples.collides[lane] == Obstruction::kWall) continue;
       Pose2 pose = scene.base_in_map;
       Twist2 twist = scene.twist;
-      double moving_gap_m = aim.mover_cap_m;
+      double moving_gap_m = aim.mover_cap_m, path_m = 0.0;
       for (int k = 1; k <= 20; ++k) {
-        twist = kinematics::limit_change(twist, rollout.sample.twist, scene.limits, 0.1);
+        twist = kinematics::limit_change(twist, twists[i], scene.limits, 0.1);
         pose = kinematics::advance(pose, twist, 0.1);
         for (const Mover& mover : world.movers)
           moving_gap_m = std::min(moving_gap_m, geometry::distance(pose.position(), mover.position_in_map + 0.1 * k * mover.velocity_in_map) - 0.35 - mover.radius_m);
         const auto& intended = world.peers.front().intended_in_map;
         moving_gap_m = std::min(moving_gap_m, geometry::distance(pose.position(), intended[std::min<std::size_t>(static_cast<std::size_t>(k), 14)]) - 0.7);
+        if (k % 4 == 0) path_m += 0.2 * nearest_m(aim.path_in_map, pose.position());
       }
-      EXPECT_NEAR(rollout.sample.moving_gap_m, moving_gap_m, 1e-3);
-      EXPECT_NEAR(geometry::distance(rollout.sample.end_in_map, pose.position()), 0.0, 1e-3);
-      EXPECT_EQ(rollout.collides != Obstruction::kNone, moving_gap_m < 0.0);
+      EXPECT_NEAR(samples.moving_gap_m[lane], moving_gap_m, 1e-3);
+      EXPECT_NEAR(samples.path_distance_m[lane], path_m, 1e-3);
+      EXPECT_NEAR(geometry::distance({samples.end_x_m[lane], samples.end_y_m[lane]}, pose.position()), 0.0, 1e-3);
+      EXPECT_EQ(samples.collides[lane] != Obstruction::kNone, moving_gap_m < 0.0);
       if (moving_gap_m < aim.mover_cap_m) ++met;
     }
   }

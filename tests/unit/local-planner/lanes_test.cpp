@@ -130,8 +130,11 @@ TEST(Lanes, StepAlongArcs) {
 /// The gap of one lane's vehicle, when every disc is looked up.
 double gap_m(const Scene& scene, const Lanes& lanes, std::size_t i) {
   double least_m = 1e9;
+  geometry::Wide cos_yaw, sin_yaw;
+  const std::size_t first = i - i % geometry::kWide, k = i % geometry::kWide;
+  lanes.find_headings(first, cos_yaw, sin_yaw);
   for (const double ahead_m : scene.discs_ahead_m)
-    least_m = std::min(least_m, scene.clearance.clearance_m(Point2{lanes.x[i] + ahead_m * lanes.cos_yaw[i], lanes.y[i] + ahead_m * lanes.sin_yaw[i]}) - scene.radius_m);
+    least_m = std::min(least_m, scene.clearance.clearance_m(Point2{lanes.x[i] + ahead_m * cos_yaw[k], lanes.y[i] + ahead_m * sin_yaw[k]}) - scene.radius_m);
   return least_m;
 }
 
@@ -160,7 +163,7 @@ TEST(WallWatch, KnowsTheLeastGapOfEachSample) {
     driven_m(all, swing_m(scene), 0.1, way_m);
     expected_m.fill(kEnoughM);
     Outlines outlines(scene);
-    WallWatch walls(outlines, kEnoughM);
+    WallWatch walls(outlines, wall_gaps_m(scene), kEnoughM);
     std::size_t left = kLanes;                                  // nobody asks for this one any more
     for (int step = 0; step < 20; ++step) {
       lanes.step();

@@ -104,7 +104,10 @@ TEST(Omnidirectional, TheWindowHasSidewaysSpeeds) {
   limits.model = kinematics::Model::kOmnidirectional;
   Aim aim;
   aim.target_in_map = aim.sub_target_in_map = {10.0, 13.0};
-  const Variant heading_only{"x", {{[](const Sample& s, const Aim& a) { return 10.0 - geometry::distance(s.end_in_map, a.target_in_map); }, 1.0}}};
+  const Critic to_target = [](const Samples& samples, const Aim& to, Lane& scores) {
+    for (std::size_t i = 0; i < kLanes; ++i) scores[i] = 10.0 - geometry::distance({samples.end_x_m[i], samples.end_y_m[i]}, to.target_in_map);
+  };
+  const Variant heading_only{"x", {{to_target, 1.0}}};
   const Choice choice = choose(world.scene(geometry::disc(0.35), limits, {10.0, 10.0, 0.0}, {}), aim, heading_only, {});
   ASSERT_TRUE(choice.found);
   EXPECT_GT(choice.twist.sideways_mps, 0.1) << "the target is straight to its left";

@@ -15,6 +15,7 @@
 #include "services/local-planner/core/dwa.hpp"
 #include "tests/unit/local-planner/drive.hpp"
 #include "tests/unit/local-planner/hall.hpp"
+#include "tests/unit/local-planner/samples.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -78,22 +79,23 @@ TEST_P(AnyVariant, HasWeightedCriticsAndTheLimitsOfItsPaper) {
 TEST_P(AnyVariant, ScoresWithFiniteNumbersFromZeroOn) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-20.0, 20.0), gap(-0.5, 0.6), yaw(-3.1, 3.1);
-  for (int i = 0; i < 1000; ++i) {
-    Sample sample;
-    sample.twist = {std::abs(gap(random)), yaw(random), 0.0};
-    sample.look_in_map = {place(random), place(random), yaw(random)};
-    sample.end_in_map = {place(random), place(random)};
-    sample.wall_gap_m = gap(random);
-    sample.mover_gap_m = gap(random);
-    sample.standing_gap_m = gap(random);
-    sample.moving_gap_m = gap(random);
-    sample.path_distance_m = std::abs(place(random));
+  for (int round = 0; round < 50; ++round) {
+    Samples samples = blank_samples();
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      samples.linear_mps[i] = std::abs(gap(random)), samples.angular_radps[i] = yaw(random);
+      samples.look_x_m[i] = place(random), samples.look_y_m[i] = place(random), samples.look_yaw_rad[i] = yaw(random);
+      samples.end_x_m[i] = place(random), samples.end_y_m[i] = place(random);
+      samples.wall_gap_m[i] = gap(random), samples.mover_gap_m[i] = gap(random);
+      samples.standing_gap_m[i] = gap(random), samples.moving_gap_m[i] = gap(random);
+      samples.path_distance_m[i] = std::abs(place(random));
+    }
     Aim aim;
     aim.target_in_map = {place(random), place(random)};
     aim.sub_target_in_map = {place(random), place(random)};
     for (const WeightedCritic& critic : variant().critics) {
-      const double score = critic.score(sample, aim);
-      EXPECT_TRUE(std::isfinite(score) && score >= 0.0) << score;
+      Lane scores;
+      critic.score(samples, aim, scores);
+      for (const double score : scores) EXPECT_TRUE(std::isfinite(score) && score >= 0.0) << score;
     }
   }
 }

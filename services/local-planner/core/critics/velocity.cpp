@@ -6,6 +6,8 @@
 namespace aisle::local_planner {
 
 /// m/s
-double velocity_critic(const Sample& sample, const Aim&) { return std::abs(sample.twist.linear_mps); }
+void velocity_critic(const Samples& samples, const Aim&, Lane& scores) {
+  for (std::size_t i = 0; i < kLanes; ++i) scores[i] = std::abs(samples.linear_mps[i]);
+}
 
 }  // namespace aisle::local_planner
