@@ -54,61 +54,82 @@ bool run_suite(const std::vector<std::string>& families, const std::string& loca
   return all.is_good();
 }
 
-int drive_families(int argc, char** argv) {
-  CLI::App app{"Drives scenario families in lock-step, without DDS"};
+struct Wanted {
   std::vector<std::string> families;
-  std::uint64_t first = 1;
-  std::uint64_t seeds = 10;
-  bool verbose = false;
-  bool truth = false;
-  double trace_s = 0.0;
-  std::string local = "wang";
-  std::string global = aisle::lockstep::Setup{}.planner;
-  app.add_option("family", families, "families or scenario files; none: all families");
-  app.add_option("--first", first, "first seed");
-  app.add_option("--seeds", seeds, "how many");
-  app.add_flag("--truth", truth, "tracks from the truth in sight, not from simulated scans");
-  app.add_flag("--verbose", verbose, "print what happened in each run");
-  app.add_option("--local", local, "local planner")->check(CLI::IsMember(names(aisle::local_planner::all_variants())));
-  app.add_option("--global", global, "global planner")->check(CLI::IsMember(names(aisle::global_planner::all_variants())));
-  bool suite = false;
-  app.add_flag("--suite", suite, "the families of the suite, each goal within five times its free run");
-  app.add_option("--trace", trace_s, "print poses and commands every so many seconds");
+  std::uint64_t first{1};
+  int seeds{10};
+  bool verbose{false};
+  bool truth{false};
+  bool suite{false};
+  double trace_s{0.0};
+  std::string local{"wang"};
+  std::string global{aisle::lockstep::Setup{}.planner};
+};
+
+aisle::lockstep::Result run_one(const std::string& family, std::uint64_t seed, const Wanted& wanted) {
+  aisle::lockstep::Setup setup = setup_of(family, seed);
+  setup.local = wanted.local;
+  setup.planner = wanted.global;
+  if (wanted.truth) setup.perception = aisle::lockstep::Perception::kTruth;
+  const auto result = aisle::lockstep::run(setup, wanted.trace_s > 0.0 ? tracer(wanted.trace_s) : aisle::lockstep::Watch{});
+  if (!wanted.verbose) return result;
+  std::printf("-- %s %d: %d/%d goals, %d contacts, %.1f s\n", family.c_str(), static_cast<int>(seed), result.goals_reached, result.goals_assigned, result.contacts, result.time_s);
+  for (const std::string& line : result.log) std::printf("%s\n", line.c_str());
+  return result;
+}
+
+/// One line. @returns whether nothing was missed or touched
+bool run_family(const std::string& family, const Wanted& wanted) {
+  int assigned = 0, reached = 0, contacts = 0, moving = 0, replans = 0;
+  double least = 1e9, time = 0.0, us = 0.0, most_us = 0.0;
+  std::string bad;
+  for (std::uint64_t seed = wanted.first; seed < wanted.first + static_cast<std::uint64_t>(wanted.seeds); ++seed) {
+    const auto result = run_one(family, seed, wanted);
+    assigned += result.goals_assigned, reached += result.goals_reached, contacts += result.contacts;
+    moving += result.contacts_moving_vehicle, replans += result.replans;
+    least = std::min(least, result.least_clearance_m), time += result.time_s, us += result.step_us_mean, most_us = std::max(most_us, result.step_us_max);
+    if (result.goals_reached < result.goals_assigned || result.contacts_moving_vehicle > 0) bad += " " + std::to_string(seed);
+  }
+  std::printf("%-14.14s %5d %4d/%4d %9d %8d %8.3f %8.1f %7d %6.0f %7.0f%s%s\n", std::filesystem::path(family).stem().c_str(), wanted.seeds, reached, assigned, contacts, moving, least,
+              time / wanted.seeds, replans, us / wanted.seeds, most_us, bad.empty() ? "" : "  bad:", bad.c_str());
+  std::fflush(stdout);
+  return bad.empty();
+}
+
+bool run_families(const Wanted& wanted) {
+  std::printf("%-14s %5s %9s %9s %8s %8s %8s %7s %6s %7s\n", "family", "runs", "goals", "contacts", "moving", "least m", "time s", "replans", "us", "max us");
+  bool good = true;
+  for (const std::string& family : wanted.families.empty() ? aisle::lockstep::families() : wanted.families) good = run_family(family, wanted) && good;
+  return good;
+}
+
+void add_options(CLI::App& app, Wanted& wanted) {
+  app.add_option("family", wanted.families, "families or scenario files; none: all families");
+  app.add_option("--first", wanted.first, "first seed");
+  app.add_option("--seeds", wanted.seeds, "how many")->check(CLI::Range(1, 1000000));
+  app.add_flag("--truth", wanted.truth, "tracks from the truth in sight, not from simulated scans");
+  app.add_flag("--verbose", wanted.verbose, "print what happened in each run");
+  app.add_option("--local", wanted.local, "local planner")->check(CLI::IsMember(names(aisle::local_planner::all_variants())));
+  app.add_option("--global", wanted.global, "global planner")->check(CLI::IsMember(names(aisle::global_planner::all_variants())));
+  app.add_flag("--suite", wanted.suite, "the families of the suite, each goal within five times its free run");
+  app.add_option("--trace", wanted.trace_s, "print poses and commands every so many seconds")->check(CLI::Range(0.0, 3600.0));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Drives scenario families in lock-step, without DDS"};
+  Wanted wanted;
+  add_options(app, wanted);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? aisle::process::kDone : aisle::process::kBadInput;
   }
-  if (suite) return run_suite(families.empty() ? aisle::lockstep::suite_families() : families, local, first, static_cast<int>(seeds)) ? 0 : 1;
-  if (families.empty()) families = aisle::lockstep::families();
-  bool good = true;
-  std::printf("%-14s %5s %9s %9s %8s %8s %8s %7s %6s %7s\n", "family", "runs", "goals", "contacts", "moving", "least m", "time s", "replans", "us", "max us");
-  for (const std::string& family : families) {
-    int assigned = 0, reached = 0, contacts = 0, moving = 0, replans = 0;
-    double least = 1e9, time = 0.0, us = 0.0, most_us = 0.0;
-    std::string bad;
-    for (std::uint64_t seed = first; seed < first + seeds; ++seed) {
-      aisle::lockstep::Setup setup = aisle::lockstep::named_setup(family, seed);
-      setup.local = local;
-      setup.planner = global;
-      if (truth) setup.perception = aisle::lockstep::Perception::kTruth;
-      const auto result = aisle::lockstep::run(setup, trace_s > 0.0 ? tracer(trace_s) : aisle::lockstep::Watch{});
-      assigned += result.goals_assigned, reached += result.goals_reached, contacts += result.contacts;
-      moving += result.contacts_moving_vehicle, replans += result.replans;
-      least = std::min(least, result.least_clearance_m), time += result.time_s, us += result.step_us_mean, most_us = std::max(most_us, result.step_us_max);
-      if (result.goals_reached < result.goals_assigned || result.contacts_moving_vehicle > 0) bad += " " + std::to_string(seed);
-      if (verbose) {
-        std::printf("-- %s %d: %d/%d goals, %d contacts, %.1f s\n", family.c_str(), static_cast<int>(seed), result.goals_reached, result.goals_assigned, result.contacts, result.time_s);
-        for (const std::string& line : result.log) std::printf("%s\n", line.c_str());
-      }
-    }
-    const auto n = static_cast<double>(seeds);
-    std::printf("%-14.14s %5d %4d/%4d %9d %8d %8.3f %8.1f %7d %6.0f %7.0f%s%s\n", std::filesystem::path(family).stem().c_str(), static_cast<int>(seeds), reached, assigned, contacts, moving, least,
-                time / n, replans, us / n, most_us, bad.empty() ? "" : "  bad:", bad.c_str());
-    std::fflush(stdout);
-    good = good && bad.empty();
-  }
-  return good ? 0 : 1;
+  return aisle::process::run_guarded("aisle-lockstep", [&] {
+    if (!wanted.suite) return run_families(wanted) ? 0 : 1;
+    return run_suite(wanted.families.empty() ? aisle::lockstep::suite_families() : wanted.families, wanted.local, wanted.first, wanted.seeds) ? 0 : 1;
+  });
 }
 
 }  // namespace

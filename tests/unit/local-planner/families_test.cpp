@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "common/config/reader.hpp"
 #include "tools/lockstep/families.hpp"
 
 namespace aisle::lockstep {
@@ -36,6 +37,16 @@ TEST(Lockstep, TheSameSeedGivesTheSameTrace) {
   const Result other = run(make_setup("crossing", 4));
   EXPECT_EQ(once.trace_hash, again.trace_hash);
   EXPECT_NE(once.trace_hash, other.trace_hash);
+}
+
+TEST(Lockstep, SaysWhichFamiliesThereAre) {
+  try {
+    make_setup("crosing", 1);
+    FAIL() << "a family that is not there";
+  } catch (const config::BadInput& error) {
+    EXPECT_NE(std::string(error.what()).find("crosing"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("t-junction"), std::string::npos) << error.what();
+  }
 }
 
 }  // namespace
