@@ -100,17 +100,26 @@ std::vector<double> sideways_of(const Scene& scene, const DwaSettings& settings)
   return speeds;
 }
 
+/// Neighbours in turn and speed come one after the other: they end at the same walls, and so together.
 std::vector<Twist2> window(const Scene& scene, const DwaSettings& settings) {
+  constexpr std::size_t kTogether = 8;        // speeds
   const kinematics::Limits& limits = scene.limits;
   const double v0 = scene.twist.linear_mps;
   const double v_low = std::max(0.0, v0 - limits.max_deceleration_mps2 * settings.window_s);
   const double v_high = std::max(v_low, std::min({v0 + limits.max_acceleration_mps2 * settings.window_s, scene.speed_cap_mps, limits.max_speed_mps}));
-  std::vector<Twist2> samples;
-  for (const double v : spread(v_low, v_high, settings.linear_samples)) {
-    const std::vector<double> turns = turns_at(scene, v, settings);
-    for (const double sideways : sideways_of(scene, settings))
-      for (const double w : turns) samples.push_back({v, w, sideways});
+  const std::vector<double> speeds = spread(v_low, v_high, settings.linear_samples), sideways = sideways_of(scene, settings);
+  std::vector<std::vector<double>> turns;
+  std::size_t most_turns = 0;
+  for (const double v : speeds) {
+    turns.push_back(turns_at(scene, v, settings));
+    most_turns = std::max(most_turns, turns.back().size());
   }
+  std::vector<Twist2> samples;
+  samples.reserve(speeds.size() * most_turns * sideways.size());
+  for (std::size_t first = 0; first < speeds.size(); first += kTogether)
+    for (std::size_t w = 0; w < most_turns; ++w)
+      for (std::size_t v = first; v < std::min(first + kTogether, speeds.size()); ++v)
+        for (std::size_t s = 0; w < turns[v].size() && s < sideways.size(); ++s) samples.push_back({speeds[v], turns[v][w], sideways[s]});
   return samples;
 }
 
