@@ -18,6 +18,12 @@ using geometry::store;
 using geometry::Wide;
 using geometry::WideMarks;
 
+namespace {
+
+constexpr double kFarM = 1e9;
+
+}  // namespace
+
 double speed_of(const Twist2& twist) {
   return twist.sideways_mps == 0.0 ? std::abs(twist.linear_mps) : std::hypot(twist.linear_mps, twist.sideways_mps);
 }
@@ -123,58 +129,56 @@ Box::Box(const Lanes& lanes) {
   find_extremes(lanes.y, low.y, high.y);
 }
 
-double Box::distance2(Point2 p) const {
-  const double x = std::max({0.0, low.x - p.x, p.x - high.x});
-  const double y = std::max({0.0, low.y - p.y, p.y - high.y});
-  return x * x + y * y;
-}
-
 Outlines::Outlines(const Scene& scene) : scene_(scene), is_disc_(scene.discs_ahead_m.size() == 1 && scene.discs_ahead_m.front() == 0.0) {}
 
 void Outlines::follow(const Lanes& lanes) {
   lanes_ = &lanes;
-  is_placed_ = false;
+  is_turned_ = false;
 }
 
-AISLE_WIDE_VECTORS void Outlines::place() {
-  is_placed_ = true;
-  if (is_disc_) {
-    x_[0] = lanes_->x.data();
-    y_[0] = lanes_->y.data();
-    return;
-  }
-  for (std::size_t disc = 0; disc < count(); ++disc) {
-    for (std::size_t first = 0; first < kLanes; first += kWide) {
-      Wide x, y;
-      find_centers(disc, first, x, y);
-      store(x, &off_x_[disc][first]);
-      store(y, &off_y_[disc][first]);
-    }
-    x_[disc] = off_x_[disc].data();
-    y_[disc] = off_y_[disc].data();
+AISLE_WIDE_VECTORS void Outlines::turn() {
+  is_turned_ = true;
+  for (std::size_t first = 0; first < kLanes; first += kWide) {
+    Wide c, s;
+    lanes_->find_headings(first, c, s);
+    store(c, &cos_yaw_[first]);
+    store(s, &sin_yaw_[first]);
   }
 }
 
-AISLE_WIDE_VECTORS void Outlines::distances2_to(Point2 p, Lane& squared) {
-  if (!is_placed_) place();
+void Outlines::distances2_to(Point2 p, Lane& squared) {
+  if (is_disc_) return find_distances2_of_bases(p, squared);
+  if (!is_turned_) turn();
+  find_distances2_of_discs(p, squared);
+}
+
+AISLE_WIDE_VECTORS void Outlines::find_distances2_of_bases(Point2 p, Lane& squared) const {
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const double x = x_[0][i] - p.x;
-    const double y = y_[0][i] - p.y;
+    const double x = lanes_->x[i] - p.x, y = lanes_->y[i] - p.y;
     squared[i] = x * x + y * y;
   }
-  for (std::size_t disc = 1; disc < count(); ++disc)
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      const double x = x_[disc][i] - p.x;
-      const double y = y_[disc][i] - p.y;
-      squared[i] = least(squared[i], x * x + y * y);
-    }
 }
 
-namespace {
-
-constexpr double kFarM = 1e9;
-
-}  // namespace
+/// The discs lie on a line: what is left of the way along it, and the way across it.
+AISLE_WIDE_VECTORS void Outlines::find_distances2_of_discs(Point2 p, Lane& squared) const {
+  for (std::size_t first = 0; first < kLanes; first += kWide) {
+    Wide x, y, c, s;
+    load(&lanes_->x[first], x);
+    load(&lanes_->y[first], y);
+    load(&cos_yaw_[first], c);
+    load(&sin_yaw_[first], s);
+    const Wide east = p.x - x, north = p.y - y;
+    const Wide along = c * east + s * north, across = c * north - s * east;
+    Wide nearest2 = Wide{} + kFarM * kFarM;
+    for (const double ahead_m : scene_.discs_ahead_m) {
+      const Wide left = along - ahead_m;
+      const Wide left2 = left * left;
+      nearest2 = left2 < nearest2 ? left2 : nearest2;
+    }
+    const Wide distance2 = nearest2 + across * across;
+    store(distance2, &squared[first]);
+  }
+}
 
 WallWatch::WallWatch(const Outlines& outlines, const DiscGaps& gaps_m, double enough_m) : radius_m_(outlines.radius_m()), enough_m_(enough_m) {
   driven_m_.fill(0.0);

@@ -51,7 +51,10 @@ struct Box {
   geometry::Point2 low, high;
   explicit Box(const Lanes& lanes);
   /// Squared metres from a point to the box; 0 inside.
-  double distance2(geometry::Point2 p) const;
+  double distance2(geometry::Point2 p) const {
+    const double x = most(0.0, most(low.x - p.x, p.x - high.x)), y = most(0.0, most(low.y - p.y, p.y - high.y));
+    return x * x + y * y;
+  }
 };
 
 /// The centres of the footprint's discs of each lane; a vehicle that is a disc has one, in its base.
@@ -78,14 +81,15 @@ class Outlines {
   }
 
  private:
-  void place();
+  void turn();
+  void find_distances2_of_bases(geometry::Point2 p, Lane& squared) const;
+  void find_distances2_of_discs(geometry::Point2 p, Lane& squared) const;
 
   const Scene& scene_;
   const Lanes* lanes_{nullptr};
   bool is_disc_;
-  bool is_placed_{false};
-  std::array<Lane, kMostDiscs> off_x_, off_y_;      // where the centres are not the bases
-  std::array<const double*, kMostDiscs> x_, y_;
+  bool is_turned_{false};
+  alignas(32) Lane cos_yaw_, sin_yaw_;      // where the lanes are now, once somebody has asked
 };
 
 /// Looks up distances to walls along trajectories; where there was plenty a moment ago it does not look again: the distance shrinks by

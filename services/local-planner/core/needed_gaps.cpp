@@ -37,7 +37,21 @@ double Mover::reach_m(double t_s) const {
   return since_s < changing_s ? 0.5 * change_mps2 * since_s * since_s : kMostChangeMps * (since_s - 0.5 * changing_s);
 }
 
-double fastest_point_mps(const Scene& scene, const geometry::Twist2& twist) { return std::max(speed_of(twist), swing_m(scene) * std::abs(twist.angular_radps)); }
+namespace {
+
+/// Within the window, in m/s.
+double fastest_base_mps(const Scene& scene, double window_s) { return speed_of(scene.twist) + scene.limits.max_acceleration_mps2 * window_s; }
+
+/// The same of any point of the vehicle: a turn on the spot moves all of it but a disc.
+double fastest_point_mps(const Scene& scene, double window_s) {
+  const kinematics::Limits& limits = scene.limits;
+  const bool can_turn_at_once = limits.model == kinematics::Model::kTricycle;       // by its steering
+  const double turn_radps = std::abs(scene.twist.angular_radps) + limits.max_turn_acceleration_radps2 * window_s;
+  const double most_radps = std::max(limits.max_turn_radps, std::abs(scene.twist.angular_radps));
+  return fastest_base_mps(scene, window_s) + swing_m(scene) * (can_turn_at_once ? most_radps : std::min(turn_radps, most_radps));
+}
+
+}  // namespace
 
 DiscGaps wall_gaps_m(const Scene& scene) {
   DiscGaps gaps_m;
@@ -49,7 +63,8 @@ DiscGaps wall_gaps_m(const Scene& scene) {
 
 Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
   const std::vector<Point2> here = centers_in_map(scene);
-  const double v = fastest_point_mps(scene, scene.twist) + scene.limits.max_acceleration_mps2 * settings.window_s;
+  const double v = fastest_point_mps(scene, settings.window_s);
+  const double foreseen_m = fastest_base_mps(scene, settings.window_s) * settings.horizon_s + 2.0 * swing_m(scene) + 1.0;
   const double stopping_m = v * settings.step_s + kinematics::stopping_distance_m(v, settings.braking_share * scene.limits.max_deceleration_mps2);
   const double stopping_s = settings.step_s + v / (settings.braking_share * scene.limits.max_deceleration_mps2);
   Needed needed;
@@ -58,8 +73,7 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
   for (const PeerMotion& peer : scene.peers) {
     const double gap = least_distance(here, peer.stopping_in_map) - scene.radius_m - peer.radius_m;
     if (gap < settings.peer_margin_m + stopping_m) needed.peers.emplace_back(&peer, std::min(settings.peer_margin_m, gap));
-    if (!peer.intended_in_map.empty() && least_distance(here, {peer.intended_in_map.front()}) < scene.radius_m + peer.radius_m + 1.0 + 2.0 * v * settings.horizon_s + 1.5 * settings.horizon_s)
-      needed.met.push_back(&peer);
+    if (least_distance(here, peer.intended_in_map) < scene.radius_m + peer.radius_m + foreseen_m) needed.met.push_back(&peer);
   }
   for (const Mover& mover : scene.movers) {
     const double speed = std::sqrt(geometry::dot(mover.velocity_in_map, mover.velocity_in_map));
@@ -67,7 +81,7 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
     // Somebody who walks right beside us: stand until they are past, whichever way they go.
     if (speed > 0.0 && gap + mover.margin_m < 0.08) needed.somebody_touches = true;
     if (gap < stopping_m + (speed + mover.growth_mps) * stopping_s + mover.reach_m(stopping_s)) needed.movers.emplace_back(&mover, std::min(0.0, gap));
-    if (gap < (speed + mover.growth_mps + v) * settings.horizon_s + 1.0) needed.foreseen.push_back(&mover);
+    if (gap < (speed + mover.growth_mps) * settings.horizon_s + foreseen_m) needed.foreseen.push_back(&mover);
   }
   return needed;
 }

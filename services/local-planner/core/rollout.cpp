@@ -36,10 +36,11 @@ bool is_same(const Twist2& a, const Twist2& b) { return a.linear_mps == b.linear
 ForeseenByStep foresee(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted, const Aim& aim, int steps, double dt_s) {
   double fastest_mps = speed_of(scene.twist);
   for (const Twist2& twist : wanted) fastest_mps = std::max(fastest_mps, speed_of(twist));
+  const double swing = swing_m(scene);
   ForeseenByStep by_step(static_cast<std::size_t>(steps) + 1);
   const auto add = [&](std::size_t k, Foreseen whom) {
     constexpr double kRoundingM = 1e-6;
-    whom.reach_m = scene.radius_m + whom.radius_m + aim.mover_cap_m + whom.margin_m + whom.growth_m + swing_m(scene) + kRoundingM;
+    whom.reach_m = scene.radius_m + whom.radius_m + aim.mover_cap_m + whom.margin_m + whom.growth_m + swing + kRoundingM;
     const Point2 apart = whom.there_in_map - scene.base_in_map.position();
     const double reach_m = whom.reach_m + fastest_mps * static_cast<double>(k) * dt_s;
     if (geometry::dot(apart, apart) < reach_m * reach_m) by_step[k].push_back(whom);

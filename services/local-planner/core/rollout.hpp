@@ -62,9 +62,6 @@ struct Scene {
 inline constexpr std::size_t kMostDiscs = 5;
 using DiscGaps = std::array<double, kMostDiscs>;    // one a disc of the footprint
 
-/// The fastest that any point of the vehicle moves, in m/s: for a disc, turning on the spot moves nothing.
-double fastest_point_mps(const Scene& scene, const geometry::Twist2& twist);
-
 /// What stops a vehicle that takes up `wanted` for one step and then brakes along its arc: nothing, or what it would touch
 /// before it stands. Walls and peers: anywhere on that arc, also of the peer's own braking; movers: at the same time, while
 /// the vehicle is faster than 0.05 m/s, wherever a person can have come by then (passive safety, Mitsch, Ghorbal and Platzer 2013: it
