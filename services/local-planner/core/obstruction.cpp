@@ -34,6 +34,7 @@ class Braking {
   }
 
   void run(Obstruction* out) {
+    if (stand_before_anything()) left_ = 0;
     for (double t = dt_; left_ > 0; t += dt_) {
       lanes_.step();
       outlines_.follow(lanes_);
@@ -44,6 +45,17 @@ class Braking {
   }
 
  private:
+  /// Nobody is near, and the walls are farther than any of the samples drives until it stands: this step, and in whole steps while it brakes.
+  AISLE_WIDE_VECTORS bool stand_before_anything() const {
+    if (!needed_.peers.empty() || !needed_.movers.empty()) return false;
+    double most_m = 0.0;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const double tip_mps = std::abs(twists_.linear_mps[i]) + std::abs(twists_.sideways_mps[i]) + swing_ * std::abs(twists_.angular_radps[i]);
+      most_m = most(most_m, driven_m_[i] + tip_mps * (0.5 * speed_[i] / braking_mps2_ + dt_));
+    }
+    return most_m < *std::min_element(needed_.wall_gaps_m.begin(), needed_.wall_gaps_m.end()) - needed_.wall;
+  }
+
   double fastest(const Twist2& twist) const { return std::max(speed_of(twist), swing_ * std::abs(twist.angular_radps)); }
 
   void take_up(const TwistLanes& wanted) {

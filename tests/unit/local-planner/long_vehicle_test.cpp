@@ -1,6 +1,7 @@
 // Vehicles that are no disc, or cannot turn on the spot: what they must not sweep, and what they can drive.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/kinematics/tricycle.hpp"
@@ -47,6 +48,34 @@ TEST(LongVehicle, TurnsOnTheSpotOnlyWhereItsCornersHaveRoom) {
   EXPECT_EQ(obstruction(world.scene(box, {}, {10.0, 5.0, 0.5}, turn), turn, {}), Obstruction::kWall);
   EXPECT_EQ(obstruction(world.scene(geometry::disc(0.4), {}, {10.0, 5.0, 0.5}, turn), turn, {}), Obstruction::kNone);
   EXPECT_EQ(obstruction(World(aisle(4.0)).scene(box, {}, {10.0, 5.0, 0.5}, turn), turn, {}), Obstruction::kNone);
+}
+
+/// From rest it swings its nose to the left, for a step and while it brakes: as far as `swung_rad`.
+TEST(LongVehicle, SwingsItsNoseIntoNothingThatStandsBesideIt) {
+  World world(hall(12.0, 12.0));
+  const kinematics::Limits limits;
+  const DwaSettings settings;
+  const Pose2 base{6.0, 6.0, 0.0};
+  const geometry::CoveringDiscs discs = geometry::covering_discs(kForklift);
+  const double nose_m = *std::max_element(discs.ahead_m.begin(), discs.ahead_m.end());
+  const double swung_radps = limits.max_turn_acceleration_radps2 * settings.step_s, braking_mps2 = settings.braking_share * limits.max_deceleration_mps2;
+  const double swung_rad = 0.5 * swung_radps * settings.step_s + 0.5 * swung_radps * swung_radps * nose_m / braking_mps2;
+  int refused = 0, allowed = 0;
+  for (double gap_m = 0.005; gap_m < 0.3; gap_m += 0.005) {
+    Mover thing;
+    thing.may_walk = false;
+    thing.growth_mps = 0.0;
+    const double apart_m = discs.radius_m + thing.radius_m + thing.margin_m;
+    thing.position_in_map = {base.x + nose_m, base.y + apart_m + gap_m};
+    world.movers = {thing};
+    const Obstruction found = obstruction(world.scene(kForklift, limits, base, {}), {0.0, limits.max_turn_radps, 0.0}, settings);
+    const Point2 nose{base.x + nose_m * std::cos(swung_rad), base.y + nose_m * std::sin(swung_rad)};
+    const bool comes_too_near = geometry::distance(nose, thing.position_in_map) < apart_m - 1e-3;
+    EXPECT_TRUE(!comes_too_near || found == Obstruction::kMover) << gap_m;
+    ++(found == Obstruction::kNone ? allowed : refused);
+  }
+  EXPECT_GT(refused, 10);
+  EXPECT_GT(allowed, 10);
 }
 
 TEST(LongVehicle, MindsPeopleBesideItsNose) {
