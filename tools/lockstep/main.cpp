@@ -67,7 +67,7 @@ struct Wanted {
 };
 
 aisle::lockstep::Result run_one(const std::string& family, std::uint64_t seed, const Wanted& wanted) {
-  aisle::lockstep::Setup setup = setup_of(family, seed);
+  aisle::lockstep::Setup setup = aisle::lockstep::named_setup(family, seed);
   setup.local = wanted.local;
   setup.planner = wanted.global;
   if (wanted.truth) setup.perception = aisle::lockstep::Perception::kTruth;
@@ -130,10 +130,4 @@ int main(int argc, char** argv) {
     if (!wanted.suite) return run_families(wanted) ? 0 : 1;
     return run_suite(wanted.families.empty() ? aisle::lockstep::suite_families() : wanted.families, wanted.local, wanted.first, wanted.seeds) ? 0 : 1;
   });
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  return aisle::process::run_guarded("aisle-lockstep", [&] { return drive_families(argc, argv); });
 }

@@ -41,7 +41,7 @@ TEST(Lockstep, TheSameSeedGivesTheSameTrace) {
 
 TEST(Lockstep, SaysWhichFamiliesThereAre) {
   try {
-    make_setup("crosing", 1);
+    named_setup("crosing", 1);
     FAIL() << "a family that is not there";
   } catch (const config::BadInput& error) {
     EXPECT_NE(std::string(error.what()).find("crosing"), std::string::npos) << error.what();
