@@ -23,6 +23,8 @@ constexpr double kTurnBeginRad = 0.9;
 constexpr double kTurnEndRad = 0.2;
 constexpr double kLostM = 0.6;
 constexpr double kLostRad = 1.2;
+constexpr double kWalksByM = 1.0;         // between the outlines: so near are people whom it lets pass,
+constexpr double kLetPassS = 10.0;        // for so long; who is still there then does not walk by
 constexpr double kBesidePersonM = 0.25;   // so near to somebody who stood for long it creeps: they set off before it could stop
 constexpr double kNearEnoughS = 3.0;      // within the goal's tolerance, while somebody is in the way of its middle
 constexpr double kSubTargetM = 0.6;       // LI's look-ahead on the path
@@ -309,7 +311,7 @@ bool LocalPlanner::find_spot(Cycle& cycle, const std::vector<std::string>& for_w
 
 /// Backs off, once trying has gone on for long enough.
 void LocalPlanner::recover(Cycle& cycle) {
-  const bool waits = !cycle.advice.yields_to.empty() && !cycle.advice.follows;
+  const bool waits = (!cycle.advice.yields_to.empty() && !cycle.advice.follows) || lets_pass_;
   const bool is_closed = blocked_ && blocked_->vehicle_id.empty();
   const double left_m = way_.lane().length_m() - way_.lane_s_m();
   if (patience_.look({left_m, waits, way_.is_aside(), is_closed, cycle.vehicle.limits}, cycle.now) != Grade::kBackOff) return;
@@ -416,6 +418,8 @@ void LocalPlanner::drive(Cycle& cycle) {
     way_out = local_planner::way_out({scene, aim, way_out.choice, cycle.stands(), may_turn, error}, variant_, settings_.dwa);
   }
   const Choice& choice = way_out.choice;
+  const bool refused_by_people = way_out.grade != Grade::kNone && choice.rejected[static_cast<int>(Obstruction::kMover)] > 0 && somebody_walks_by(cycle);
+  lets_pass_ = refused_by_people && seconds(cycle.now - moved_) < kLetPassS;
   if (waits_before_it) command(cycle, {});
   else if (way_out.turn_rad) command(cycle, turn_of(cycle, *way_out.turn_rad));
   else if (choice.found) command(cycle, choice.twist);
@@ -442,6 +446,12 @@ void LocalPlanner::leave_path_for_sub_target(Cycle& cycle) const {
 Scene LocalPlanner::scene_of(const Cycle& cycle) const {
   return {*cycle.inputs.clearance, cycle.base_then, last_command_, cycle.discs.radius_m, cycle.vehicle.limits, speed_cap(cycle),
           cycle.around.movers, cycle.around.peer_motions, steering_rad_, cycle.discs.ahead_m};
+}
+
+/// Near enough to be who refuses what moves.
+bool LocalPlanner::somebody_walks_by(const Cycle& cycle) {
+  const auto& movers = cycle.around.movers;
+  return std::any_of(movers.begin(), movers.end(), [&](const Mover& mover) { return mover.velocity_in_map != Point2{} && cycle.gap_then_m(mover) < kWalksByM; });
 }
 
 /// Along the arc that is being driven.

@@ -40,6 +40,7 @@ class LocalPlanner {
   void drive(Cycle& cycle);
   void leave_path_for_sub_target(Cycle& cycle) const;
   Scene scene_of(const Cycle& cycle) const;
+  static bool somebody_walks_by(const Cycle& cycle);
   void brake(Cycle& cycle);
   bool is_lost(const Cycle& cycle) const;
   geometry::Twist2 turn_of(const Cycle& cycle, double error_rad) const;
@@ -68,6 +69,7 @@ class LocalPlanner {
   bool arrived_{false};
   time::Stamp near_since_{};                        // within the goal's tolerance
   bool turning_{false};
+  bool lets_pass_{false};       // people who walk by refused all that moves, in the cycle before
   time::Stamp moved_{};                             // when the vehicle last moved, or had no reason to
   time::Stamp searched_{};                          // when detours were last looked for
   time::Stamp stepped_aside_{};

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,27 @@ TEST(Recovery, TellsEachGradeInItsOrder) {
   EXPECT_GT(turns, slower) << all;
   EXPECT_GT(back, turns) << all;
   EXPECT_EQ(place_of(details, "recovers: looks finer"), -1) << "before people it waits";
+}
+
+/// One after the other, each across the way and on.
+TEST(Recovery, LetsPeoplePassInsteadOfBackingOff) {
+  Drive drive(hall(20.0, 10.0));
+  drive.give_plan({{3.0, 5.0}, {17.0, 5.0}});
+  ASSERT_TRUE(drive.until(5.0, [&] { return drive.base.x > 6.0; }));
+  const double x_m = drive.base.x + 1.3;
+  double t_s = 0.0;
+  double refused_s = 0.0;
+  EXPECT_FALSE(drive.until(9.5, [&] {
+    t_s += 0.02;
+    drive.inputs.tracks.clear();
+    for (int i = 0; i < 60; ++i) {
+      const double y_m = 5.0 + t_s - 0.6 * i + 1.0;
+      if (std::abs(y_m - 5.0) < 2.0) drive.inputs.tracks.push_back(drive.track({x_m, y_m}, {0.0, 1.0}, false)), drive.inputs.tracks.back().track.id = static_cast<std::uint64_t>(i + 1);
+    }
+    refused_s += drive.output.detail.find("recovers") != std::string::npos ? 0.02 : 0.0;
+    return drive.output.detail == "recovers: backs off";
+  })) << t_s;
+  EXPECT_GT(refused_s, 6.5) << "they were not in the way";
 }
 
 TEST(Recovery, LooksFinerBetweenWallsWhereFewArcsLeadIn) {
