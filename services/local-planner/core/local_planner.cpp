@@ -25,6 +25,7 @@ constexpr double kLostM = 0.6;
 constexpr double kLostRad = 1.2;
 constexpr double kWalksByM = 1.0;         // between the outlines: so near are people whom it lets pass,
 constexpr double kLetPassS = 10.0;        // for so long; who is still there then does not walk by
+constexpr double kCreepMps = 0.04;         // wheels that are a little faster than asked for stand still by every rule
 constexpr double kBesidePersonM = 0.25;   // so near to somebody who stood for long it creeps: they set off before it could stop
 constexpr double kNearEnoughS = 3.0;      // within the goal's tolerance, while somebody is in the way of its middle
 constexpr double kSubTargetM = 0.6;       // LI's look-ahead on the path
@@ -344,7 +345,7 @@ double LocalPlanner::speed_cap(const Cycle& cycle) const {
   if (cycle.cautious) cap = std::min(cap, settings_.cautious_mps);
   for (const Mover& mover : cycle.around.movers) {
     if (!mover.may_walk && mover.has_walked) {
-      cap = std::min(cap, kStandingMps + std::max(0.0, cycle.gap_then_m(mover) - kBesidePersonM));
+      cap = std::min(cap, kCreepMps + std::max(0.0, cycle.gap_then_m(mover) - kBesidePersonM));
     }
     if (!mover.may_walk) continue;
     double gap = 1e9;
