@@ -45,7 +45,9 @@ AISLE_WIDE_VECTORS void add(const Lane& values, double factor, Lane& sums) {
 }
 
 /// The admitted sample with the greatest sum of weighted scores, counted over all lanes; the first of them. None where none is admitted.
-std::optional<std::size_t> best_of(const std::vector<Samples>& all, const std::vector<Lane>& admitted, const Aim& aim, const Variant& variant) {
+/// Another speed than the one in force must be worth a share of what a sample earns on the mean: else two that are almost as good send
+/// the vehicle up and down.
+std::optional<std::size_t> best_of(const std::vector<Samples>& all, const std::vector<Lane>& admitted, const Aim& aim, const Variant& variant, double speed_mps, double change_worth) {
   Lane count{};
   for (const Lane& lanes : admitted) add(lanes, 1.0, count);
   const double samples = std::accumulate(count.begin(), count.end(), 0.0);
@@ -59,11 +61,15 @@ std::optional<std::size_t> best_of(const std::vector<Samples>& all, const std::v
     const double sum = std::accumulate(sums.begin(), sums.end(), 0.0);
     for (std::size_t b = 0; sum > 0.0 && b < all.size(); ++b) add(scores[b], critic.weight * samples / sum, totals[b]);
   }
+  double mean = 0.0;                        // what is normalised earns its weight on the mean
+  for (const WeightedCritic& critic : variant.critics) mean += critic.weight;
   std::optional<std::size_t> best;
-  double most = -1.0;
+  double most = -mean;
   for (std::size_t b = 0; b < all.size(); ++b)
-    for (std::size_t i = 0; i < kLanes; ++i)
-      if (admitted[b][i] > 0.0 && totals[b][i] > most) best = b * kLanes + i, most = totals[b][i];
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      const double total = totals[b][i] - (all[b].linear_mps[i] == speed_mps ? 0.0 : change_worth * mean);
+      if (admitted[b][i] > 0.0 && total > most) best = b * kLanes + i, most = total;
+    }
   return best;
 }
 
@@ -100,14 +106,22 @@ std::vector<double> sideways_of(const Scene& scene, const DwaSettings& settings)
   return speeds;
 }
 
+/// Speeds that the window reaches, and the one in force: where the best speed lies between two others, the vehicle would else be sent up and
+/// down from cycle to cycle.
+std::vector<double> forwards_of(const Scene& scene, const DwaSettings& settings) {
+  const kinematics::Limits& limits = scene.limits;
+  const double v0 = scene.twist.linear_mps;
+  const double low = std::max(0.0, v0 - limits.max_deceleration_mps2 * settings.window_s);
+  const double high = std::max(low, std::min({v0 + limits.max_acceleration_mps2 * settings.window_s, scene.speed_cap_mps, limits.max_speed_mps}));
+  std::vector<double> speeds = spread(low, high, settings.linear_samples);
+  if (low < v0 && v0 < high) speeds.insert(std::lower_bound(speeds.begin(), speeds.end(), v0), v0);
+  return speeds;
+}
+
 /// Neighbours in turn and speed come one after the other: they end at the same walls, and so together.
 std::vector<Twist2> window(const Scene& scene, const DwaSettings& settings) {
   constexpr std::size_t kTogether = 8;        // speeds
-  const kinematics::Limits& limits = scene.limits;
-  const double v0 = scene.twist.linear_mps;
-  const double v_low = std::max(0.0, v0 - limits.max_deceleration_mps2 * settings.window_s);
-  const double v_high = std::max(v_low, std::min({v0 + limits.max_acceleration_mps2 * settings.window_s, scene.speed_cap_mps, limits.max_speed_mps}));
-  const std::vector<double> speeds = spread(v_low, v_high, settings.linear_samples), sideways = sideways_of(scene, settings);
+  const std::vector<double> speeds = forwards_of(scene, settings), sideways = sideways_of(scene, settings);
   std::vector<std::vector<double>> turns;
   std::size_t most_turns = 0;
   for (const double v : speeds) {
@@ -138,7 +152,7 @@ Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const 
   }
   const std::vector<Samples> all = roll_out(scene, needed, stoppable, aim, settings);
   const std::vector<Lane> admitted = admit(all, choice);
-  const std::optional<std::size_t> best = best_of(all, admitted, aim, variant);
+  const std::optional<std::size_t> best = best_of(all, admitted, aim, variant, scene.twist.linear_mps, settings.change_worth);
   if (!best) return choice;
   const Samples& samples = all[*best / kLanes];
   const std::size_t lane = *best % kLanes;

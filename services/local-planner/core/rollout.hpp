@@ -21,6 +21,7 @@ struct DwaSettings {
   double wall_margin_m{0.04};
   double peer_margin_m{0.08};
   double braking_share{0.9};        // of the deceleration limit, where stopping is promised
+  double change_worth{0.01};        // of what a sample earns on the mean: so much more must another speed than the one in force earn
 };
 
 /// A person or thing at constant velocity, its place the less certain the later. Positions count from the scene's moment.

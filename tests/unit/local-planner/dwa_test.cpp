@@ -273,6 +273,17 @@ TEST(Choose, KeepsToTheSpeedCapAsFarAsBrakesAllow) {
   EXPECT_LT(choose(world.scene({5.0, 5.0, 0.0}, {1.2, 0.0, 0.0}, 0.4), aim, wang(), {}).twist.linear_mps, 1.0);
 }
 
+TEST(Choose, KeepsItsSpeedWhereAnotherIsWorthLittle) {
+  const World world(hall(30.0, 10.0));
+  Aim aim;
+  aim.target_in_map = {20.0, 5.0};
+  DwaSettings settings;
+  for (const double mps : {1.185, 1.19, 1.195}) EXPECT_DOUBLE_EQ(choose(world.scene({10.0, 5.0, 0.0}, {mps, 0.0, 0.0}), aim, wang(), settings).twist.linear_mps, mps);
+  EXPECT_GT(choose(world.scene({10.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), aim, wang(), settings).twist.linear_mps, 1.1);
+  settings.change_worth = 0.0;
+  EXPECT_DOUBLE_EQ(choose(world.scene({10.0, 5.0, 0.0}, {1.19, 0.0, 0.0}), aim, wang(), settings).twist.linear_mps, 1.2);
+}
+
 /// The promise that everything rests on: whatever is chosen, braking along the arc afterwards touches nothing.
 TEST(Choose, NeverTakesASpeedThatCannotBeStopped) {
   grid::OccupancyGrid grid = hall(12.0, 12.0);
