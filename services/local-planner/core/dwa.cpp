@@ -1,6 +1,7 @@
 #include "services/local-planner/core/dwa.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -13,6 +14,8 @@ namespace aisle::local_planner {
 namespace {
 
 using geometry::Twist2;
+
+constexpr double kStandingMps = 0.05;
 
 std::vector<double> spread(double low, double high, int count) {
   std::vector<double> values;
@@ -152,7 +155,8 @@ Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const 
   }
   const std::vector<Samples> all = roll_out(scene, needed, stoppable, aim, settings);
   const std::vector<Lane> admitted = admit(all, choice);
-  const std::optional<std::size_t> best = best_of(all, admitted, aim, variant, scene.twist.linear_mps, settings.change_worth);
+  const bool is_under_way = std::abs(scene.twist.linear_mps) > kStandingMps;      // who stands may set off for the least gain
+  const std::optional<std::size_t> best = best_of(all, admitted, aim, variant, scene.twist.linear_mps, is_under_way ? settings.change_worth : 0.0);
   if (!best) return choice;
   const Samples& samples = all[*best / kLanes];
   const std::size_t lane = *best % kLanes;

@@ -25,7 +25,7 @@ constexpr double kLostM = 0.6;
 constexpr double kLostRad = 1.2;
 constexpr double kWalksByM = 1.0;         // between the outlines: so near are people whom it lets pass,
 constexpr double kLetPassS = 10.0;        // for so long; who is still there then does not walk by
-constexpr double kCreepMps = 0.04;         // wheels that are a little faster than asked for stand still by every rule
+constexpr double kCreepMps = kStandingMps - 1e-6;      // does not count as moving, and still gets on
 constexpr double kBesidePersonM = 0.25;   // so near to somebody who stood for long it creeps: they set off before it could stop
 constexpr double kNearEnoughS = 3.0;      // within the goal's tolerance, while somebody is in the way of its middle
 constexpr double kSubTargetM = 0.6;       // LI's look-ahead on the path
@@ -63,7 +63,7 @@ struct LocalPlanner::Cycle {
     for (const double ahead_m : discs.ahead_m) least = std::min(least, geometry::distance(geometry::to_map(base_then, {ahead_m, 0.0}), mover.position_in_map));
     return least - discs.radius_m - mover.radius_m;
   }
-  bool stands() const { return std::abs(measured_mps) < kStandingMps; }
+  bool stands() const { return std::abs(measured_mps) < kCreepMps - 1e-6; }
 };
 
 LocalPlanner::LocalPlanner(const Settings& settings, Variant variant)
