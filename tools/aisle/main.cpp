@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
     if (const std::optional<int> code = aisle::service::parse_arguments(app, argc, pointers.data())) return *code;
     const int code = cli.action();
-    if (std::fflush(stdout) != 0) throw aisle::config::BadEnvironment("stdout cannot be written; is the disk full?");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw aisle::config::BadEnvironment("stdout cannot be written; is the disk full?");
     return code;
   });
 }

@@ -1,12 +1,12 @@
 #include "tools/lockstep/families.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <stdexcept>
 
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
@@ -219,9 +219,18 @@ std::vector<std::string> families() {
   return names;
 }
 
+namespace {
+
+std::string names_like(const std::string& family) {
+  const std::string nearest = config::nearest_name(family, families());
+  return fmt::format("{}there are {}", nearest.empty() ? "" : "did you mean '" + nearest + "'? ", fmt::join(families(), ", "));
+}
+
+}  // namespace
+
 Setup make_setup(const std::string& family, std::uint64_t seed) {
   const auto maker = makers().find(family);
-  if (maker == makers().end()) throw std::invalid_argument("no scenario family '" + family + "'");
+  if (maker == makers().end()) throw config::BadInput(fmt::format("no scenario family '{}'; {}", family, names_like(family)));
   Dice dice(seed);
   Setup setup = maker->second(dice);
   setup.scenario.name = family;
@@ -233,11 +242,7 @@ Setup named_setup(const std::string& name_or_file, std::uint64_t seed) {
   if (makers().count(name_or_file) > 0) return make_setup(name_or_file, seed);
   const std::filesystem::path file(name_or_file);
   if (file.has_extension() || file.has_parent_path() || std::filesystem::exists(file)) return read_setup(file, seed);
-  std::string all;
-  for (const std::string& name : families()) all += (all.empty() ? "" : ", ") + name;
-  const std::string nearest = config::nearest_name(name_or_file, families());
-  throw config::BadInput(fmt::format("'{}' is neither a scenario file nor a family; {}there are {}", name_or_file,
-                                     nearest.empty() ? "" : "did you mean '" + nearest + "'? ", all));
+  throw config::BadInput(fmt::format("'{}' is neither a scenario file nor a family; {}", name_or_file, names_like(name_or_file)));
 }
 
 }  // namespace aisle::lockstep

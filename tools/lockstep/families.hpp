@@ -10,7 +10,7 @@ namespace aisle::lockstep {
 
 /// Names of the scenario families, each a kind of difficulty.
 std::vector<std::string> families();
-/// One of them, varied by seed. @throws std::invalid_argument for an unknown name
+/// One of them, varied by seed. @throws config::BadInput for an unknown name
 Setup make_setup(const std::string& family, std::uint64_t seed);
 
 /// A scenario file with its map and recordings. @throws config::BadInput, also where a vehicle starts in a wall or in another vehicle

@@ -40,7 +40,7 @@ double gap_to_walls_m(const grid::OccupancyGrid& walls, const geometry::Body& bo
 }
 
 void Judge::pair(const Vehicle& vehicle, const std::string& other, double gap_m, Result& result, std::vector<Touch>& touches) {
-  if (vehicle.is_moving) result.least_clearance_m = std::min(result.least_clearance_m, gap_m);
+  if (vehicle.is_moving && gap_m < kLookM) result.least_clearance_m = std::min(result.least_clearance_m, gap_m);
   const std::string key = vehicle.id + " " + other;
   if (gap_m > kApartM) {
     touching_.erase(key);
