@@ -204,6 +204,7 @@ TEST(RollOut, MeetsWhomAPlainLoopMeets) {
       if (samples.collides[lane] == Obstruction::kWall) continue;
       Pose2 pose = scene.base_in_map;
       Twist2 twist = scene.twist;
+      Pose2 looked_from;
       double moving_gap_m = aim.mover_cap_m, path_m = 0.0;
       for (int k = 1; k <= 20; ++k) {
         twist = kinematics::limit_change(twist, twists[i], scene.limits, 0.1);
@@ -213,9 +214,12 @@ TEST(RollOut, MeetsWhomAPlainLoopMeets) {
         const auto& intended = world.peers.front().intended_in_map;
         moving_gap_m = std::min(moving_gap_m, geometry::distance(pose.position(), intended[std::min<std::size_t>(static_cast<std::size_t>(k), 14)]) - 0.7);
         if (k % 4 == 0) path_m += 0.2 * nearest_m(aim.path_in_map, pose.position());
+        if (k == 8) looked_from = pose;
       }
       EXPECT_NEAR(samples.moving_gap_m[lane], moving_gap_m, 1e-3);
       EXPECT_NEAR(samples.path_distance_m[lane], path_m, 1e-3);
+      EXPECT_NEAR(geometry::distance({samples.look_x_m[lane], samples.look_y_m[lane]}, looked_from.position()), 0.0, 1e-3);
+      EXPECT_NEAR(geometry::wrap(samples.look_yaw_rad[lane] - looked_from.yaw), 0.0, 1e-6);
       EXPECT_NEAR(geometry::distance({samples.end_x_m[lane], samples.end_y_m[lane]}, pose.position()), 0.0, 1e-3);
       EXPECT_EQ(samples.collides[lane] != Obstruction::kNone, moving_gap_m < 0.0);
       if (moving_gap_m < aim.mover_cap_m) ++met;

@@ -77,7 +77,7 @@ TEST(WayOut, IsAFinerLookWhereTheCoarseOneOverlooksAGap) {
   const std::vector<PeerMotion> no_peers;
   DwaSettings coarse;
   coarse.linear_samples = 2;
-  coarse.angular_samples = 2;
+  coarse.angular_samples = 3;
   int finer = 0;
   for (double yaw_rad = -0.8; yaw_rad < 0.8; yaw_rad += 0.05) {
     const Scene scene{clearance, {5.0, 4.9, yaw_rad}, {}, 0.35, {}, 1.2, nobody, no_peers};

@@ -71,8 +71,8 @@ TEST(Recovery, LetsPeoplePassInsteadOfBackingOff) {
 TEST(Recovery, LooksFinerBetweenWallsWhereFewArcsLeadIn) {
   Settings coarse;
   coarse.dwa.linear_samples = 2;
-  coarse.dwa.angular_samples = 2;
-  for (const double yaw_rad : {0.2, 0.4, 0.6}) {
+  coarse.dwa.angular_samples = 3;
+  for (const double yaw_rad : {0.2, 0.3, 0.4, 0.5}) {
     Drive drive(aisle(0.95), {3.0, 5.0, yaw_rad});
     drive.planner = LocalPlanner(coarse);
     drive.give_plan({{3.0, 5.0}, {17.0, 5.0}});
