@@ -17,7 +17,7 @@
 #include "tools/aisle/cli.hpp"
 #include "tools/aisle/drive_picture.hpp"
 #include "tools/aisle/json/json.hpp"
-#include "tools/aisle/output_file.hpp"
+#include "tools/aisle/planning/output_file.hpp"
 #include "tools/aisle/progress_line.hpp"
 #include "tools/aisle/text.hpp"
 #include "tools/lockstep/families.hpp"

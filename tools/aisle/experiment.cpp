@@ -11,9 +11,9 @@
 #include "common/scenario/data_path.hpp"
 #include "tools/aisle/cli.hpp"
 #include "tools/aisle/driving/local_experiment.hpp"
-#include "tools/aisle/output_file.hpp"
 #include "tools/aisle/planning/global_experiment.hpp"
 #include "tools/aisle/planning/markdown.hpp"
+#include "tools/aisle/planning/output_file.hpp"
 #include "tools/aisle/tracking/tracking_experiment.hpp"
 
 namespace aisle::cli {

@@ -10,7 +10,7 @@
 #include "common/process/exit_code.hpp"
 #include "tools/aisle/cli.hpp"
 #include "tools/aisle/json/json.hpp"
-#include "tools/aisle/output_file.hpp"
+#include "tools/aisle/planning/output_file.hpp"
 #include "tools/tracking/picture.hpp"
 #include "tools/tracking/trial.hpp"
 

@@ -1,14 +1,13 @@
 #include "tools/aisle/driving/fusion_tables.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 #include <vector>
 
-#include "common/config/reader.hpp"
 #include "tools/aisle/driving/curves_svg.hpp"
 #include "tools/aisle/driving/fused_drive.hpp"
 #include "tools/aisle/planning/markdown.hpp"
+#include "tools/aisle/planning/output_file.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -144,12 +143,6 @@ std::string claims_table(const std::vector<Driven>& all, const std::filesystem::
   });
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw config::BadEnvironment(file.string() + ": cannot be written");
-}
-
 std::string curve_figures(const DriveFigures& d) {
   double low = 0.0, high = 0.0;
   for (const DrivePoint& p : d.points) low = std::min(low, p.angular_radps), high = std::max(high, p.angular_radps);
@@ -171,7 +164,7 @@ std::string curves(const std::vector<Driven>& all, const std::filesystem::path& 
   for (const Driven& d : all) {
     if (std::string(d.of->curves).empty()) continue;
     const std::string file = std::string(d.of->curves) + ".svg";
-    write(pictures / file, curves_svg(std::string(d.of->title) + " (compare " + d.of->figure + ")", {{"A* + traditional DWA", &d.astar_dwa}, {std::string("improved A* + ") + d.of->paper, &d.improved}}));
+    write_output_file(pictures / file, curves_svg(std::string(d.of->title) + " (compare " + d.of->figure + ")", {{"A* + traditional DWA", &d.astar_dwa}, {std::string("improved A* + ") + d.of->paper, &d.improved}}));
     text += std::string("![") + d.of->title + "](" + from_page + "/" + file + ")\n\n";
   }
   return text;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <utility>
 
-#include "common/config/reader.hpp"
 #include "tools/aisle/driving/window_svg.hpp"
 #include "tools/aisle/planning/markdown.hpp"
+#include "tools/aisle/planning/output_file.hpp"
 #include "tools/lockstep/building.hpp"
 
 namespace aisle::cli {
@@ -65,12 +64,6 @@ WindowScene scene_of(const WindowCase& of, const WindowDrive& drive) {
   return scene;
 }
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw config::BadEnvironment(file.string() + ": cannot be written");
-}
-
 }  // namespace
 
 std::vector<WindowCase> window_cases() {
@@ -116,7 +109,7 @@ std::string window_section(const std::filesystem::path& pictures, const std::str
     const WindowDrive d = drive_window_case(of);
     rows.push_back({of.title, d.result.goals_reached == 1 ? "reached" : "not reached", std::to_string(d.result.contacts), digits(d.farthest_off_m, 2),
                     digits(d.back_on_it_m, 2), digits(d.slowest_mps, 2), digits(d.sub_target_s, 1), d.asked_for_a_plan ? "yes" : "no"});
-    write(pictures / (of.name + ".svg"), window_svg(of.setup.grid, scene_of(of, d)));
+    write_output_file(pictures / (of.name + ".svg"), window_svg(of.setup.grid, scene_of(of, d)));
     shown += "![" + of.title + "](" + pictures_from_page + "/" + of.name + ".svg)\n\n";
   }
   return markdown_table(rows) + shown;

@@ -1,6 +1,5 @@
 #include "tools/aisle/planning/paper_tables.hpp"
 
-#include <fstream>
 #include <memory>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "services/global-planner/core/variant.hpp"
 #include "tools/aisle/planning/drawn_map.hpp"
 #include "tools/aisle/planning/markdown.hpp"
+#include "tools/aisle/planning/output_file.hpp"
 #include "tools/aisle/planning/plan_svg.hpp"
 #include "tools/aisle/planning/tally.hpp"
 
@@ -147,12 +147,6 @@ class PaperCase {
   std::vector<Row> rows_;
 };
 
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) throw config::BadEnvironment(file.string() + ": cannot be written");
-}
-
 }  // namespace
 
 std::string paper_tables(const std::filesystem::path& maps, const std::filesystem::path& pictures, const std::string& pictures_from_page,
@@ -164,7 +158,7 @@ std::string paper_tables(const std::filesystem::path& maps, const std::filesyste
     progress(std::string("papers: ") + of.title);
     const PaperCase paper_case(of, maps);
     for (auto& line : paper_case.compared()) compared.push_back(std::move(line));
-    write(pictures / (std::string(of.map) + ".svg"), paper_case.picture());
+    write_output_file(pictures / (std::string(of.map) + ".svg"), paper_case.picture());
     details += std::string("#### ") + of.title + "\n\n![" + of.title + "](" + pictures_from_page + "/" + of.map + ".svg)\n\n" + paper_case.all_planners();
   }
   return markdown_table(compared) + details;

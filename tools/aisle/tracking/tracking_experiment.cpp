@@ -1,13 +1,13 @@
 #include "tools/aisle/tracking/tracking_experiment.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "common/config/reader.hpp"
 #include "tools/aisle/planning/markdown.hpp"
+#include "tools/aisle/planning/output_file.hpp"
 #include "tools/aisle/tracking/detour_table.hpp"
 #include "tools/tracking/picture.hpp"
 #include "tools/tracking/trial.hpp"
@@ -79,12 +79,6 @@ std::vector<std::unique_ptr<tracking::Contestant>> contestants(bool all) {
   return contestants;
 }
 
-void save(const std::filesystem::path& file, const std::string& svg) {
-  std::ofstream out(file);
-  out << svg;
-  if (!out.flush()) throw config::BadEnvironment(file.string() + ": cannot be written; check the folder and its permissions");
-}
-
 /// The trackers on every recording, and how honest they are.
 std::string recorded_tables(const TrackingExperiment& orders, const Progress& progress) {
   Rows table{{"people, two vehicles", "tracker", "MOTA", "MOTP m", "IDF1", "switches", "fragments", "velocity RMS m/s", "latency scans", "false tracks a minute"}};
@@ -103,7 +97,7 @@ std::string recorded_tables(const TrackingExperiment& orders, const Progress& pr
       }
       if (!drive || !played.remark.empty()) continue;
       const std::string file = "tracking-" + played.name + ".svg";
-      save(orders.pictures / file, picture.svg());
+      write_output_file(orders.pictures / file, picture.svg());
       pictures += "![" + title + "](" + orders.pictures_from_page + "/" + file + ")\n\n";
     }
   }

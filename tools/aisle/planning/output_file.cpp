@@ -1,4 +1,4 @@
-#include "tools/aisle/output_file.hpp"
+#include "tools/aisle/planning/output_file.hpp"
 
 #include <unistd.h>
 
