@@ -1,8 +1,9 @@
-// One control cycle of the dynamic window: 400 samples of 32 steps with all critics, among 0 to 500 boxes of the map and 0 to 50 tracks,
-// for a disc, a rectangle and a forklift, beside a plain scalar version in the same run. Nanoseconds a trajectory point, CPU time of the
-// thread, over the single cycles of interleaved rounds; the fastest tenth (p10) is what a machine does that nobody else uses, for what
-// runs beside it shares cores and caches. After each cycle a loop of multiplications runs about as long: it always takes the same
-// steps, so how far its p99 is from its median is the machine's doing. `dwa_cycle FILE` writes the rows as CSV too.
+// One control cycle of the dynamic window: 400 samples of 32 steps with all critics, among 0 to 500 boxes of the map
+// and 0 to 50 tracks, for a disc, a rectangle and a forklift, beside a plain scalar version in the same run.
+// Nanoseconds a trajectory point, CPU time of the thread, over the single cycles of interleaved rounds; the fastest
+// tenth (p10) is what a machine does that nobody else uses, for what runs beside it shares cores and caches. After each
+// cycle a loop of multiplications runs about as long: it always takes the same steps, so how far its p99 is from its
+// median is the machine's doing. `dwa_cycle FILE` writes the rows as CSV too.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -29,9 +30,10 @@ using local_planner::Scene;
 
 constexpr int kPoints = 400 * 32;
 constexpr int kRounds = 15;
-constexpr int kCycles = 20;             // of ours a round
+constexpr int kCycles = 20;  // of ours a round
 constexpr double kHallM = 20.0;
-constexpr double kFarM = 7.0;                   // from the vehicle: 3.84 m of way, 1.8 m of outline and 1 m of clearance that a critic may ask for
+constexpr double kFarM =
+    7.0;  // from the vehicle: 3.84 m of way, 1.8 m of outline and 1 m of clearance that a critic may ask for
 
 double cpu_ns() {
   timespec t{};
@@ -44,12 +46,19 @@ struct VehicleKind {
   const char* name;
   geometry::CoveringDiscs discs;
   kinematics::Model model;
-  double room_m;                        // from its base to the next box: to start without a contact
+  double room_m;  // from its base to the next box: to start without a contact
 };
 
-VehicleKind disc() { return {"disc", geometry::covering_discs(geometry::disc(0.35)), kinematics::Model::kDifferential, 0.8}; }
-VehicleKind rectangle() { return {"rectangle", geometry::covering_discs(geometry::rectangle(2.4, 1.1, 0.4)), kinematics::Model::kDifferential, 2.2}; }
-VehicleKind forklift() { return {"forklift", geometry::covering_discs(geometry::rectangle(2.4, 1.1, 0.4)), kinematics::Model::kTricycle, 2.2}; }
+VehicleKind disc() {
+  return {"disc", geometry::covering_discs(geometry::disc(0.35)), kinematics::Model::kDifferential, 0.8};
+}
+VehicleKind rectangle() {
+  return {"rectangle", geometry::covering_discs(geometry::rectangle(2.4, 1.1, 0.4)), kinematics::Model::kDifferential,
+          2.2};
+}
+VehicleKind forklift() {
+  return {"forklift", geometry::covering_discs(geometry::rectangle(2.4, 1.1, 0.4)), kinematics::Model::kTricycle, 2.2};
+}
 
 /// A hall with boxes of 0.2 m, none at the vehicle.
 struct Place {
@@ -77,26 +86,30 @@ Place make_place(int boxes, int anywhere, int tracks, double room_m) {
     const grid::Cell low = grid.geometry().cell_at(p);
     for (int y = 0; y < 4; ++y)
       for (int x = 0; x < 4; ++x)
-        if (grid.geometry().contains({low.x + x, low.y + y})) grid.set({low.x + x, low.y + y}, grid::Occupancy::kOccupied);
+        if (grid.geometry().contains({low.x + x, low.y + y}))
+          grid.set({low.x + x, low.y + y}, grid::Occupancy::kOccupied);
   }
   place.clearance = grid::ClearanceField(grid, 5.0);
-  for (int i = 0; i < tracks; ++i) place.movers.push_back({away(room_m + 0.4), {speed(random), speed(random)}, 0.25, 0.15, 0.2});
+  for (int i = 0; i < tracks; ++i)
+    place.movers.push_back({away(room_m + 0.4), {speed(random), speed(random)}, 0.25, 0.15, 0.2});
   return place;
 }
 
 local_planner::DwaSettings bench_settings() {
   local_planner::DwaSettings settings;
   settings.horizon_s = 3.2;
-  settings.linear_samples = 19;         // and the speed in force
-  settings.angular_samples = 19;        // and straight on
+  settings.linear_samples = 19;   // and the speed in force
+  settings.angular_samples = 19;  // and straight on
   return settings;
 }
 
 local_planner::Variant all_critics() {
   using namespace local_planner;
   Variant variant = wang();
-  variant.critics = {{heading_critic, .1},       {clearance_critic, .1},           {velocity_critic, .1},         {sub_target_heading_critic, .1},
-                     {path_distance_critic, .1}, {sub_target_distance_critic, .1}, {static_clearance_critic, .1}, {dynamic_clearance_critic, .1}};
+  variant.critics = {{heading_critic, .1},          {clearance_critic, .1},
+                     {velocity_critic, .1},         {sub_target_heading_critic, .1},
+                     {path_distance_critic, .1},    {sub_target_distance_critic, .1},
+                     {static_clearance_critic, .1}, {dynamic_clearance_critic, .1}};
   return variant;
 }
 
@@ -113,8 +126,8 @@ struct Row {
   VehicleKind vehicle;
   int boxes, anywhere, tracks;
   Place place;
-  std::vector<double> ours, plain;      // ns a point
-  std::vector<double> steady;           // ns of the loop beside
+  std::vector<double> ours, plain;  // ns a point
+  std::vector<double> steady;       // ns of the loop beside
 };
 
 Row make_row(const VehicleKind& vehicle, int boxes, int anywhere, int tracks) {
@@ -136,8 +149,16 @@ void time_ours(Row& row) {
   static const std::vector<local_planner::PeerMotion> kNoPeers;
   kinematics::Limits limits;
   limits.model = row.vehicle.model;
-  const Scene scene{row.place.clearance, {0.5 * kHallM, 0.5 * kHallM, 0.0}, {0.6, 0.1, 0.0}, row.vehicle.discs.radius_m, limits, 1.2, row.place.movers, kNoPeers,
-                    limits.model == kinematics::Model::kTricycle ? std::atan(limits.axle.wheelbase_m * 0.1 / 0.6) : 0.0, row.vehicle.discs.ahead_m};
+  const Scene scene{row.place.clearance,
+                    {0.5 * kHallM, 0.5 * kHallM, 0.0},
+                    {0.6, 0.1, 0.0},
+                    row.vehicle.discs.radius_m,
+                    limits,
+                    1.2,
+                    row.place.movers,
+                    kNoPeers,
+                    limits.model == kinematics::Model::kTricycle ? std::atan(limits.axle.wheelbase_m * 0.1 / 0.6) : 0.0,
+                    row.vehicle.discs.ahead_m};
   const local_planner::Variant variant = all_critics();
   const Aim aim = make_aim(scene);
   volatile double kept = 0.0;
@@ -165,10 +186,14 @@ double plain_cycle(const Place& place, const geometry::CoveringDiscs& discs) {
           const double disc_x = x + ahead_m * std::cos(yaw), disc_y = y + ahead_m * std::sin(yaw);
           for (const Point2 box : place.boxes) gap = std::min(gap, std::hypot(disc_x - box.x, disc_y - box.y) - box_m);
           for (const Mover& m : place.movers)
-            gap = std::min(gap, std::hypot(disc_x - m.position_in_map.x - 0.1 * k * m.velocity_in_map.x, disc_y - m.position_in_map.y - 0.1 * k * m.velocity_in_map.y) - mover_m);
+            gap = std::min(gap, std::hypot(disc_x - m.position_in_map.x - 0.1 * k * m.velocity_in_map.x,
+                                           disc_y - m.position_in_map.y - 0.1 * k * m.velocity_in_map.y) -
+                                    mover_m);
         }
       }
-      const double score = gap < 0.0 ? -1e18 : 0.2 * (3.14 - std::abs(std::atan2(10.2 - y, 11.8 - x) - yaw)) + 0.5 * std::min(gap, 1.0) + 0.3 * v;
+      const double score = gap < 0.0 ? -1e18
+                                     : 0.2 * (3.14 - std::abs(std::atan2(10.2 - y, 11.8 - x) - yaw)) +
+                                           0.5 * std::min(gap, 1.0) + 0.3 * v;
       if (score > best) best = score, chosen = v;
     }
   return chosen;
@@ -192,7 +217,8 @@ double median_of(const std::vector<double>& values) { return share_of(values, 0.
 std::vector<double> medians_by_round(const std::vector<double>& values) {
   std::vector<double> medians;
   for (std::size_t first = 0; first < values.size(); first += kCycles)
-    medians.push_back(median_of({values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(first + kCycles)}));
+    medians.push_back(median_of({values.begin() + static_cast<std::ptrdiff_t>(first),
+                                 values.begin() + static_cast<std::ptrdiff_t>(first + kCycles)}));
   return medians;
 }
 
@@ -212,34 +238,48 @@ double spread_of(std::vector<double> values) {
 }
 
 std::vector<Row> make_rows() {
-  return {make_row(disc(), 0, 0),           make_row(disc(), 10, 0),           make_row(disc(), 100, 0),       make_row(disc(), 500, 0),
-          make_row(disc(), 500, 10, 0),     make_row(disc(), 100, 10),         make_row(disc(), 100, 50),      make_row(rectangle(), 10, 0),
-          make_row(rectangle(), 100, 0),    make_row(rectangle(), 500, 0),     make_row(rectangle(), 500, 10, 0), make_row(rectangle(), 100, 50),
-          make_row(forklift(), 100, 0),     make_row(forklift(), 100, 50)};
+  return {make_row(disc(), 0, 0),        make_row(disc(), 10, 0),           make_row(disc(), 100, 0),
+          make_row(disc(), 500, 0),      make_row(disc(), 500, 10, 0),      make_row(disc(), 100, 10),
+          make_row(disc(), 100, 50),     make_row(rectangle(), 10, 0),      make_row(rectangle(), 100, 0),
+          make_row(rectangle(), 500, 0), make_row(rectangle(), 500, 10, 0), make_row(rectangle(), 100, 50),
+          make_row(forklift(), 100, 0),  make_row(forklift(), 100, 50)};
 }
 
 void print_table(const std::vector<Row>& rows) {
-  std::printf("400 samples x 32 steps, eight critics; ns a trajectory point\n  %-10s %5s %6s %9s %7s %8s %8s %8s %8s %8s\n", "vehicle", "discs", "boxes", "anywhere", "tracks", "p10",
-              "median", "p99", "plain", "ratio");
+  std::printf(
+      "400 samples x 32 steps, eight critics; ns a trajectory point\n  %-10s %5s %6s %9s %7s %8s %8s %8s %8s %8s\n",
+      "vehicle", "discs", "boxes", "anywhere", "tracks", "p10", "median", "p99", "plain", "ratio");
   for (const Row& row : rows) {
     const double ours = median_of(row.ours);
     const double plain = median_of(row.plain);
-    std::printf("  %-10s %5zu %6d %9d %7d %8.2f %8.2f %8.2f %8.2f %8.3f\n", row.vehicle.name, row.vehicle.discs.ahead_m.size(), row.boxes, row.anywhere, row.tracks, share_of(row.ours, 0.1), ours,
+    std::printf("  %-10s %5zu %6d %9d %7d %8.2f %8.2f %8.2f %8.2f %8.3f\n", row.vehicle.name,
+                row.vehicle.discs.ahead_m.size(), row.boxes, row.anywhere, row.tracks, share_of(row.ours, 0.1), ours,
                 share_of(row.ours, 0.99), plain, ours / plain);
   }
 }
 
-void goal(const std::string& what, double value, double most) { std::printf("  %-52s %6.2f, goal %.2f: %s\n", what.c_str(), value, most, value <= most ? "met" : "missed"); }
+void goal(const std::string& what, double value, double most) {
+  std::printf("  %-52s %6.2f, goal %.2f: %s\n", what.c_str(), value, most, value <= most ? "met" : "missed");
+}
 
 void print_goals(const std::vector<Row>& rows) {
-  const auto row_of = [&](const std::string& vehicle, int boxes, int anywhere, int tracks) -> const std::vector<double>& {
-    return std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.vehicle.name == vehicle && row.boxes == boxes && row.anywhere == anywhere && row.tracks == tracks; })->ours;
+  const auto row_of = [&](const std::string& vehicle, int boxes, int anywhere,
+                          int tracks) -> const std::vector<double>& {
+    return std::find_if(rows.begin(), rows.end(),
+                        [&](const Row& row) {
+                          return row.vehicle.name == vehicle && row.boxes == boxes && row.anywhere == anywhere &&
+                                 row.tracks == tracks;
+                        })
+        ->ours;
   };
-  const auto ours = [&](const std::string& vehicle, int boxes, int tracks) -> const std::vector<double>& { return row_of(vehicle, boxes, boxes, tracks); };
+  const auto ours = [&](const std::string& vehicle, int boxes, int tracks) -> const std::vector<double>& {
+    return row_of(vehicle, boxes, boxes, tracks);
+  };
   for (const auto& [vehicle, most_ns] : {std::pair<std::string, double>{"disc", 10.0}, {"rectangle", 25.0}}) {
     goal(vehicle + ": ns a point, 100 boxes, median", median_of(ours(vehicle, 100, 0)), most_ns);
     goal(vehicle + ": 500 boxes to 10, anywhere", ratio_of(ours(vehicle, 500, 0), ours(vehicle, 10, 0)), 1.1);
-    goal(vehicle + ": 500 boxes to 10, the same ten near", ratio_of(row_of(vehicle, 500, 10, 0), ours(vehicle, 10, 0)), 1.1);
+    goal(vehicle + ": 500 boxes to 10, the same ten near", ratio_of(row_of(vehicle, 500, 10, 0), ours(vehicle, 10, 0)),
+         1.1);
     goal(vehicle + ": 50 tracks to none", ratio_of(ours(vehicle, 100, 50), ours(vehicle, 100, 0)), 2.0);
   }
   goal("forklift: ns a point, 100 boxes, median", median_of(ours("forklift", 100, 0)), 25.0);
@@ -263,11 +303,14 @@ std::string machine() {
 
 bool write_csv(const char* file, const std::vector<Row>& rows) {
   std::ofstream out(file);
-  out << "# machine: " << machine() << ", " << std::thread::hardware_concurrency() << " threads\n# compiler: GCC " << __VERSION__ << "\n";
-  out << "vehicle,discs,boxes,boxes_anywhere,tracks,samples,steps,cycles,ours_p10_ns_a_point,ours_ns_a_point,ours_p99_ns_a_point,plain_ns_a_point\n";
+  out << "# machine: " << machine() << ", " << std::thread::hardware_concurrency() << " threads\n# compiler: GCC "
+      << __VERSION__ << "\n";
+  out << "vehicle,discs,boxes,boxes_anywhere,tracks,samples,steps,cycles,ours_p10_ns_a_point,ours_ns_a_point,ours_p99_"
+         "ns_a_point,plain_ns_a_point\n";
   for (const Row& row : rows)
-    out << row.vehicle.name << ',' << row.vehicle.discs.ahead_m.size() << ',' << row.boxes << ',' << row.anywhere << ',' << row.tracks << ",400,32," << row.ours.size() << ','
-        << share_of(row.ours, 0.1) << ',' << median_of(row.ours) << ',' << share_of(row.ours, 0.99) << ',' << median_of(row.plain) << '\n';
+    out << row.vehicle.name << ',' << row.vehicle.discs.ahead_m.size() << ',' << row.boxes << ',' << row.anywhere << ','
+        << row.tracks << ",400,32," << row.ours.size() << ',' << share_of(row.ours, 0.1) << ',' << median_of(row.ours)
+        << ',' << share_of(row.ours, 0.99) << ',' << median_of(row.plain) << '\n';
   return out.good();
 }
 
@@ -278,7 +321,7 @@ int main(int argc, char** argv) {
   for (int round = 0; round < kRounds; ++round)
     for (Row& row : rows) {
       time_ours(row);
-      if (round < 3) time_plain(row);     // it takes a hundred times as long
+      if (round < 3) time_plain(row);  // it takes a hundred times as long
     }
   print_table(rows);
   print_goals(rows);

@@ -1,7 +1,7 @@
-// The fleet planner under load, without a bus: 100 vehicles ask at once on the 1.7 M cells of nav2_warehouse; then, again and again, a
-// box of 1 m is blocked where at least ten plans pass, and what it blocks is planned anew; afterwards the box is freed. Times are CPU
-// time of the thread, from the asking or the edit to the plan: what one core needs that does nothing else.
-// usage: fleet_plans DATA_FOLDER [EDITS [PLANNER...]]
+// The fleet planner under load, without a bus: 100 vehicles ask at once on the 1.7 M cells of nav2_warehouse; then,
+// again and again, a box of 1 m is blocked where at least ten plans pass, and what it blocks is planned anew;
+// afterwards the box is freed. Times are CPU time of the thread, from the asking or the edit to the plan: what one core
+// needs that does nothing else. usage: fleet_plans DATA_FOLDER [EDITS [PLANNER...]]
 #include <time.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ using namespace aisle::global_planner;
 constexpr int kVehicles = 100;
 constexpr double kRadius_m = 0.3;
 constexpr double kBox_m = 1.0;
-constexpr std::size_t kBlocked = 10;          // plans, at least, by each edit that counts
+constexpr std::size_t kBlocked = 10;  // plans, at least, by each edit that counts
 constexpr unsigned kSeed = 5;
 constexpr time::Stamp kNow{std::chrono::seconds(1000)};
 
@@ -49,7 +49,8 @@ std::vector<geometry::Point2> places(const grid::ClearanceField& clearance, int 
   const grid::Geometry& geometry = clearance.geometry();
   std::vector<geometry::Point2> points;
   while (static_cast<int>(points.size()) < count) {
-    const grid::Cell cell{static_cast<int>(random() % static_cast<unsigned>(geometry.width)), static_cast<int>(random() % static_cast<unsigned>(geometry.height))};
+    const grid::Cell cell{static_cast<int>(random() % static_cast<unsigned>(geometry.width)),
+                          static_cast<int>(random() % static_cast<unsigned>(geometry.height))};
     if (clearance.clearance_m(cell) > kRadius_m + 0.2) points.push_back(geometry.center_in_map(cell));
   }
   return points;
@@ -65,7 +66,9 @@ struct Box {
 bool passes(const FleetPlan& plan, const Box& box) {
   const double half_m = 0.5 * kBox_m + kRadius_m;
   for (std::size_t i = 1; i < plan.waypoints_in_map.size(); ++i) {
-    if (geometry::distance_to_segment(box.center_in_map, plan.waypoints_in_map[i - 1], plan.waypoints_in_map[i]) < half_m) return true;
+    if (geometry::distance_to_segment(box.center_in_map, plan.waypoints_in_map[i - 1], plan.waypoints_in_map[i]) <
+        half_m)
+      return true;
   }
   return false;
 }
@@ -89,7 +92,8 @@ class Fleet {
     }
   }
 
-  /// Plans until there is nothing left to do. Returns when each plan that is not the one before was there, since `begun_ms`.
+  /// Plans until there is nothing left to do. Returns when each plan that is not the one before was there, since
+  /// `begun_ms`.
   std::vector<double> work(double begun_ms) {
     std::vector<double> new_plans_ms;
     while (const std::optional<FleetPlan> plan = fleet_.step(kNow, nullptr)) {
@@ -102,14 +106,16 @@ class Fleet {
   /// Blocks the box, or frees what was free of it before. Returns as work().
   std::vector<double> edit(const Box& box, const grid::OccupancyGrid& as, bool blocks) {
     for (int y = box.low.y; y <= box.high.y; ++y) {
-      for (int x = box.low.x; x <= box.high.x; ++x) grid_.set({x, y}, blocks ? grid::Occupancy::kOccupied : as.at({x, y}));
+      for (int x = box.low.x; x <= box.high.x; ++x)
+        grid_.set({x, y}, blocks ? grid::Occupancy::kOccupied : as.at({x, y}));
     }
     const double begun_ms = cpu_ms();
     fleet_.set_map("warehouse", ++revision_, grid_, box.low, box.high);
     return work(begun_ms);
   }
 
-  /// A box on a random plan that at least ten plans pass, away from vehicles and goals. Nothing when a thousand tries find none.
+  /// A box on a random plan that at least ten plans pass, away from vehicles and goals. Nothing when a thousand tries
+  /// find none.
   std::optional<Box> crowded() {
     const grid::Geometry& geometry = grid_.geometry();
     const int half = static_cast<int>(0.5 * kBox_m / geometry.resolution_m);
@@ -120,24 +126,27 @@ class Fleet {
       const double along = 0.001 * static_cast<double>(random_() % 1000);
       const geometry::Point2 a = plan.waypoints_in_map[piece];
       const grid::Cell middle = geometry.cell_at(a + along * (plan.waypoints_in_map[piece + 1] - a));
-      const Box box{geometry.center_in_map(middle), {middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}};
+      const Box box{
+          geometry.center_in_map(middle), {middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}};
       if (!geometry.contains(box.low) || !geometry.contains(box.high) || is_near_an_end(box)) continue;
-      const auto blocked = std::count_if(plans_.begin(), plans_.end(), [&](const auto& other) { return passes(other.second, box); });
+      const auto blocked =
+          std::count_if(plans_.begin(), plans_.end(), [&](const auto& other) { return passes(other.second, box); });
       if (blocked >= static_cast<std::ptrdiff_t>(kBlocked)) return box;
     }
     return {};
   }
 
   std::size_t found() const {
-    return static_cast<std::size_t>(
-        std::count_if(plans_.begin(), plans_.end(), [](const auto& plan) { return plan.second.outcome == FleetOutcome::kFound; }));
+    return static_cast<std::size_t>(std::count_if(
+        plans_.begin(), plans_.end(), [](const auto& plan) { return plan.second.outcome == FleetOutcome::kFound; }));
   }
 
  private:
   bool is_near_an_end(const Box& box) const {
     return std::any_of(plans_.begin(), plans_.end(), [&](const auto& plan) {
       const std::vector<geometry::Point2>& way = plan.second.waypoints_in_map;
-      return way.empty() || geometry::distance(way.front(), box.center_in_map) < 2.0 * kBox_m || geometry::distance(way.back(), box.center_in_map) < 2.0 * kBox_m;
+      return way.empty() || geometry::distance(way.front(), box.center_in_map) < 2.0 * kBox_m ||
+             geometry::distance(way.back(), box.center_in_map) < 2.0 * kBox_m;
     });
   }
 
@@ -166,9 +175,10 @@ void run(const std::string& planner, const grid::OccupancyGrid& map, int edits) 
     }
     fleet.edit(*box, map, false);
   }
-  std::printf("%-10s %9zu %10.1f %8zu %8.1f %12.1f %9.1f %12.1f %9.1f\n", planner.c_str(), found, first_ms.empty() ? 0.0 : first_ms.back(), count,
-              count == 0 ? 0.0 : static_cast<double>(all_ms.size()) / static_cast<double>(count), quantile(tenth_ms, 0.5), quantile(tenth_ms, 0.99),
-              quantile(all_ms, 0.5), quantile(all_ms, 0.99));
+  std::printf("%-10s %9zu %10.1f %8zu %8.1f %12.1f %9.1f %12.1f %9.1f\n", planner.c_str(), found,
+              first_ms.empty() ? 0.0 : first_ms.back(), count,
+              count == 0 ? 0.0 : static_cast<double>(all_ms.size()) / static_cast<double>(count),
+              quantile(tenth_ms, 0.5), quantile(tenth_ms, 0.99), quantile(all_ms, 0.5), quantile(all_ms, 0.99));
   std::fflush(stdout);
 }
 
@@ -183,14 +193,16 @@ int main(int argc, char** argv) {
   const int edits = argc > 2 ? std::atoi(argv[2]) : 200;
   std::vector<std::string> planners(argv + std::min(argc, 3), argv + argc);
   if (planners.empty()) planners = {"direct", "jps", "wang", "astar"};
-  std::printf("%d vehicles on nav2_warehouse (%zu cells), %d edits of %.0f m, seed %u; CPU ms\n", kVehicles, map.geometry().cells(), edits, kBox_m, kSeed);
-  std::printf("%-10s %9s %10s %8s %8s %12s %9s %12s %9s\n", "planner", "found", "all after", "edits", "new/edit", "10th p50", "p99", "each p50", "p99");
+  std::printf("%d vehicles on nav2_warehouse (%zu cells), %d edits of %.0f m, seed %u; CPU ms\n", kVehicles,
+              map.geometry().cells(), edits, kBox_m, kSeed);
+  std::printf("%-10s %9s %10s %8s %8s %12s %9s %12s %9s\n", "planner", "found", "all after", "edits", "new/edit",
+              "10th p50", "p99", "each p50", "p99");
   for (const std::string& planner : planners) {
     if (find_variant(planner) == nullptr) {
       std::fprintf(stderr, "fleet_plans: no planner '%s'\n", planner.c_str());
       return 2;
     }
-    run(planner, map, planner == "direct" || planner == "jps" ? edits : std::min(edits, 3));   // the others need minutes
+    run(planner, map, planner == "direct" || planner == "jps" ? edits : std::min(edits, 3));  // the others need minutes
   }
   return 0;
 }

@@ -1,7 +1,8 @@
-// Is repairing a search after a map edit worth it? For each map: plan, block a box of 1 m (at least 3 cells) in the middle of the path,
-// plan again; then free it, plan again. Beside a fresh A* and a fresh jump point search stands LPA*, D* Lite's search for a vehicle that
-// stands (Koenig, Likhachev 2002), which repairs what it knows. Times of planning alone; the clearance field's update is the same for all.
-// usage: replan DATA_FOLDER [QUERIES]     prints a table, medians in microseconds
+// Is repairing a search after a map edit worth it? For each map: plan, block a box of 1 m (at least 3 cells) in the
+// middle of the path, plan again; then free it, plan again. Beside a fresh A* and a fresh jump point search stands
+// LPA*, D* Lite's search for a vehicle that stands (Koenig, Likhachev 2002), which repairs what it knows. Times of
+// planning alone; the clearance field's update is the same for all. usage: replan DATA_FOLDER [QUERIES]     prints a
+// table, medians in microseconds
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -32,7 +33,11 @@ constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max() / 4;
 class LifelongPlanning {
  public:
   LifelongPlanning(const Drivable& drivable, grid::Cell start, grid::Cell goal)
-      : drivable_(&drivable), geometry_(drivable.geometry()), start_(start), goal_(goal), values_(geometry_.cells(), {kNever, kNever}) {
+      : drivable_(&drivable),
+        geometry_(drivable.geometry()),
+        start_(start),
+        goal_(goal),
+        values_(geometry_.cells(), {kNever, kNever}) {
     values_[geometry_.index(goal)].ahead = 0;
     push(goal);
   }
@@ -47,7 +52,7 @@ class LifelongPlanning {
       open_.pop();
       const std::size_t index = geometry_.index(top.cell);
       Value& value = values_[index];
-      if (value.known == value.ahead || !(top.key == key(top.cell))) continue;   // stale
+      if (value.known == value.ahead || !(top.key == key(top.cell))) continue;  // stale
       const bool gets_cheaper = value.known > value.ahead;
       value.known = gets_cheaper ? value.ahead : kNever;
       if (!gets_cheaper) update(top.cell);
@@ -70,7 +75,7 @@ class LifelongPlanning {
 
  private:
   struct Value {
-    std::uint32_t known, ahead;   // g and rhs
+    std::uint32_t known, ahead;  // g and rhs
   };
   struct Key {
     std::uint32_t through, cost;
@@ -161,7 +166,9 @@ void edit_and_plan(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, c
       repaired = lifelong.search();
     }));
     const double repaired_m = repaired >= kNever ? 0.0 : repaired * geometry.resolution_m / kStraightCost;
-    if (std::abs(repaired_m - fresh.length_m) + std::abs(jumped.length_m - fresh.length_m) > 1e-5 * fresh.length_m + 1e-6) throw std::runtime_error("the repaired search is not optimal");
+    if (std::abs(repaired_m - fresh.length_m) + std::abs(jumped.length_m - fresh.length_m) >
+        1e-5 * fresh.length_m + 1e-6)
+      throw std::runtime_error("the repaired search is not optimal");
   }
 }
 
@@ -174,18 +181,22 @@ int main(int argc, char** argv) {
   }
   const std::filesystem::path data = argv[1];
   const auto limit = static_cast<std::size_t>(argc > 2 ? std::max(1, std::atoi(argv[2])) : 20);
-  std::printf("%-24s %10s %10s %10s %10s %14s\n", "map", "fresh A*", "fresh jps", "LPA* first", "LPA* again", "again / jps");
-  for (const char* map : {"movingai/warehouse-10-20-10-2-1.map", "movingai/room-64-64-16.map", "movingai/random-64-64-20.map", "movingai/maze-128-128-10.map",
-                          "movingai/den520d.map", "movingai/Berlin_1_256.map", "ros/willow-full.yaml", "ros/nav2_depot.yaml", "ros/nav2_warehouse.yaml"}) {
+  std::printf("%-24s %10s %10s %10s %10s %14s\n", "map", "fresh A*", "fresh jps", "LPA* first", "LPA* again",
+              "again / jps");
+  for (const char* map :
+       {"movingai/warehouse-10-20-10-2-1.map", "movingai/room-64-64-16.map", "movingai/random-64-64-20.map",
+        "movingai/maze-128-128-10.map", "movingai/den520d.map", "movingai/Berlin_1_256.map", "ros/willow-full.yaml",
+        "ros/nav2_depot.yaml", "ros/nav2_warehouse.yaml"}) {
     const std::filesystem::path file = data / map;
     grid::OccupancyGrid grid = grid::read_map_file(file);
     grid::ClearanceField clearance(grid, 2.0);
     Times times;
-    for (const cli::Query& query : cli::read_queries(data / "queries" / (file.stem().string() + ".q"), grid.geometry(), limit)) {
+    for (const cli::Query& query :
+         cli::read_queries(data / "queries" / (file.stem().string() + ".q"), grid.geometry(), limit)) {
       edit_and_plan(grid, clearance, query, times);
     }
-    std::printf("%-24s %10.1f %10.1f %10.1f %10.1f %14.2f\n", file.stem().c_str(), median(times.astar), median(times.jps), median(times.first),
-                median(times.repair), median(times.repair) / median(times.jps));
+    std::printf("%-24s %10.1f %10.1f %10.1f %10.1f %14.2f\n", file.stem().c_str(), median(times.astar),
+                median(times.jps), median(times.first), median(times.repair), median(times.repair) / median(times.jps));
   }
   return 0;
 }

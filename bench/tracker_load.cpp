@@ -1,6 +1,7 @@
-// The obstacle tracker under a fleet's load: 20 vehicles that scan at 10 Hz among 30 people, all of its filters beside a plain tracker
-// (nearest neighbour) on the same scans: share of a core (CPU time over simulated time) and ms a scan. Then an hour of simulated time
-// for the memory: the scans again and again, with the stamps moved on; resident memory after 10 minutes against after 60.
+// The obstacle tracker under a fleet's load: 20 vehicles that scan at 10 Hz among 30 people, all of its filters beside
+// a plain tracker (nearest neighbour) on the same scans: share of a core (CPU time over simulated time) and ms a scan.
+// Then an hour of simulated time for the memory: the scans again and again, with the stamps moved on; resident memory
+// after 10 minutes against after 60.
 #include <unistd.h>
 
 #include <algorithm>
@@ -56,7 +57,8 @@ class Hall final : public tracking::Scene {
     }
     std::mt19937 random(7);
     std::uniform_real_distribution<double> x(1.5, 34.5), y(1.5, 22.5), part(0.0, 1.0);
-    for (Leg& leg : legs_) leg = {{x(random), y(random)}, {x(random), y(random)}, 0.6 + 0.9 * part(random), 20.0 * part(random)};
+    for (Leg& leg : legs_)
+      leg = {{x(random), y(random)}, {x(random), y(random)}, 0.6 + 0.9 * part(random), 20.0 * part(random)};
   }
   const grid::OccupancyGrid& walls() const override { return walls_; }
   double duration_s() const override { return 1e9; }
@@ -71,7 +73,8 @@ class Hall final : public tracking::Scene {
       const Point2 middle{3.25 + 6.0 * (v % 5) + 3.0 * (v / 10), 3.25 + 5.4 * (v / 5)};
       tracking::Carrier carrier;
       carrier.agv_id = "agv-" + std::to_string(v);
-      carrier.base_in_map = {middle.x + kRadius_m * std::cos(angle), middle.y + kRadius_m * std::sin(angle), geometry::wrap(angle + geometry::kPi / 2.0)};
+      carrier.base_in_map = {middle.x + kRadius_m * std::cos(angle), middle.y + kRadius_m * std::sin(angle),
+                             geometry::wrap(angle + geometry::kPi / 2.0)};
       carrier.twist = {kSpeed_mps, kSpeed_mps / kRadius_m, 0.0};
       moment.vehicles.push_back(carrier);
     }
@@ -82,7 +85,8 @@ class Hall final : public tracking::Scene {
       const bool goes_back = way_m > length_m;
       const Point2 direction = (1.0 / length_m) * (leg.to - leg.from);
       const double along_m = goes_back ? 2.0 * length_m - way_m : way_m;
-      moment.people.push_back({p + 1, leg.from + along_m * direction, (goes_back ? -leg.speed_mps : leg.speed_mps) * direction});
+      moment.people.push_back(
+          {p + 1, leg.from + along_m * direction, (goes_back ? -leg.speed_mps : leg.speed_mps) * direction});
     }
     return moment;
   }
@@ -106,7 +110,8 @@ class Recorder final : public tracking::Contestant {
     time::Stamp now;
   };
   std::string name() const override { return "recorder"; }
-  void take(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const grid::ClearanceField&, time::Stamp now) override {
+  void take(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const grid::ClearanceField&,
+            time::Stamp now) override {
     for (int v = 0; v < kVehiclesOfTheHour; ++v) {
       if (scan.agv_id == "agv-" + std::to_string(v)) taken_.push_back({scan, vehicles, now});
     }
@@ -119,19 +124,24 @@ class Recorder final : public tracking::Contestant {
 };
 
 void share_of_a_core(Hall& hall, Recorder*& recorder, std::vector<std::unique_ptr<tracking::Contestant>>& contestants) {
-  for (const obstacle_tracker::Filter& filter : obstacle_tracker::all_filters()) contestants.push_back(tracking::make_aisle(filter.name));
+  for (const obstacle_tracker::Filter& filter : obstacle_tracker::all_filters())
+    contestants.push_back(tracking::make_aisle(filter.name));
   contestants.push_back(tracking::make_nearest_neighbour());
   auto own = std::make_unique<Recorder>();
   recorder = own.get();
   contestants.push_back(std::move(own));
   const std::vector<tracking::Row> rows = tracking::run_trial(hall, {}, 1, contestants, kLoad_s);
   std::printf("%d vehicles at 10 Hz, %d people, %.0f s simulated\n", kVehicles, kPeople, kLoad_s);
-  std::printf("%-18s %16s %14s %12s %12s %7s\n", "tracker", "share of a core", "to the plain", "scan ms p50", "scan ms p99", "MOTA");
+  std::printf("%-18s %16s %14s %12s %12s %7s\n", "tracker", "share of a core", "to the plain", "scan ms p50",
+              "scan ms p99", "MOTA");
   const double plain = rows[rows.size() - 2].core_share;
   for (const tracking::Row& row : rows) {
     if (row.tracker == recorder->name()) continue;
-    std::printf("%-18s %16.4f %14.2f %12.4f %12.4f %7.3f", row.tracker.c_str(), row.core_share, row.core_share / plain, row.scan_ms_p50, row.scan_ms_p99, row.score.mota);
-    std::printf(row.tracker == "nearest-neighbour" ? "\n" : row.core_share < 0.30 && row.scan_ms_p99 <= 5.0 ? "  goal 0.30, 5 ms: met\n" : "  goal 0.30, 5 ms: missed\n");
+    std::printf("%-18s %16.4f %14.2f %12.4f %12.4f %7.3f", row.tracker.c_str(), row.core_share, row.core_share / plain,
+                row.scan_ms_p50, row.scan_ms_p99, row.score.mota);
+    std::printf(row.tracker == "nearest-neighbour"                ? "\n"
+                : row.core_share < 0.30 && row.scan_ms_p99 <= 5.0 ? "  goal 0.30, 5 ms: met\n"
+                                                                  : "  goal 0.30, 5 ms: missed\n");
   }
 }
 
@@ -158,9 +168,12 @@ void memory_of_an_hour(Hall& hall, const std::vector<Recorder::Taken>& taken) {
     if (after_ten_mb == 0.0 && simulated_s >= 600.0) after_ten_mb = resident_mb();
   }
   const double grown_mb = resident_mb() - after_ten_mb;
-  std::printf("\nAn hour of %d vehicles' scans, %llu used, %llu dropped, in %.1f s CPU: resident %.2f MB after 10 min, %+.2f MB after 60; at most %zu tracks held: %s\n",
-              kVehiclesOfTheHour, static_cast<unsigned long long>(tracker.scans_used()), static_cast<unsigned long long>(tracker.scans_dropped()), cpu_s() - begun_s,
-              after_ten_mb, grown_mb, most, grown_mb < 0.5 ? "flat" : "GROWS");
+  std::printf(
+      "\nAn hour of %d vehicles' scans, %llu used, %llu dropped, in %.1f s CPU: resident %.2f MB after 10 min, %+.2f "
+      "MB after 60; at most %zu tracks held: %s\n",
+      kVehiclesOfTheHour, static_cast<unsigned long long>(tracker.scans_used()),
+      static_cast<unsigned long long>(tracker.scans_dropped()), cpu_s() - begun_s, after_ten_mb, grown_mb, most,
+      grown_mb < 0.5 ? "flat" : "GROWS");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The clearance field of a whole map, and of the window that an edit of 1 m can change. 1000 x 1000 cells of 0.05 m, a tenth of them blocked.
+// The clearance field of a whole map, and of the window that an edit of 1 m can change. 1000 x 1000 cells of 0.05 m, a
+// tenth of them blocked.
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -36,7 +37,8 @@ void after_an_edit_of_1_m(benchmark::State& state) {
   bool block = true;
   for (auto _ : state) {
     for (int y = low.y; y <= high.y; ++y) {
-      for (int x = low.x; x <= high.x; ++x) grid.set({x, y}, block ? grid::Occupancy::kOccupied : grid::Occupancy::kFree);
+      for (int x = low.x; x <= high.x; ++x)
+        grid.set({x, y}, block ? grid::Occupancy::kOccupied : grid::Occupancy::kFree);
     }
     field.update(grid, low, high);
     block = !block;

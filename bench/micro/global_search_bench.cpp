@@ -56,9 +56,10 @@ void search(benchmark::State& state, const global_planner::Variant& variant) {
   double expanded = 0.0;
   for (auto _ : state) {
     const Query& query = queries().list[next++ % queries().list.size()];
-    const global_planner::Plan plan =
-        planner->plan({queries().clearance, geometry.center_in_map(query.start), geometry.center_in_map(query.goal), 0.0}, never);
-    if (plan.outcome != global_planner::Outcome::kFound) throw std::runtime_error(variant.name + ": no path where the textbook finds one");
+    const global_planner::Plan plan = planner->plan(
+        {queries().clearance, geometry.center_in_map(query.start), geometry.center_in_map(query.goal), 0.0}, never);
+    if (plan.outcome != global_planner::Outcome::kFound)
+      throw std::runtime_error(variant.name + ": no path where the textbook finds one");
     expanded += static_cast<double>(plan.expanded);
   }
   state.counters["expanded"] = benchmark::Counter(expanded, benchmark::Counter::kAvgIterations);
@@ -66,8 +67,9 @@ void search(benchmark::State& state, const global_planner::Variant& variant) {
 
 const bool registered = [] {
   for (const global_planner::Variant& variant : global_planner::all_variants()) {
-    benchmark::RegisterBenchmark(variant.name.c_str(), [&variant](benchmark::State& state) { search(state, variant); })
-        ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(variant.name.c_str(), [&variant](benchmark::State& state) {
+      search(state, variant);
+    })->Unit(benchmark::kMicrosecond);
   }
   return true;
 }();

@@ -28,14 +28,18 @@ struct Grid {
   }
   bool is_edge(grid::Cell at, grid::Cell step) const {
     if (!cells->is_free({at.x + step.x, at.y + step.y})) return false;
-    return step.x == 0 || step.y == 0 || (cells->is_free({at.x + step.x, at.y}) && cells->is_free({at.x, at.y + step.y}));
+    return step.x == 0 || step.y == 0 ||
+           (cells->is_free({at.x + step.x, at.y}) && cells->is_free({at.x, at.y + step.y}));
   }
 };
 
 class OutEdges : public boost::iterator_facade<OutEdges, Edge, boost::forward_traversal_tag, Edge> {
  public:
   OutEdges() = default;
-  OutEdges(const Grid& grid, Vertex from, std::size_t step) : grid_(&grid), from_(from), at_(grid.cell(from)), step_(step) { skip(); }
+  OutEdges(const Grid& grid, Vertex from, std::size_t step)
+      : grid_(&grid), from_(from), at_(grid.cell(from)), step_(step) {
+    skip();
+  }
 
  private:
   friend class boost::iterator_core_access;
@@ -60,7 +64,9 @@ class OutEdges : public boost::iterator_facade<OutEdges, Edge, boost::forward_tr
 
 struct Traversal : public virtual boost::vertex_list_graph_tag, public virtual boost::incidence_graph_tag {};
 
-std::pair<OutEdges, OutEdges> out_edges(Vertex v, const Grid& grid) { return {OutEdges(grid, v, 0), OutEdges(grid, v, kSteps.size())}; }
+std::pair<OutEdges, OutEdges> out_edges(Vertex v, const Grid& grid) {
+  return {OutEdges(grid, v, 0), OutEdges(grid, v, kSteps.size())};
+}
 std::size_t out_degree(Vertex v, const Grid& grid) {
   const auto [begin, end] = out_edges(v, grid);
   return static_cast<std::size_t>(std::distance(begin, end));

@@ -6,8 +6,9 @@
 
 namespace aisle::bench {
 
-/// `boost::astar_search` on an implicit graph: vertices are the cells' indices, edges are made up as it walks over them. Its property
-/// maps are arrays that are kept between queries (which is in its favour); it fills them at the begin of each search.
+/// `boost::astar_search` on an implicit graph: vertices are the cells' indices, edges are made up as it walks over
+/// them. Its property maps are arrays that are kept between queries (which is in its favour); it fills them at the
+/// begin of each search.
 class BoostAstar {
  public:
   explicit BoostAstar(const grid::OccupancyGrid& grid);

@@ -30,9 +30,13 @@ geometry::Point2 point(const ob::State* state) {
 /// Our own line check, so that OMPL does not pay for one that looks at many more points.
 class LineOfSight final : public ob::MotionValidator {
  public:
-  LineOfSight(const ob::SpaceInformationPtr& space, const grid::ClearanceField& clearance) : MotionValidator(space), clearance_(clearance) {}
-  bool checkMotion(const ob::State* from, const ob::State* to) const override { return grid::is_line_free(clearance_, point(from), point(to), 1e-6); }
-  bool checkMotion(const ob::State* from, const ob::State* to, std::pair<ob::State*, double>& last_valid) const override {
+  LineOfSight(const ob::SpaceInformationPtr& space, const grid::ClearanceField& clearance)
+      : MotionValidator(space), clearance_(clearance) {}
+  bool checkMotion(const ob::State* from, const ob::State* to) const override {
+    return grid::is_line_free(clearance_, point(from), point(to), 1e-6);
+  }
+  bool checkMotion(const ob::State* from, const ob::State* to,
+                   std::pair<ob::State*, double>& last_valid) const override {
     last_valid.second = 0.0;
     if (last_valid.first != nullptr) si_->copyState(last_valid.first, from);
     return checkMotion(from, to);
@@ -72,7 +76,8 @@ PeerAnswer ompl_plan(const std::string& planner, const grid::ClearanceField& cle
   plane->setBounds(bounds);
   og::SimpleSetup setup(plane);
   setup.setStateValidityChecker([&](const ob::State* state) { return clearance.clearance_m(point(state)) > 0.0; });
-  setup.getSpaceInformation()->setMotionValidator(std::make_shared<LineOfSight>(setup.getSpaceInformation(), clearance));
+  setup.getSpaceInformation()->setMotionValidator(
+      std::make_shared<LineOfSight>(setup.getSpaceInformation(), clearance));
   ob::ScopedState<> start(plane);
   ob::ScopedState<> goal(plane);
   start[0] = start_in_map.x;
@@ -86,8 +91,9 @@ PeerAnswer ompl_plan(const std::string& planner, const grid::ClearanceField& cle
   setup.setOptimizationObjective(shortest);
   setup.setPlanner(made(planner, setup.getSpaceInformation()));
   PeerAnswer answer;
-  const auto solved = setup.solve(ob::plannerOrTerminationCondition(ob::timedPlannerTerminationCondition(limit_s),
-                                                                    ob::exactSolnPlannerTerminationCondition(setup.getProblemDefinition())));
+  const auto solved = setup.solve(
+      ob::plannerOrTerminationCondition(ob::timedPlannerTerminationCondition(limit_s),
+                                        ob::exactSolnPlannerTerminationCondition(setup.getProblemDefinition())));
   answer.is_found = solved == ob::PlannerStatus::EXACT_SOLUTION;
   if (answer.is_found) answer.length_cells = setup.getSolutionPath().length() / g.resolution_m;
   return answer;

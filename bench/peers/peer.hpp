@@ -3,7 +3,8 @@
 
 namespace aisle::bench {
 
-/// What a planner that is not ours answered. Lengths in cells, 8-connected without cut corners unless it says otherwise.
+/// What a planner that is not ours answered. Lengths in cells, 8-connected without cut corners unless it says
+/// otherwise.
 struct PeerAnswer {
   bool is_found{false};
   double length_cells{0.0};

@@ -9,8 +9,8 @@
 
 namespace aisle::bench {
 
-/// A* as a textbook prints it, to measure ours against in the same run: std::priority_queue, doubles, fresh arrays for each query,
-/// octile heuristic, no corner cut, and the path from goal to start at the end.
+/// A* as a textbook prints it, to measure ours against in the same run: std::priority_queue, doubles, fresh arrays for
+/// each query, octile heuristic, no corner cut, and the path from goal to start at the end.
 inline PeerAnswer textbook_astar(const grid::OccupancyGrid& grid, grid::Cell start, grid::Cell goal) {
   struct Open {
     double f;

@@ -35,7 +35,8 @@ Contestant ours(const Site& site, const planning::Variant& variant, const std::s
       for (const Pass pass : then) pass(drivable, state->plan.waypoints_in_map);
       state->plan.length_m = planning::path_length_m(state->plan.waypoints_in_map);
     }
-    return Reply{state->plan.outcome == planning::Outcome::kFound, state->plan.length_m, state->plan.expanded, &state->plan.waypoints_in_map};
+    return Reply{state->plan.outcome == planning::Outcome::kFound, state->plan.length_m, state->plan.expanded,
+                 &state->plan.waypoints_in_map};
   };
   return {name, true, true, answer};
 }
@@ -61,7 +62,8 @@ std::vector<Contestant> contestants(const Site& site) {
   for (const planning::Variant& variant : planning::all_variants()) {
     all.push_back(ours(site, variant, variant.name, {}));
     if (variant.name == "astar") {
-      all.push_back(ours(site, variant, "astar+removal", {planning::passes::collinear, planning::passes::greedy_line_of_sight}));
+      all.push_back(
+          ours(site, variant, "astar+removal", {planning::passes::collinear, planning::passes::greedy_line_of_sight}));
     }
   }
 #ifdef AISLE_BENCH_OMPL

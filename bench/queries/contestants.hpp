@@ -14,14 +14,15 @@ struct Reply {
   bool is_found{false};
   double length_m{0.0};
   std::size_t expanded{0};
-  const std::vector<geometry::Point2>* waypoints_in_map{nullptr};   // to be checked; null for peers that answer with a length only
+  const std::vector<geometry::Point2>* waypoints_in_map{
+      nullptr};  // to be checked; null for peers that answer with a length only
 };
 
 /// Somebody who answers queries on one map, ours or not. Its arrays are kept between queries as far as it keeps them.
 struct Contestant {
   std::string name;
   bool is_ours{false};
-  bool is_on_grid{true};     // lengths compare with the octile optimum
+  bool is_on_grid{true};  // lengths compare with the octile optimum
   std::function<Reply(const cli::Query&)> answer;
 };
 

@@ -1,4 +1,5 @@
-// Every planner variant and its peers over query files: rounds are interleaved, so that a slow minute of the machine hits all.
+// Every planner variant and its peers over query files: rounds are interleaved, so that a slow minute of the machine
+// hits all.
 #include <malloc.h>
 #include <time.h>
 
@@ -35,7 +36,9 @@ double heap_bytes() {
 }
 
 double quantile(const std::vector<double>& sorted, double part) {
-  return sorted.empty() ? 0.0 : sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(part * static_cast<double>(sorted.size())))];
+  return sorted.empty()
+             ? 0.0
+             : sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(part * static_cast<double>(sorted.size())))];
 }
 
 bool is_refused(const Site& site, const cli::Query& query, const Reply& reply) {
@@ -83,17 +86,21 @@ double warm_up(const Site& site, const Contestant& contestant) {
   if (site.queries.empty()) return 0.0;
   const double before = heap_bytes();
   contestant.answer(site.queries.front());
-  return contestant.is_ours ? std::max(0.0, heap_bytes() - before) / static_cast<double>(site.grid.geometry().cells()) : 0.0;
+  return contestant.is_ours ? std::max(0.0, heap_bytes() - before) / static_cast<double>(site.grid.geometry().cells())
+                            : 0.0;
 }
 
 /// Who did not answer everything in an earlier round is not asked again.
 bool is_too_slow(const std::vector<Row>& rows, const std::string& map, const std::string& planner) {
-  return std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.map == map && row.planner == planner && row.asked < row.queries; });
+  return std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
+    return row.map == map && row.planner == planner && row.asked < row.queries;
+  });
 }
 
 std::vector<std::string> about(const std::string& machine) {
   return {"machine: " + machine + ", " + std::to_string(std::thread::hardware_concurrency()) + " threads",
-          std::string("compiler: GCC ") + __VERSION__ + ", build type " + AISLE_BENCH_BUILD_TYPE, std::string("version: ") + AISLE_BENCH_VERSION};
+          std::string("compiler: GCC ") + __VERSION__ + ", build type " + AISLE_BENCH_BUILD_TYPE,
+          std::string("version: ") + AISLE_BENCH_VERSION};
 }
 
 std::string machine() {
@@ -130,7 +137,11 @@ int main(int argc, char** argv) {
   for (const Site& site : sites) {
     players.push_back(contestants(site));
     auto& all = players.back();
-    all.erase(std::remove_if(all.begin(), all.end(), [&](const Contestant& c) { return std::find(without.begin(), without.end(), c.name) != without.end(); }), all.end());
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](const Contestant& c) {
+                               return std::find(without.begin(), without.end(), c.name) != without.end();
+                             }),
+              all.end());
     for (const Contestant& player : all) bytes_a_cell[{site.name, player.name}] = warm_up(site, player);
   }
   std::vector<Row> rows;

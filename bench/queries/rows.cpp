@@ -24,7 +24,8 @@ std::vector<std::string> names(const std::vector<Row>& rows, std::string Row::*f
 bool is_near(const std::string& map) { return map.find("(near)") != std::string::npos; }
 
 /// Mean over the rounds; nothing when it did not answer everything there.
-std::optional<double> over_rounds(const std::vector<Row>& rows, const std::string& map, const std::string& planner, const Figure& figure) {
+std::optional<double> over_rounds(const std::vector<Row>& rows, const std::string& map, const std::string& planner,
+                                  const Figure& figure) {
   double sum = 0.0;
   int count = 0;
   for (const Row& row : rows) {
@@ -40,7 +41,8 @@ double mean_us(const Row& row) { return row.mean_us; }
 double ns_an_expansion(const Row& row) { return 1e3 * row.mean_us / std::max(1.0, row.expanded_mean); }
 
 /// Geometric mean over the maps of one planner's figure over another's; nothing when one of them misses a map.
-std::optional<double> ratio(const std::vector<Row>& rows, const std::string& ours, const std::string& theirs, const Figure& figure) {
+std::optional<double> ratio(const std::vector<Row>& rows, const std::string& ours, const std::string& theirs,
+                            const Figure& figure) {
   double logs = 0.0;
   int count = 0;
   for (const std::string& map : names(rows, &Row::map)) {
@@ -54,27 +56,32 @@ std::optional<double> ratio(const std::vector<Row>& rows, const std::string& our
   return count == 0 ? std::nullopt : std::optional<double>(std::exp(logs / count));
 }
 
-void goal(std::ostream& out, const std::string& what, std::optional<double> figure, double limit, const char* note = "") {
+void goal(std::ostream& out, const std::string& what, std::optional<double> figure, double limit,
+          const char* note = "") {
   if (!figure) return;
-  fmt::print(out, "  {:<78}{:>9.3f}  <= {:<7.3f}{}{}\n", what, *figure, limit, *figure <= limit ? "met" : "MISSED", note);
+  fmt::print(out, "  {:<78}{:>9.3f}  <= {:<7.3f}{}{}\n", what, *figure, limit, *figure <= limit ? "met" : "MISSED",
+             note);
 }
 
 }  // namespace
 
 void write_csv(std::ostream& out, const std::vector<std::string>& about, const std::vector<Row>& rows) {
   for (const std::string& line : about) fmt::print(out, "# {}\n", line);
-  fmt::print(out, "map,planner,round,queries,asked,solved,undrivable,mean_us,p50_us,p99_us,expanded_mean,length_ratio_mean,length_ratio_max,bytes_a_cell\n");
+  fmt::print(out,
+             "map,planner,round,queries,asked,solved,undrivable,mean_us,p50_us,p99_us,expanded_mean,length_ratio_mean,"
+             "length_ratio_max,bytes_a_cell\n");
   for (const Row& r : rows) {
-    fmt::print(out, "{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.1f},{:.6f},{:.6f},{:.2f}\n", r.map, r.planner, r.round, r.queries, r.asked, r.solved,
-               r.undrivable, r.mean_us, r.p50_us, r.p99_us, r.expanded_mean, r.length_ratio_mean, r.length_ratio_max, r.bytes_a_cell);
+    fmt::print(out, "{},{},{},{},{},{},{},{:.3f},{:.3f},{:.3f},{:.1f},{:.6f},{:.6f},{:.2f}\n", r.map, r.planner,
+               r.round, r.queries, r.asked, r.solved, r.undrivable, r.mean_us, r.p50_us, r.p99_us, r.expanded_mean,
+               r.length_ratio_mean, r.length_ratio_max, r.bytes_a_cell);
   }
 }
 
 void print_table(std::ostream& out, const std::vector<Row>& rows) {
   for (const std::string& map : names(rows, &Row::map)) {
     const auto base = over_rounds(rows, map, "textbook", mean_us);
-    fmt::print(out, "\n{}\n  {:<18}{:>12}{:>12}{:>12}{:>10}{:>10}{:>9}{:>11}\n", map, "planner", "mean us", "p99 us", "expanded", "ns/exp.", "length",
-               "solved", "x textbook");
+    fmt::print(out, "\n{}\n  {:<18}{:>12}{:>12}{:>12}{:>10}{:>10}{:>9}{:>11}\n", map, "planner", "mean us", "p99 us",
+               "expanded", "ns/exp.", "length", "solved", "x textbook");
     for (const std::string& planner : names(rows, &Row::planner)) {
       std::vector<Row> of_it;
       for (const Row& row : rows) {
@@ -83,9 +90,11 @@ void print_table(std::ostream& out, const std::vector<Row>& rows) {
       if (of_it.empty()) continue;
       std::sort(of_it.begin(), of_it.end(), [](const Row& a, const Row& b) { return a.mean_us < b.mean_us; });
       const Row& r = of_it[of_it.size() / 2];
-      fmt::print(out, "  {:<18}{:>12.1f}{:>12.1f}{:>12.0f}{:>10.1f}{:>10.4f}{:>9}{:>11.3f}{}{}\n", planner, r.mean_us, r.p99_us, r.expanded_mean,
-                 ns_an_expansion(r), r.length_ratio_mean, fmt::format("{}/{}", r.solved, r.asked), base ? r.mean_us / *base : 0.0,
-                 r.asked < r.queries ? "  (took too long for all)" : "", r.undrivable > 0 ? fmt::format("  {} UNDRIVABLE", r.undrivable) : "");
+      fmt::print(out, "  {:<18}{:>12.1f}{:>12.1f}{:>12.0f}{:>10.1f}{:>10.4f}{:>9}{:>11.3f}{}{}\n", planner, r.mean_us,
+                 r.p99_us, r.expanded_mean, ns_an_expansion(r), r.length_ratio_mean,
+                 fmt::format("{}/{}", r.solved, r.asked), base ? r.mean_us / *base : 0.0,
+                 r.asked < r.queries ? "  (took too long for all)" : "",
+                 r.undrivable > 0 ? fmt::format("  {} UNDRIVABLE", r.undrivable) : "");
     }
   }
 }
@@ -96,7 +105,8 @@ void print_goals(std::ostream& out, const std::vector<Row>& rows, const std::vec
   goal(out, "exact A* to the textbook A*, ns an expansion", ratio(rows, "astar", "textbook", ns_an_expansion), 0.30);
   goal(out, "jump points to our exact A*, time", ratio(rows, "jps", "astar", mean_us), 0.25);
   const auto removal = ratio(rows, "astar+removal", "astar", mean_us);
-  goal(out, "node removal over the search it follows, added share of its time", removal ? std::optional<double>(*removal - 1.0) : removal, 0.20);
+  goal(out, "node removal over the search it follows, added share of its time",
+       removal ? std::optional<double>(*removal - 1.0) : removal, 0.20);
   std::size_t undrivable = 0;
   double bytes = 0.0;
   for (const Row& row : rows) {
@@ -110,14 +120,20 @@ void print_goals(std::ostream& out, const std::vector<Row>& rows, const std::vec
   if (bytes > 0.0) goal(out, "memory of a query on the largest map, bytes a cell, astar and jps", bytes, 16.0);
   goal(out, "answers of ours that the path checker refuses, all variants", static_cast<double>(undrivable), 0.0);
   for (const std::string& planner : names(rows, &Row::planner)) {
-    const auto length = [&](const std::string& map) { return over_rounds(rows, map, planner, [](const Row& r) { return r.length_ratio_mean; }); };
+    const auto length = [&](const std::string& map) {
+      return over_rounds(rows, map, planner, [](const Row& r) { return r.length_ratio_mean; });
+    };
     double longest = 0.0;
-    for (const std::string& map : names(rows, &Row::map)) longest = std::max(longest, is_near(map) ? 0.0 : length(map).value_or(9.0));
+    for (const std::string& map : names(rows, &Row::map))
+      longest = std::max(longest, is_near(map) ? 0.0 : length(map).value_or(9.0));
     const auto time = ratio(rows, planner, "textbook", mean_us);
-    if (time && longest < 0.999) goal(out, planner + ": improved variant to the textbook A*, time; longest map " + fmt::format("{:.4f}", longest), time, 0.15);
+    if (time && longest < 0.999)
+      goal(out, planner + ": improved variant to the textbook A*, time; longest map " + fmt::format("{:.4f}", longest),
+           time, 0.15);
     for (const Bound& bound : ros_maps) {
       const auto of_map = length(bound.map);
-      if (of_map && *of_map < 0.999) goal(out, planner + ": length to the any-angle bound on " + bound.map, *of_map / bound.any_angle, 1.010);
+      if (of_map && *of_map < 0.999)
+        goal(out, planner + ": length to the any-angle bound on " + bound.map, *of_map / bound.any_angle, 1.010);
     }
   }
 }

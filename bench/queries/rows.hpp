@@ -12,13 +12,13 @@ struct Row {
   std::string planner;
   int round{0};
   std::size_t queries{0};
-  std::size_t asked{0};            // fewer than `queries` when it took too long
+  std::size_t asked{0};  // fewer than `queries` when it took too long
   std::size_t solved{0};
-  std::size_t undrivable{0};       // what the path checker refused, or missed; ours only
+  std::size_t undrivable{0};  // what the path checker refused, or missed; ours only
   double mean_us{0.0}, p50_us{0.0}, p99_us{0.0};
   double expanded_mean{0.0};
-  double length_ratio_mean{0.0}, length_ratio_max{0.0};   // to the octile optimum
-  double bytes_a_cell{0.0};        // that it kept after the first query; ours only
+  double length_ratio_mean{0.0}, length_ratio_max{0.0};  // to the octile optimum
+  double bytes_a_cell{0.0};                              // that it kept after the first query; ours only
 
   bool is_whole() const { return asked == queries && solved == queries; }
 };

@@ -12,13 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr double kReach_m = 2.0;
-constexpr std::size_t kCellsOfFullLimit = 320000;   // on larger maps fewer queries, so that the slowest peers answer them all
+constexpr std::size_t kCellsOfFullLimit =
+    320000;  // on larger maps fewer queries, so that the slowest peers answer them all
 
 struct Known {
   const char* name;
   const char* file;
   bool is_from_ros;
-  double any_angle_bound;   // shared/spec/performance.md
+  double any_angle_bound;  // shared/spec/performance.md
 };
 constexpr Known kMaps[] = {{"warehouse-10-20-10-2-1", "movingai/warehouse-10-20-10-2-1.map", false, 0.9422},
                            {"room-64-64-16", "movingai/room-64-64-16.map", false, 0.9160},
@@ -34,7 +35,8 @@ Site read_site(const fs::path& data, const Known& known, std::size_t limit) {
   Site site{known.name, grid::read_map_file(data / known.file), {}, {}, known.is_from_ros, known.any_angle_bound};
   site.clearance = grid::ClearanceField(site.grid, kReach_m);
   const std::size_t cells = site.grid.geometry().cells();
-  const std::size_t fewer = std::max<std::size_t>(std::min<std::size_t>(limit, 10), limit * std::min(cells, kCellsOfFullLimit) / cells);
+  const std::size_t fewer =
+      std::max<std::size_t>(std::min<std::size_t>(limit, 10), limit * std::min(cells, kCellsOfFullLimit) / cells);
   site.queries = cli::read_queries(data / "queries" / (std::string(known.name) + ".q"), site.grid.geometry(), fewer);
   return site;
 }
@@ -47,7 +49,8 @@ Site near_pairs(const Site& large) {
     const grid::Cell start = g.cell_at(query.start_in_map);
     bool is_open = true;
     for (int k = 0; k <= 3; ++k) is_open = is_open && site.grid.is_free({start.x + k, start.y});
-    if (is_open) site.queries.push_back({query.start_in_map, g.center_in_map({start.x + 3, start.y}), 3.0 * g.resolution_m});
+    if (is_open)
+      site.queries.push_back({query.start_in_map, g.center_in_map({start.x + 3, start.y}), 3.0 * g.resolution_m});
   }
   return site;
 }
@@ -64,7 +67,8 @@ Site shipped_warehouse(std::size_t limit) {
     const grid::Cell goal{x(random), y(random)};
     if (start == goal || !site.grid.is_free(start) || !site.grid.is_free(goal)) continue;
     const PeerAnswer answer = textbook_astar(site.grid, start, goal);
-    if (answer.is_found) site.queries.push_back({g.center_in_map(start), g.center_in_map(goal), answer.length_cells * g.resolution_m});
+    if (answer.is_found)
+      site.queries.push_back({g.center_in_map(start), g.center_in_map(goal), answer.length_cells * g.resolution_m});
   }
   return site;
 }

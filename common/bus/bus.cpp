@@ -44,8 +44,8 @@ struct Bus::State {
   Settings settings;
   std::shared_ptr<Site> site;
   fast::dds::WaitSet wait_set;
-  std::map<std::string, std::unique_ptr<TopicReader>> readers;   // by topic
-  std::deque<Timer> timers;                                      // references stay good while handlers add more
+  std::map<std::string, std::unique_ptr<TopicReader>> readers;  // by topic
+  std::deque<Timer> timers;                                     // references stay good while handlers add more
   std::deque<std::function<void(const Incident&)>> incident_handlers;
   std::vector<Endpoint> own;
   std::mutex post_mutex;
@@ -70,7 +70,7 @@ bool Bus::State::handle_incidents() {
 
 bool Bus::State::handle_readers() {
   bool handled = false;
-  for (auto& [name, reader] : readers) {   // a map: readers that a handler adds do not disturb
+  for (auto& [name, reader] : readers) {  // a map: readers that a handler adds do not disturb
     handled |= reader->drain([this](const Incident& incident) { report(incident); });
   }
   return handled;
@@ -91,7 +91,7 @@ bool Bus::State::handle_timers() {
 }
 
 bool Bus::State::handle_all() {
-  site->guard().set_trigger_value(false);   // first: what comes from now on wakes the next wait
+  site->guard().set_trigger_value(false);  // first: what comes from now on wakes the next wait
   const bool posted_work = handle_posted();
   const bool incidents = handle_incidents();
   const bool samples = handle_readers();
@@ -116,7 +116,8 @@ Bus::~Bus() = default;
 std::shared_ptr<detail::RawWriter> Bus::raw_writer(const char* topic, int strength) {
   const Site::Channel& channel = state_->site->channel(topic);
   auto writer = std::make_shared<DdsWriter>(state_->site, channel, strength);
-  state_->own.push_back({topic, channel.support.get_type_name(), state_->settings.participant_name, "", true, channel.type->qos, {}});
+  state_->own.push_back(
+      {topic, channel.support.get_type_name(), state_->settings.participant_name, "", true, channel.type->qos, {}});
   return writer;
 }
 
@@ -126,7 +127,8 @@ void Bus::raw_on(const char* topic, detail::RawHandler handler) {
     const Site::Channel& channel = state_->site->channel(topic);
     found = state_->readers.emplace(topic, std::make_unique<TopicReader>(*state_->site, channel)).first;
     state_->wait_set.attach_condition(found->second->condition());
-    state_->own.push_back({topic, channel.support.get_type_name(), state_->settings.participant_name, "", false, channel.type->qos, {}});
+    state_->own.push_back(
+        {topic, channel.support.get_type_name(), state_->settings.participant_name, "", false, channel.type->qos, {}});
   }
   found->second->add(std::move(handler));
 }
@@ -136,7 +138,9 @@ void Bus::every(std::chrono::nanoseconds period, std::function<void()> handler) 
   state_->timers.push_back({bounded, Clock::now() + bounded, std::move(handler)});
 }
 
-void Bus::on_incident(std::function<void(const Incident&)> handler) { state_->incident_handlers.push_back(std::move(handler)); }
+void Bus::on_incident(std::function<void(const Incident&)> handler) {
+  state_->incident_handlers.push_back(std::move(handler));
+}
 
 void Bus::post(std::function<void()> work) {
   {

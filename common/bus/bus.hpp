@@ -14,37 +14,44 @@ namespace aisle::bus {
 
 enum class SampleKind {
   kData,
-  kDisposed,      // the writer says that this instance is gone; only the key fields of the sample hold
-  kNoWriters,     // every writer of this instance is gone or silent beyond its lease; only the key fields hold
+  kDisposed,   // the writer says that this instance is gone; only the key fields of the sample hold
+  kNoWriters,  // every writer of this instance is gone or silent beyond its lease; only the key fields hold
 };
 
 /// kDisposed and kNoWriters come for instances of which data came before, and not on queues (depth 0).
 struct SampleInfo {
   SampleKind kind{SampleKind::kData};
-  std::string writer;                                     // GUID, for logs
-  std::chrono::steady_clock::time_point arrived;          // when it was taken, on this host's monotonic clock
+  std::string writer;                             // GUID, for logs
+  std::chrono::steady_clock::time_point arrived;  // when it was taken, on this host's monotonic clock
 };
 
 /// Something about our site that a person must know, by name: topic, the peer, what does not fit.
 struct Incident {
-  enum class Kind { kIncompatibleQos, kTypeMismatch, kDeadlineMissed, kLivelinessLost, kSampleRejected, kMalformedSample };
+  enum class Kind {
+    kIncompatibleQos,
+    kTypeMismatch,
+    kDeadlineMissed,
+    kLivelinessLost,
+    kSampleRejected,
+    kMalformedSample
+  };
   Kind kind;
   std::string topic;
-  std::string text;   // one line
+  std::string text;  // one line
 };
 
 /// An endpoint seen on the wire (our own too), for inspection.
 struct Endpoint {
   std::string topic, type, participant, host;
   bool is_writer{false};
-  Qos qos;                              // history is not announced: depth is 0 for those of others
+  Qos qos;  // history is not announced: depth is 0 for those of others
   std::vector<std::string> partitions;
 };
 
 /// Another participant of the domain, whatever its partition.
 struct Participant {
   std::string name, host;
-  int process_id{0};   // 0: unknown
+  int process_id{0};  // 0: unknown
 };
 
 namespace detail {
@@ -61,8 +68,8 @@ class RawWriter {
 using RawHandler = std::function<void(const void* sample, const SampleInfo&)>;
 }  // namespace detail
 
-/// Writes samples of one topic. Copies share the one DDS writer. Write from the loop's thread only. A default-made writer, and
-/// one whose bus is gone, write nothing.
+/// Writes samples of one topic. Copies share the one DDS writer. Write from the loop's thread only. A default-made
+/// writer, and one whose bus is gone, write nothing.
 template <class Topic>
 class Writer {
  public:
@@ -85,13 +92,13 @@ class Writer {
   std::shared_ptr<detail::RawWriter> raw_;
 };
 
-/// One DDS participant and one event loop. Handlers and timers run in the loop, on the thread that calls run_*: no locks are
-/// needed, no work is done on threads of the middleware. Readers, writers and timers may be added at any time, also from a handler.
-/// All functions but post() belong to the loop's thread.
+/// One DDS participant and one event loop. Handlers and timers run in the loop, on the thread that calls run_*: no
+/// locks are needed, no work is done on threads of the middleware. Readers, writers and timers may be added at any
+/// time, also from a handler. All functions but post() belong to the loop's thread.
 class Bus {
  public:
-  /// @throws config::BadEnvironment when the participant cannot be made (no such interface, ports taken, bad certificate),
-  /// config::BadInput for settings that fit no site
+  /// @throws config::BadEnvironment when the participant cannot be made (no such interface, ports taken, bad
+  /// certificate), config::BadInput for settings that fit no site
   explicit Bus(const Settings& settings);
   ~Bus();
   Bus(const Bus&) = delete;
@@ -103,7 +110,8 @@ class Bus {
     return Writer<Topic>(raw_writer(Topic::kName, strength));
   }
 
-  /// Calls `handler` for each sample, disposal and loss of writers, in order of arrival. Handlers of one topic share a reader.
+  /// Calls `handler` for each sample, disposal and loss of writers, in order of arrival. Handlers of one topic share a
+  /// reader.
   template <class Topic>
   void on(std::function<void(const typename Topic::Sample&, const SampleInfo&)> handler) {
     raw_on(Topic::kName, [handler = std::move(handler)](const void* sample, const SampleInfo& info) {

@@ -55,7 +55,8 @@ bool covers(std::chrono::milliseconds offered, std::chrono::milliseconds request
 
 }  // namespace
 
-std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, const Qos& requested, bool asks_manual_liveliness) {
+std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, const Qos& requested,
+                         bool asks_manual_liveliness) {
   if (offered.reliability == Reliability::kBestEffort && requested.reliability == Reliability::kReliable) {
     return "reliability: best effort is offered, reliable is asked for";
   }
@@ -64,7 +65,8 @@ std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, cons
   }
   if (offered.ownership != requested.ownership) {
     const bool exclusive = offered.ownership == Ownership::kExclusive;
-    return std::string("ownership: ") + (exclusive ? "exclusive is offered, shared" : "shared is offered, exclusive") + " is asked for";
+    return std::string("ownership: ") + (exclusive ? "exclusive is offered, shared" : "shared is offered, exclusive") +
+           " is asked for";
   }
   if (!covers(offered.deadline, requested.deadline)) {
     return "deadline: " + period(offered.deadline) + " is offered, " + period(requested.deadline) + " is asked for";
@@ -73,15 +75,21 @@ std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, cons
     return "liveliness: automatic is offered, manual by topic is asked for";
   }
   if (!covers(offered.liveliness_lease, requested.liveliness_lease)) {
-    return "liveliness lease: " + period(offered.liveliness_lease) + " is offered, " + period(requested.liveliness_lease) + " is asked for";
+    return "liveliness lease: " + period(offered.liveliness_lease) + " is offered, " +
+           period(requested.liveliness_lease) + " is asked for";
   }
   return {};
 }
 
-Discovery::Discovery(std::string partition, std::function<void()> wake) : partition_(std::move(partition)), wake_(std::move(wake)) {}
+Discovery::Discovery(std::string partition, std::function<void()> wake)
+    : partition_(std::move(partition)), wake_(std::move(wake)) {}
 
-void Discovery::writer_seen(fast::WriterInfo info, bool gone) { endpoint_seen(remote_endpoint<fast::WriterInfo>(info, true), gone); }
-void Discovery::reader_seen(fast::ReaderInfo info, bool gone) { endpoint_seen(remote_endpoint<fast::ReaderInfo>(info, false), gone); }
+void Discovery::writer_seen(fast::WriterInfo info, bool gone) {
+  endpoint_seen(remote_endpoint<fast::WriterInfo>(info, true), gone);
+}
+void Discovery::reader_seen(fast::ReaderInfo info, bool gone) {
+  endpoint_seen(remote_endpoint<fast::ReaderInfo>(info, false), gone);
+}
 
 void Discovery::endpoint_seen(RemoteEndpoint endpoint, bool gone) {
   {
@@ -135,16 +143,22 @@ std::vector<Incident> Discovery::new_conflicts() {
 void Discovery::compare(const LocalEndpoint& ours, const RemoteEndpoint& theirs, std::vector<Incident>& found) {
   const std::string who = std::string(theirs.is_writer ? "writer " : "reader ") + name_of(theirs.participant_prefix);
   if (ours.type != theirs.type) {
-    report(theirs, {Incident::Kind::kTypeMismatch, ours.topic,
-                    ours.topic + ": " + who + " uses type " + theirs.type + ", ours is " + ours.type + "; no samples pass"}, found);
+    report(theirs,
+           {Incident::Kind::kTypeMismatch, ours.topic,
+            ours.topic + ": " + who + " uses type " + theirs.type + ", ours is " + ours.type + "; no samples pass"},
+           found);
     return;
   }
   if (ours.is_writer == theirs.is_writer) return;
   const bool ours_manual = ours.qos.liveliness_lease.count() > 0;
-  const std::string conflict = ours.is_writer ? qos_conflict(ours.qos, ours_manual, theirs.qos, theirs.manual_liveliness)
-                                              : qos_conflict(theirs.qos, theirs.manual_liveliness, ours.qos, ours_manual);
+  const std::string conflict = ours.is_writer
+                                   ? qos_conflict(ours.qos, ours_manual, theirs.qos, theirs.manual_liveliness)
+                                   : qos_conflict(theirs.qos, theirs.manual_liveliness, ours.qos, ours_manual);
   if (conflict.empty()) return;
-  report(theirs, {Incident::Kind::kIncompatibleQos, ours.topic, ours.topic + ": " + who + " does not fit our QoS: " + conflict + "; no samples pass"}, found);
+  report(theirs,
+         {Incident::Kind::kIncompatibleQos, ours.topic,
+          ours.topic + ": " + who + " does not fit our QoS: " + conflict + "; no samples pass"},
+         found);
 }
 
 void Discovery::report(const RemoteEndpoint& theirs, Incident incident, std::vector<Incident>& found) {
@@ -155,7 +169,8 @@ void Discovery::report(const RemoteEndpoint& theirs, Incident incident, std::vec
 bool Discovery::same_partition(const std::vector<std::string>& theirs) const {
   if (theirs.empty()) return partition_.empty();
   return std::any_of(theirs.begin(), theirs.end(), [&](const std::string& name) {
-    return name == partition_ || fnmatch(name.c_str(), partition_.c_str(), 0) == 0 || fnmatch(partition_.c_str(), name.c_str(), 0) == 0;
+    return name == partition_ || fnmatch(name.c_str(), partition_.c_str(), 0) == 0 ||
+           fnmatch(partition_.c_str(), name.c_str(), 0) == 0;
   });
 }
 
@@ -176,8 +191,9 @@ std::vector<Endpoint> Discovery::endpoints() const {
   std::vector<Endpoint> all;
   for (const auto& [guid, seen] : remotes_) {
     const auto peer = peers_.find(seen.participant_prefix);
-    if (peer == peers_.end()) continue;   // our own: the middleware tells of them too, and Bus lists them
-    all.push_back({seen.topic, seen.type, peer->second.name, peer->second.host, seen.is_writer, seen.qos, seen.partitions});
+    if (peer == peers_.end()) continue;  // our own: the middleware tells of them too, and Bus lists them
+    all.push_back(
+        {seen.topic, seen.type, peer->second.name, peer->second.host, seen.is_writer, seen.qos, seen.partitions});
   }
   return all;
 }

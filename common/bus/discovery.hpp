@@ -27,10 +27,13 @@ struct LocalEndpoint {
   Qos qos;
 };
 
-/// Why a writer and a reader of one topic do not meet: the policy, what is offered and what is asked for; empty when they do.
-std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, const Qos& requested, bool asks_manual_liveliness);
+/// Why a writer and a reader of one topic do not meet: the policy, what is offered and what is asked for; empty when
+/// they do.
+std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, const Qos& requested,
+                         bool asks_manual_liveliness);
 
-/// Who else is there, and what of it does not fit ours. The middleware's threads fill it; everything else is for the loop.
+/// Who else is there, and what of it does not fit ours. The middleware's threads fill it; everything else is for the
+/// loop.
 class Discovery final : public fast::DiscoveryListener {
  public:
   /// `wake` is called on a thread of the middleware.
@@ -66,7 +69,7 @@ class Discovery final : public fast::DiscoveryListener {
   std::map<std::string, Peer> peers_;              // by GUID prefix
   std::map<std::string, RemoteEndpoint> remotes_;  // by GUID
   std::vector<LocalEndpoint> locals_;
-  std::set<std::string> reported_;                 // GUID and conflict
+  std::set<std::string> reported_;  // GUID and conflict
   bool changed_{false};
 };
 

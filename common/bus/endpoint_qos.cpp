@@ -12,9 +12,12 @@ namespace dds = fast::dds;
 /// What writers and readers have in common.
 template <class EndpointQos>
 void apply(const Qos& qos, EndpointQos& endpoint) {
-  endpoint.reliability().kind = qos.reliability == Reliability::kReliable ? dds::RELIABLE_RELIABILITY_QOS : dds::BEST_EFFORT_RELIABILITY_QOS;
-  endpoint.durability().kind = qos.durability == Durability::kTransientLocal ? dds::TRANSIENT_LOCAL_DURABILITY_QOS : dds::VOLATILE_DURABILITY_QOS;
-  endpoint.ownership().kind = qos.ownership == Ownership::kExclusive ? dds::EXCLUSIVE_OWNERSHIP_QOS : dds::SHARED_OWNERSHIP_QOS;
+  endpoint.reliability().kind =
+      qos.reliability == Reliability::kReliable ? dds::RELIABLE_RELIABILITY_QOS : dds::BEST_EFFORT_RELIABILITY_QOS;
+  endpoint.durability().kind = qos.durability == Durability::kTransientLocal ? dds::TRANSIENT_LOCAL_DURABILITY_QOS
+                                                                             : dds::VOLATILE_DURABILITY_QOS;
+  endpoint.ownership().kind =
+      qos.ownership == Ownership::kExclusive ? dds::EXCLUSIVE_OWNERSHIP_QOS : dds::SHARED_OWNERSHIP_QOS;
   if (qos.deadline > 0ms) endpoint.deadline().period = fast::duration(qos.deadline);
   if (qos.liveliness_lease > 0ms) {
     endpoint.liveliness().kind = dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;
@@ -39,7 +42,8 @@ dds::DataWriterQos writer_qos(const Qos& qos, int strength) {
   dds::DataWriterQos writer = dds::DATAWRITER_QOS_DEFAULT;
   apply(qos, writer);
   writer.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
-  if (qos.ownership == Ownership::kExclusive) writer.ownership_strength().value = static_cast<std::uint32_t>(std::max(0, strength));
+  if (qos.ownership == Ownership::kExclusive)
+    writer.ownership_strength().value = static_cast<std::uint32_t>(std::max(0, strength));
   if (qos.reliability == Reliability::kReliable) {
     fast::set_heartbeat(writer, 50ms);
     writer.reliability().max_blocking_time = fast::duration(10ms);

@@ -1,14 +1,10 @@
 #pragma once
-// Everything in which Fast DDS 2.9 and 3.1 differ for us. Included by common/bus/*.cpp (and tests that play a foreign peer) only.
+// Everything in which Fast DDS 2.9 and 3.1 differ for us. Included by common/bus/*.cpp (and tests that play a foreign
+// peer) only.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <exception>
-#include <memory>
-#include <mutex>
-#include <string>
-#include <vector>
-
 #include <fastdds/dds/core/condition/GuardCondition.hpp>
 #include <fastdds/dds/core/condition/StatusCondition.hpp>
 #include <fastdds/dds/core/condition/WaitSet.hpp>
@@ -29,6 +25,10 @@
 #include <fastdds/dds/subscriber/qos/SubscriberQos.hpp>
 #include <fastdds/dds/topic/Topic.hpp>
 #include <fastdds/dds/topic/TypeSupport.hpp>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
 
 #if AISLE_FASTDDS_MAJOR >= 3
 #include <fastdds/LibrarySettings.hpp>
@@ -64,8 +64,10 @@ using SharedMemoryTransport = eprosima::fastdds::rtps::SharedMemTransportDescrip
 #if AISLE_FASTDDS_MAJOR >= 3
 inline bool ok(dds::ReturnCode_t code) { return code == dds::RETCODE_OK; }
 #else
-inline bool ok(const eprosima::fastrtps::types::ReturnCode_t& code) { return code == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK; }
-inline bool ok(bool written) { return written; }   // DataWriter::write
+inline bool ok(const eprosima::fastrtps::types::ReturnCode_t& code) {
+  return code == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK;
+}
+inline bool ok(bool written) { return written; }  // DataWriter::write
 #endif
 
 inline Duration duration(std::chrono::nanoseconds t) {
@@ -86,11 +88,13 @@ inline void set_heartbeat(dds::DataWriterQos& qos, std::chrono::nanoseconds peri
 #endif
 }
 
-/// Payloads start at kFirstPayloadBytes and grow to what is written; the dynamic policies refuse disposals, whose payload is empty.
+/// Payloads start at kFirstPayloadBytes and grow to what is written; the dynamic policies refuse disposals, whose
+/// payload is empty.
 inline constexpr auto kMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
 inline constexpr std::uint32_t kFirstPayloadBytes = 256;
 
-inline void join_discovery_server(dds::DomainParticipantQos& qos, const std::string& address, std::uint16_t port, bool sees_all) {
+inline void join_discovery_server(dds::DomainParticipantQos& qos, const std::string& address, std::uint16_t port,
+                                  bool sees_all) {
   rtps::Locator_t server;
   server.kind = LOCATOR_KIND_UDPv4;
   rtps::IPLocator::setIPv4(server, address);
@@ -102,7 +106,7 @@ inline void join_discovery_server(dds::DomainParticipantQos& qos, const std::str
 #else
   discovery.discoveryProtocol = sees_all ? rtps::DiscoveryProtocol_t::SUPER_CLIENT : rtps::DiscoveryProtocol_t::CLIENT;
   rtps::RemoteServerAttributes remote;
-  remote.ReadguidPrefix("44.53.00.5f.45.50.52.4f.53.49.4d.41");   // what `fastdds discovery -i 0` calls itself
+  remote.ReadguidPrefix("44.53.00.5f.45.50.52.4f.53.49.4d.41");  // what `fastdds discovery -i 0` calls itself
   remote.metatrafficUnicastLocatorList.push_back(server);
   discovery.m_DiscoveryServers.push_back(remote);
 #endif
@@ -128,8 +132,8 @@ inline void keep_types_off_the_wire([[maybe_unused]] dds::DomainParticipantQos& 
 #endif
 }
 
-/// A generated type whose decoder lets no exception out, whatever the bytes are, and whose key may be asked for by several
-/// threads of the middleware at once (the generated one shares a buffer).
+/// A generated type whose decoder lets no exception out, whatever the bytes are, and whose key may be asked for by
+/// several threads of the middleware at once (the generated one shares a buffer).
 template <class Generated>
 class Guarded final : public Generated {
  public:
@@ -147,10 +151,12 @@ class Guarded final : public Generated {
   bool deserialize(rtps::SerializedPayload_t& payload, void* data) override {
     return guard(data, [&] {
       return Generated::deserialize(payload, data) &&
-             (is_xcdr2(payload) || is_length(payload, Generated::calculate_serialized_size(data, dds::XCDR_DATA_REPRESENTATION)));
+             (is_xcdr2(payload) ||
+              is_length(payload, Generated::calculate_serialized_size(data, dds::XCDR_DATA_REPRESENTATION)));
     });
   }
-  bool compute_key(rtps::SerializedPayload_t& payload, rtps::InstanceHandle_t& handle, bool force_md5 = false) override {
+  bool compute_key(rtps::SerializedPayload_t& payload, rtps::InstanceHandle_t& handle,
+                   bool force_md5 = false) override {
     const std::lock_guard<std::mutex> lock(key_mutex_);
     return nothrow([&] { return Generated::compute_key(payload, handle, force_md5); });
   }
@@ -171,8 +177,8 @@ class Guarded final : public Generated {
 #endif
 
  private:
-  /// 3.1 takes a sample that ends early for one with defaults, and both take one with fields more: another version of the type,
-  /// which must not pass for ours. (Up to three bytes are padding.)
+  /// 3.1 takes a sample that ends early for one with defaults, and both take one with fields more: another version of
+  /// the type, which must not pass for ours. (Up to three bytes are padding.)
   static bool is_length(const rtps::SerializedPayload_t& payload, std::uint32_t of_sample) {
     return payload.length + 3 >= of_sample && payload.length <= of_sample + 3;
   }
@@ -199,7 +205,7 @@ template <class Function>
 bool Guarded<Generated>::guard(void* data, Function decode) {
   last_sample_fits = nothrow(decode);
   if (!last_sample_fits) *static_cast<type*>(data) = type{};
-  return true;   // else a reliable writer would send it again for ever; the reader of `last_sample_fits` drops it
+  return true;  // else a reliable writer would send it again for ever; the reader of `last_sample_fits` drops it
 }
 
 /// A sample without its C++ type.
@@ -318,13 +324,16 @@ class DiscoveryListener : public dds::DomainParticipantListener {
   virtual void participant_seen(ParticipantInfo info, bool gone) = 0;
 
 #if AISLE_FASTDDS_MAJOR >= 3
-  void on_data_writer_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryStatus reason, WriterInfo info, bool&) final {
+  void on_data_writer_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryStatus reason, WriterInfo info,
+                                bool&) final {
     writer_seen(info, reason == rtps::WriterDiscoveryStatus::REMOVED_WRITER);
   }
-  void on_data_reader_discovery(dds::DomainParticipant*, rtps::ReaderDiscoveryStatus reason, ReaderInfo info, bool&) final {
+  void on_data_reader_discovery(dds::DomainParticipant*, rtps::ReaderDiscoveryStatus reason, ReaderInfo info,
+                                bool&) final {
     reader_seen(info, reason == rtps::ReaderDiscoveryStatus::REMOVED_READER);
   }
-  void on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryStatus reason, ParticipantInfo info, bool&) final {
+  void on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryStatus reason, ParticipantInfo info,
+                                bool&) final {
     participant_seen(info, reason == rtps::ParticipantDiscoveryStatus::REMOVED_PARTICIPANT ||
                                reason == rtps::ParticipantDiscoveryStatus::DROPPED_PARTICIPANT);
   }

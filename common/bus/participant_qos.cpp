@@ -38,7 +38,8 @@ std::vector<std::string> addresses_of_host() {
 bool is_loopback(const std::string& address) { return address.rfind("127.", 0) == 0; }
 
 bool loopback_only(const Settings& settings) {
-  return !settings.interfaces.empty() && std::all_of(settings.interfaces.begin(), settings.interfaces.end(), is_loopback);
+  return !settings.interfaces.empty() &&
+         std::all_of(settings.interfaces.begin(), settings.interfaces.end(), is_loopback);
 }
 
 void check_address(const std::string& address, const char* what) {
@@ -109,7 +110,8 @@ std::string resolve(const std::string& host) {
   addrinfo* list = nullptr;
   const int code = getaddrinfo(host.c_str(), nullptr, &wanted, &list);
   if (code != 0) {
-    throw config::BadEnvironment("discovery server '" + host + "': " + gai_strerror(code) + "; write a host's name or an address like 192.168.1.20");
+    throw config::BadEnvironment("discovery server '" + host + "': " + gai_strerror(code) +
+                                 "; write a host's name or an address like 192.168.1.20");
   }
   char text[INET_ADDRSTRLEN] = {};
   inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(list->ai_addr)->sin_addr, text, sizeof text);
@@ -123,12 +125,15 @@ void use_discovery_server(const Settings& settings, fast::dds::DomainParticipant
   const std::string address = settings.discovery_server.substr(0, colon);
   const int port = colon == std::string::npos ? 11811 : std::atoi(settings.discovery_server.c_str() + colon + 1);
   if (port < 1 || port > 65535) {
-    throw config::BadInput("discovery server '" + settings.discovery_server + "': the port must be 1 to 65535; write it like 192.168.1.20:11811");
+    throw config::BadInput("discovery server '" + settings.discovery_server +
+                           "': the port must be 1 to 65535; write it like 192.168.1.20:11811");
   }
   fast::join_discovery_server(qos, resolve(address), static_cast<std::uint16_t>(port), settings.super_client);
 }
 
-std::string file_uri(const std::string& file) { return file.find("://") == std::string::npos && file.rfind("file:", 0) != 0 ? "file://" + file : file; }
+std::string file_uri(const std::string& file) {
+  return file.find("://") == std::string::npos && file.rfind("file:", 0) != 0 ? "file://" + file : file;
+}
 
 void use_security(const Security& security, fast::dds::DomainParticipantQos& qos) {
   if (!security.enabled()) return;
@@ -163,9 +168,10 @@ fast::dds::DomainParticipantQos participant_qos(const Settings& settings) {
   fast::dds::DomainParticipantQos qos = fast::dds::PARTICIPANT_QOS_DEFAULT;
   if (!settings.participant_name.empty()) qos.name(settings.participant_name.c_str());
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
-  discovery.leaseDuration = fast::duration(std::chrono::seconds(5));  // longer than a healthcheck lives: see docs/decisions/0006
+  discovery.leaseDuration =
+      fast::duration(std::chrono::seconds(5));  // longer than a healthcheck lives: see docs/decisions/0006
   discovery.leaseDuration_announcementperiod = fast::duration(std::chrono::milliseconds(500));
-  qos.allocation().send_buffers.preallocated_number = kSendBuffers;   // by default ten, of the largest message each
+  qos.allocation().send_buffers.preallocated_number = kSendBuffers;  // by default ten, of the largest message each
   qos.allocation().send_buffers.dynamic = true;
   qos.wire_protocol().builtin.mutation_tries = kParticipantsPerHost;
   use_transports(settings, qos);

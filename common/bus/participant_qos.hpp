@@ -5,8 +5,8 @@
 
 namespace aisle::bus {
 
-/// How a process joins its site. @throws config::BadInput for values nobody can use, config::BadEnvironment when this host has
-/// no such interface
+/// How a process joins its site. @throws config::BadInput for values nobody can use, config::BadEnvironment when this
+/// host has no such interface
 fast::dds::DomainParticipantQos participant_qos(const Settings& settings);
 
 fast::dds::DataWriterQos writer_qos(const Qos& qos, int strength);

@@ -14,7 +14,7 @@ struct Qos {
   Durability durability{Durability::kVolatile};
   int depth{1};
   int max_kept{0};
-  std::chrono::milliseconds deadline{0};        // 0: none
+  std::chrono::milliseconds deadline{0};  // 0: none
   Ownership ownership{Ownership::kShared};
   std::chrono::milliseconds liveliness_lease{0};  // 0: automatic, infinite; else manual by topic
 };

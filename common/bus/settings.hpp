@@ -17,14 +17,14 @@ struct Security {
 /// Where and how a process joins its site. Flags win over environment (AISLE_DOMAIN, AISLE_PARTITION, AISLE_INTERFACES,
 /// AISLE_PEERS, AISLE_DISCOVERY_SERVER, AISLE_SHARED_MEMORY), environment over YAML.
 struct Settings {
-  int domain{0};                          // 0..230
-  std::string partition;                  // empty: the default partition
-  std::vector<std::string> interfaces;    // IPv4 addresses to bind to; empty: all
-  std::vector<std::string> peers;         // ADDRESS where multicast is missing
-  std::string discovery_server;           // ADDRESS:PORT or NAME:PORT; then no multicast is used at all
-  bool super_client{false};               // inspection tools behind a discovery server
+  int domain{0};                        // 0..230
+  std::string partition;                // empty: the default partition
+  std::vector<std::string> interfaces;  // IPv4 addresses to bind to; empty: all
+  std::vector<std::string> peers;       // ADDRESS where multicast is missing
+  std::string discovery_server;         // ADDRESS:PORT or NAME:PORT; then no multicast is used at all
+  bool super_client{false};             // inspection tools behind a discovery server
   bool shared_memory{false};
-  int max_message_bytes{0};               // 0: 65500 on loopback only, else 1400
+  int max_message_bytes{0};  // 0: 65500 on loopback only, else 1400
   Security security;
   std::string participant_name;
 };

@@ -27,12 +27,13 @@ void configure_process_once() {
     dds::Log::RegisterConsumer(std::move(consumer));
     dds::Log::SetVerbosity(dds::Log::Kind::Error);
     fast::deliver_over_transports_only();
-    mallopt(M_ARENA_MAX, 2);   // the middleware's ten threads allocate little; an arena for each costs megabytes
+    mallopt(M_ARENA_MAX, 2);  // the middleware's ten threads allocate little; an arena for each costs megabytes
   });
 }
 
-/// To be called before a writer is deleted. Fast DDS 2.9 gives the changes back one by one while heartbeats go on; a heartbeat that falls
-/// due just then looks through changes already given back, for ever, and the process never ends (seen in 2 of 720 tries under load).
+/// To be called before a writer is deleted. Fast DDS 2.9 gives the changes back one by one while heartbeats go on; a
+/// heartbeat that falls due just then looks through changes already given back, for ever, and the process never ends
+/// (seen in 2 of 720 tries under load).
 void forget_changes(dds::DataWriter& writer) {
   std::size_t removed = 0;
   writer.clear_history(&removed);
@@ -40,15 +41,19 @@ void forget_changes(dds::DataWriter& writer) {
 
 }  // namespace
 
-Site::Site(const Settings& settings) : discovery_(settings.partition, [this] { wake(); }), partition_(settings.partition) {
+Site::Site(const Settings& settings)
+    : discovery_(settings.partition, [this] { wake(); }), partition_(settings.partition) {
   configure_process_once();
   const dds::DomainParticipantQos qos = participant_qos(settings);
   auto* factory = dds::DomainParticipantFactory::get_instance();
-  participant_ = factory->create_participant(static_cast<dds::DomainId_t>(settings.domain), qos, &discovery_, dds::StatusMask::none());
+  participant_ = factory->create_participant(static_cast<dds::DomainId_t>(settings.domain), qos, &discovery_,
+                                             dds::StatusMask::none());
   if (participant_ == nullptr) {
-    const std::string hint = settings.security.enabled() ? "check the certificates and permissions (openssl smime -verify), and " : "";
-    throw config::BadEnvironment("cannot join DDS domain " + std::to_string(settings.domain) + ": " + hint + "check that UDP ports from " +
-                                 std::to_string(7400 + 250 * settings.domain) + " are free");
+    const std::string hint =
+        settings.security.enabled() ? "check the certificates and permissions (openssl smime -verify), and " : "";
+    throw config::BadEnvironment("cannot join DDS domain " + std::to_string(settings.domain) + ": " + hint +
+                                 "check that UDP ports from " + std::to_string(7400 + 250 * settings.domain) +
+                                 " are free");
   }
   dds::PublisherQos publisher = dds::PUBLISHER_QOS_DEFAULT;
   dds::SubscriberQos subscriber = dds::SUBSCRIBER_QOS_DEFAULT;
@@ -90,7 +95,8 @@ fast::dds::DataWriter& Site::make_writer(const Channel& channel, int strength) {
 
 fast::dds::DataReader& Site::make_reader(const Channel& channel, fast::dds::DataReaderListener* listener) {
   const dds::StatusMask heard = dds::StatusMask::liveliness_changed() << dds::StatusMask::subscription_matched();
-  dds::DataReader* reader = subscriber_->create_datareader(channel.topic, reader_qos(channel.type->qos), listener, heard);
+  dds::DataReader* reader =
+      subscriber_->create_datareader(channel.topic, reader_qos(channel.type->qos), listener, heard);
   if (reader == nullptr) throw config::BadEnvironment(std::string("cannot create a reader of ") + channel.type->name);
   discovery_.add_local({channel.type->name, channel.support.get_type_name(), false, channel.type->qos});
   return *reader;
@@ -115,7 +121,7 @@ DdsWriter::~DdsWriter() {
 bool DdsWriter::write(const void* sample) {
   const auto site = site_.lock();
   if (!site) return false;
-  void* data = const_cast<void*>(sample);   // 2.9 asks for it, and does not write
+  void* data = const_cast<void*>(sample);  // 2.9 asks for it, and does not write
   if (room_ == 0) return fast::ok(writer_.write(data, dds::HANDLE_NIL));
   if (written_.size() >= std::min(room_, kEndsAtOnce)) end_acknowledged();
   if (written_.size() >= room_ || !fast::ok(writer_.write(data, dds::HANDLE_NIL))) return false;

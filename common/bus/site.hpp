@@ -64,16 +64,16 @@ class DdsWriter final : public detail::RawWriter {
   bool wait_until_acknowledged(std::chrono::milliseconds limit) override;
 
  private:
-  /// Ends the instances of a queue whose samples all arrived, so that ids used once pile up neither here nor at readers. (An end
-  /// written right behind its sample would leave 1.5 kB here with 2.9.)
+  /// Ends the instances of a queue whose samples all arrived, so that ids used once pile up neither here nor at
+  /// readers. (An end written right behind its sample would leave 1.5 kB here with 2.9.)
   void end_acknowledged();
 
   std::weak_ptr<Site> site_;
   fast::dds::DataWriter& writer_;
   const TopicType& type_;
   fast::dds::TypeSupport support_;
-  std::size_t room_;                     // of a queue, else 0
-  std::vector<fast::Sample> written_;    // to a queue, and perhaps not yet acknowledged; only the key fields hold
+  std::size_t room_;                   // of a queue, else 0
+  std::vector<fast::Sample> written_;  // to a queue, and perhaps not yet acknowledged; only the key fields hold
 };
 
 }  // namespace aisle::bus

@@ -8,8 +8,8 @@ namespace aisle::bus {
 namespace {
 
 namespace dds = fast::dds;
-constexpr int kSamplesPerTurn = 512;                           // then others have their turn
-constexpr std::chrono::seconds kQuietTime{5};                  // between two reports of one kind
+constexpr int kSamplesPerTurn = 512;           // then others have their turn
+constexpr std::chrono::seconds kQuietTime{5};  // between two reports of one kind
 
 std::string text_of_guid(const fast::rtps::InstanceHandle_t& writer) {
   std::ostringstream text;
@@ -49,9 +49,9 @@ TopicReader::TopicReader(Site& site, const Site::Channel& channel)
       listener_(site),
       sample_(fast::new_sample(support_)),
       reader_(&site.make_reader(channel, &listener_)) {
-  condition().set_enabled_statuses(dds::StatusMask::data_available() << dds::StatusMask::requested_deadline_missed()
-                                                                     << dds::StatusMask::sample_rejected()
-                                                                     << dds::StatusMask::requested_incompatible_qos());
+  condition().set_enabled_statuses(dds::StatusMask::data_available()
+                                   << dds::StatusMask::requested_deadline_missed() << dds::StatusMask::sample_rejected()
+                                   << dds::StatusMask::requested_incompatible_qos());
 }
 
 TopicReader::~TopicReader() { reader_->set_listener(nullptr); }
@@ -63,12 +63,13 @@ int TopicReader::matched_writers() const {
 }
 
 bool TopicReader::drain(const Report& report) {
-  const std::vector<WriterEvent> events = listener_.take();   // before the samples: what a writer said last comes before its end
+  const std::vector<WriterEvent> events =
+      listener_.take();  // before the samples: what a writer said last comes before its end
   bool handled = drain_samples(report);
   for (std::size_t i = 0; i < events.size(); ++i) {
-    const bool returned = std::any_of(events.begin() + static_cast<std::ptrdiff_t>(i), events.end(), [&](const WriterEvent& later) {
-      return later.writer == events[i].writer && !later.gone;
-    });
+    const bool returned =
+        std::any_of(events.begin() + static_cast<std::ptrdiff_t>(i), events.end(),
+                    [&](const WriterEvent& later) { return later.writer == events[i].writer && !later.gone; });
     if (events[i].gone && !returned) lose(events[i], report);
     handled = true;
   }
@@ -95,7 +96,8 @@ void TopicReader::take(const dds::SampleInfo& info, const Report& report) {
   }
   if (!fast::last_sample_fits) {
     report({Incident::Kind::kMalformedSample, type_->name,
-            std::string(type_->name) + ": a sample of " + participant_of(writer) + " is not of type " + type_name_ + "; dropped"});
+            std::string(type_->name) + ": a sample of " + participant_of(writer) + " is not of type " + type_name_ +
+                "; dropped"});
     return;
   }
   if (type_->qos.depth > 0) hear(info.instance_handle, writer);
@@ -131,7 +133,8 @@ void TopicReader::lose(const WriterEvent& event, const Report& report) {
   }
   std::vector<Handle> heard;
   for (const auto& [handle, instance] : instances_) {
-    const bool by_it = std::find(instance.writers.begin(), instance.writers.end(), event.writer) != instance.writers.end();
+    const bool by_it =
+        std::find(instance.writers.begin(), instance.writers.end(), event.writer) != instance.writers.end();
     if (by_it) heard.push_back(handle);
   }
   for (const Handle& handle : heard) end(handle, event.writer, false);
@@ -150,7 +153,8 @@ void TopicReader::report_statuses(const Report& report) {
   if (changed.is_active(dds::StatusMask::requested_deadline_missed())) {
     dds::RequestedDeadlineMissedStatus status;
     reader_->get_requested_deadline_missed_status(status);
-    limited(Incident::Kind::kDeadlineMissed, "nothing new for more than " + std::to_string(type_->qos.deadline.count()) + " ms, " +
+    limited(Incident::Kind::kDeadlineMissed, "nothing new for more than " +
+                                                 std::to_string(type_->qos.deadline.count()) + " ms, " +
                                                  std::to_string(status.total_count) + " times in all");
   }
   if (changed.is_active(dds::StatusMask::sample_rejected())) {
@@ -160,13 +164,13 @@ void TopicReader::report_statuses(const Report& report) {
   }
   if (changed.is_active(dds::StatusMask::requested_incompatible_qos())) {
     dds::RequestedIncompatibleQosStatus status;
-    reader_->get_requested_incompatible_qos_status(status);   // named with the peer by Discovery
+    reader_->get_requested_incompatible_qos_status(status);  // named with the peer by Discovery
   }
 }
 
 void TopicReader::hand_over(const void* sample, SampleKind kind, const Handle& writer) {
   const SampleInfo info{kind, name_of(writer), std::chrono::steady_clock::now()};
-  for (std::size_t i = 0; i < handlers_.size(); ++i) handlers_[i](sample, info);   // a handler may add handlers
+  for (std::size_t i = 0; i < handlers_.size(); ++i) handlers_[i](sample, info);  // a handler may add handlers
 }
 
 const std::string& TopicReader::name_of(const Handle& writer) {

@@ -11,8 +11,8 @@
 
 namespace aisle::bus {
 
-/// Reads one topic for all its handlers. Knows which writers each instance was heard from, because the middleware does not tell
-/// when the last of them goes.
+/// Reads one topic for all its handlers. Knows which writers each instance was heard from, because the middleware does
+/// not tell when the last of them goes.
 class TopicReader {
  public:
   using Report = std::function<void(Incident)>;
@@ -34,13 +34,13 @@ class TopicReader {
  private:
   using Handle = fast::rtps::InstanceHandle_t;
   struct Instance {
-    fast::Sample key;                     // only its key fields hold
-    std::vector<Handle> writers;    // heard from
+    fast::Sample key;             // only its key fields hold
+    std::vector<Handle> writers;  // heard from
   };
   struct WriterEvent {
     Handle writer;
     bool gone;
-    bool silent;   // beyond its lease, rather than closed
+    bool silent;  // beyond its lease, rather than closed
   };
   /// Runs on threads of the middleware: only queues.
   class Listener final : public fast::dds::DataReaderListener {
@@ -76,7 +76,7 @@ class TopicReader {
   fast::dds::DataReader* reader_;
   std::vector<detail::RawHandler> handlers_;
   std::map<Handle, Instance> instances_;
-  std::map<Handle, std::string> names_;   // of writers
+  std::map<Handle, std::string> names_;  // of writers
   std::map<Incident::Kind, std::chrono::steady_clock::time_point> reported_;
   bool has_more_{false};
 };

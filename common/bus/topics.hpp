@@ -1,6 +1,6 @@
 #pragma once
-// The one table of topics: name, type and QoS. Every reader and writer is made from it; docs/topics.md is printed from it.
-// key() refers to the key fields of a sample: `Topic::key(copy) = Topic::key(sample)`.
+// The one table of topics: name, type and QoS. Every reader and writer is made from it; docs/topics.md is printed from
+// it. key() refers to the key fields of a sample: `Topic::key(copy) = Topic::key(sample)`.
 #include <chrono>
 #include <tuple>
 
@@ -19,9 +19,12 @@ using bus::Qos;
 using bus::Reliability;
 using std::chrono::milliseconds;
 
-inline constexpr Qos kStream{Reliability::kBestEffort, Durability::kVolatile, 1, 0, milliseconds{0}, Ownership::kShared, milliseconds{0}};
-inline constexpr Qos kState{Reliability::kReliable, Durability::kTransientLocal, 1, 0, milliseconds{0}, Ownership::kShared, milliseconds{0}};
-inline constexpr Qos kQueue{Reliability::kReliable, Durability::kVolatile, 0, 1024, milliseconds{0}, Ownership::kShared, milliseconds{0}};
+inline constexpr Qos kStream{Reliability::kBestEffort, Durability::kVolatile, 1, 0, milliseconds{0},
+                             Ownership::kShared,       milliseconds{0}};
+inline constexpr Qos kState{
+    Reliability::kReliable, Durability::kTransientLocal, 1, 0, milliseconds{0}, Ownership::kShared, milliseconds{0}};
+inline constexpr Qos kQueue{Reliability::kReliable, Durability::kVolatile, 0, 1024, milliseconds{0},
+                            Ownership::kShared,     milliseconds{0}};
 
 struct MapInfo {
   using Sample = aisle::MapInfo;
@@ -76,7 +79,8 @@ struct VehicleState {
   static constexpr const char* kName = "vehicle_state";
   static constexpr const char* kKey = "agv_id";
   static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
-  static constexpr Qos kQos{Reliability::kBestEffort, Durability::kVolatile, 1, 0, milliseconds{200}, Ownership::kShared, milliseconds{0}};
+  static constexpr Qos kQos{Reliability::kBestEffort, Durability::kVolatile, 1, 0, milliseconds{200},
+                            Ownership::kShared,       milliseconds{0}};
   static constexpr const char* kWhy = "only the newest matters";
 };
 struct Scan {
@@ -100,7 +104,9 @@ struct Plan {
   static constexpr const char* kName = "plan";
   static constexpr const char* kKey = "agv_id";
   static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
-  static constexpr Qos kQos{Reliability::kReliable, Durability::kTransientLocal, 1, 0, milliseconds{0}, Ownership::kExclusive, milliseconds{200}};
+  static constexpr Qos kQos{
+      Reliability::kReliable, Durability::kTransientLocal, 1, 0, milliseconds{0}, Ownership::kExclusive,
+      milliseconds{200}};
   static constexpr const char* kWhy = "one planner is heard; a standby takes over within the lease";
 };
 struct Track {
@@ -108,7 +114,8 @@ struct Track {
   static constexpr const char* kName = "track";
   static constexpr const char* kKey = "track_id";
   static auto key(Sample& sample) { return std::tie(sample.track_id()); }
-  static constexpr Qos kQos{Reliability::kReliable, Durability::kVolatile, 1, 0, milliseconds{0}, Ownership::kShared, milliseconds{0}};
+  static constexpr Qos kQos{Reliability::kReliable, Durability::kVolatile, 1, 0, milliseconds{0},
+                            Ownership::kShared,     milliseconds{0}};
   static constexpr const char* kWhy = "disposed when lost";
 };
 struct TrackingStatus {
@@ -132,7 +139,8 @@ struct VelocityCommand {
   static constexpr const char* kName = "velocity_command";
   static constexpr const char* kKey = "agv_id";
   static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
-  static constexpr Qos kQos{Reliability::kBestEffort, Durability::kVolatile, 1, 0, milliseconds{200}, Ownership::kExclusive, milliseconds{200}};
+  static constexpr Qos kQos{Reliability::kBestEffort, Durability::kVolatile, 1, 0, milliseconds{200},
+                            Ownership::kExclusive,    milliseconds{200}};
   static constexpr const char* kWhy = "50 Hz; a late command is worse than none";
 };
 struct NavigationStatus {
@@ -156,15 +164,16 @@ struct ServiceHealth {
   static constexpr const char* kName = "service_health";
   static constexpr const char* kKey = "instance_id";
   static auto key(Sample& sample) { return std::tie(sample.instance_id()); }
-  static constexpr Qos kQos{Reliability::kReliable, Durability::kTransientLocal, 1, 0, milliseconds{0}, Ownership::kShared, milliseconds{2000}};
+  static constexpr Qos kQos{Reliability::kReliable, Durability::kTransientLocal, 1, 0, milliseconds{0},
+                            Ownership::kShared,     milliseconds{2000}};
   static constexpr const char* kWhy = "hello: versions, ids, map hash, state, what it waits for, counters";
 };
 
 /// A list of types to fold over: `for_each(All{}, [](auto topic) { using Topic = decltype(topic); ... })`.
 template <class... Topics>
 struct List {};
-using All = List<MapInfo, MapTile, MapRequest, MapEdit, MapEditResult, VehicleInfo, VehicleState, Scan, Goal, Plan, Track,
-                 TrackingStatus, Coverage, VelocityCommand, NavigationStatus, WorldObstacle, ServiceHealth>;
+using All = List<MapInfo, MapTile, MapRequest, MapEdit, MapEditResult, VehicleInfo, VehicleState, Scan, Goal, Plan,
+                 Track, TrackingStatus, Coverage, VelocityCommand, NavigationStatus, WorldObstacle, ServiceHealth>;
 template <class... Topics, class Function>
 void for_each(List<Topics...>, Function&& function) {
   (function(Topics{}), ...);

@@ -19,8 +19,9 @@ template <class Topic, class Generated>
 TopicType row() {
   static_assert(std::is_same_v<typename Topic::Sample, typename Generated::type>);
   using Sample = typename Topic::Sample;
-  return {Topic::kName, Topic::kQos, [] { return fast::dds::TypeSupport(new fast::Guarded<Generated>); },
-          [](void* to, void* from) { Topic::key(*static_cast<Sample*>(to)) = Topic::key(*static_cast<Sample*>(from)); }};
+  return {
+      Topic::kName, Topic::kQos, [] { return fast::dds::TypeSupport(new fast::Guarded<Generated>); },
+      [](void* to, void* from) { Topic::key(*static_cast<Sample*>(to)) = Topic::key(*static_cast<Sample*>(from)); }};
 }
 
 template <class... Topics, class... Rows>
@@ -34,10 +35,11 @@ const auto& table() {
       topics::All{}, row<topics::MapInfo, MapInfoPubSubType>(), row<topics::MapTile, MapTilePubSubType>(),
       row<topics::MapRequest, MapRequestPubSubType>(), row<topics::MapEdit, MapEditPubSubType>(),
       row<topics::MapEditResult, MapEditResultPubSubType>(), row<topics::VehicleInfo, VehicleInfoPubSubType>(),
-      row<topics::VehicleState, VehicleStatePubSubType>(), row<topics::Scan, ScanPubSubType>(), row<topics::Goal, GoalPubSubType>(),
-      row<topics::Plan, PlanPubSubType>(), row<topics::Track, TrackPubSubType>(), row<topics::TrackingStatus, TrackingStatusPubSubType>(),
-      row<topics::Coverage, CoveragePubSubType>(),
-      row<topics::VelocityCommand, VelocityCommandPubSubType>(), row<topics::NavigationStatus, NavigationStatusPubSubType>(),
+      row<topics::VehicleState, VehicleStatePubSubType>(), row<topics::Scan, ScanPubSubType>(),
+      row<topics::Goal, GoalPubSubType>(), row<topics::Plan, PlanPubSubType>(), row<topics::Track, TrackPubSubType>(),
+      row<topics::TrackingStatus, TrackingStatusPubSubType>(), row<topics::Coverage, CoveragePubSubType>(),
+      row<topics::VelocityCommand, VelocityCommandPubSubType>(),
+      row<topics::NavigationStatus, NavigationStatusPubSubType>(),
       row<topics::WorldObstacle, WorldObstaclePubSubType>(), row<topics::ServiceHealth, ServiceHealthPubSubType>());
   return rows;
 }

@@ -3,8 +3,8 @@
 
 namespace aisle::config {
 
-/// Reads the YAML once without building anything, and refuses what could grow without end: anchors, aliases, nesting deeper than
-/// 32 levels, more than one document. @throws BadInput "name:line: why"
+/// Reads the YAML once without building anything, and refuses what could grow without end: anchors, aliases, nesting
+/// deeper than 32 levels, more than one document. @throws BadInput "name:line: why"
 void refuse_yaml_bombs(const std::string& text, const std::string& name);
 
 }  // namespace aisle::config

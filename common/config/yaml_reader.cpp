@@ -47,8 +47,8 @@ bool is_quoted(const YAML::Node& node) { return node.Tag() == "!"; }
 
 struct YamlReader::State {
   std::string file;
-  std::string path;   // of this section, empty at the top
-  YAML::Node node;    // a map, or null for an empty file
+  std::string path;  // of this section, empty at the top
+  YAML::Node node;   // a map, or null for an empty file
   std::vector<std::pair<std::string, YAML::Node>> entries;
   std::vector<YAML::Mark> key_marks;
   std::vector<std::string> known;
@@ -56,7 +56,8 @@ struct YamlReader::State {
 
   std::string path_of(const std::string& key) const { return path.empty() ? key : path + "." + key; }
   std::size_t index_of(const std::string& key) const {
-    const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.first == key; });
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const auto& entry) { return entry.first == key; });
     return static_cast<std::size_t>(found - entries.begin());
   }
   const YAML::Node* find(const char* key) {
@@ -74,7 +75,8 @@ struct YamlReader::State {
       if (!entry.first.IsScalar()) fail(entry.first.Mark(), path, "a key must be a plain name");
       const std::string& key = entry.first.Scalar();
       if (index_of(key) < entries.size()) {
-        fail(entry.first.Mark(), path_of(key), "given twice, first in line " + std::to_string(key_marks[index_of(key)].line + 1));
+        fail(entry.first.Mark(), path_of(key),
+             "given twice, first in line " + std::to_string(key_marks[index_of(key)].line + 1));
       }
       entries.emplace_back(key, entry.second);
       key_marks.push_back(entry.first.Mark());
@@ -109,7 +111,9 @@ struct YamlReader::State {
     if (!parse(*item, read)) {
       double real = 0.0;
       const bool too_large = parse(*item, real) && std::floor(real) == real;
-      if (too_large) fail(item->Mark(), path_of(key), item->Scalar() + " is out of bounds; give " + text_of(low) + " to " + text_of(high));
+      if (too_large)
+        fail(item->Mark(), path_of(key),
+             item->Scalar() + " is out of bounds; give " + text_of(low) + " to " + text_of(high));
       fail(item->Mark(), path_of(key), "must be a whole number, but is " + shown(*item));
     }
     value = within(*item, path_of(key), read, low, high);
@@ -120,7 +124,8 @@ struct YamlReader::State {
   std::vector<double> numbers(const YAML::Node& item, const std::string& where, double low, double high) const {
     must_be_list(item, where);
     std::vector<double> values;
-    for (std::size_t i = 0; i < item.size(); ++i) values.push_back(number(item[i], where + "[" + std::to_string(i) + "]", low, high));
+    for (std::size_t i = 0; i < item.size(); ++i)
+      values.push_back(number(item[i], where + "[" + std::to_string(i) + "]", low, high));
     return values;
   }
 };
@@ -148,7 +153,8 @@ YamlReader& YamlReader::field(const char* key, std::uint64_t& value, std::uint64
 YamlReader& YamlReader::field(const char* key, bool& value) {
   const YAML::Node* item = state_->find(key);
   if (!item) return *this;
-  const bool is_boolean = item->IsScalar() && !is_quoted(*item) && (item->Scalar() == "true" || item->Scalar() == "false");
+  const bool is_boolean =
+      item->IsScalar() && !is_quoted(*item) && (item->Scalar() == "true" || item->Scalar() == "false");
   if (!is_boolean) state_->fail(item->Mark(), state_->path_of(key), "must be true or false, but is " + shown(*item));
   value = item->Scalar() == "true";
   return *this;
@@ -215,7 +221,8 @@ void YamlReader::finish() const {
     const std::string& key = s.entries[i].first;
     if (std::find(s.known.begin(), s.known.end(), key) != s.known.end()) continue;
     const std::string nearest = nearest_name(key, s.known);
-    s.fail(s.key_marks[i], s.path, "unknown key '" + key + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+    s.fail(s.key_marks[i], s.path,
+           "unknown key '" + key + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
   }
   for (const std::string& key : s.required) {
     if (s.index_of(key) == s.entries.size()) s.fail(s.node.Mark(), s.path, "the key '" + key + "' is missing");
@@ -262,7 +269,8 @@ YamlReader open_yaml_text(const std::string& text, const std::string& name) {
 YamlReader open_yaml_file(const std::filesystem::path& file) {
   constexpr std::size_t kLargestBytes = 4u << 20;
   std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw BadInput(file.string() + ": is a directory; give a YAML file");
+  if (std::filesystem::is_directory(file, ignored))
+    throw BadInput(file.string() + ": is a directory; give a YAML file");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw BadInput(file.string() + ": cannot be read; check the path and its permissions");
   std::string text(kLargestBytes + 1, '\0');

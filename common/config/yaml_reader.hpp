@@ -14,11 +14,13 @@ class Node;
 
 namespace aisle::config {
 
-/// Fills structs from YAML, strictly. A struct names its fields once, in `template <class Reader> void describe(Reader& r)`:
+/// Fills structs from YAML, strictly. A struct names its fields once, in `template <class Reader> void describe(Reader&
+/// r)`:
 ///   r.field("max_speed_mps", max_speed_mps, 0.05, 10.0).field("planner", planner).section("limits", limits);
-/// A key missing keeps its default (unless `require`d); a key unknown, given twice, of another type or out of its bounds throws
-/// BadInput with file:line, the key's path, the value, the limit, and for an unknown key the nearest name.
-/// Bounds are inclusive; numbers are plain decimals, never NaN or infinite; yes and no are not booleans, true and false are.
+/// A key missing keeps its default (unless `require`d); a key unknown, given twice, of another type or out of its
+/// bounds throws BadInput with file:line, the key's path, the value, the limit, and for an unknown key the nearest
+/// name. Bounds are inclusive; numbers are plain decimals, never NaN or infinite; yes and no are not booleans, true and
+/// false are.
 class YamlReader {
  public:
   YamlReader(YamlReader&&) noexcept;
@@ -50,7 +52,8 @@ class YamlReader {
   /// Throws BadInput "where(key): why".
   [[noreturn]] void reject(const char* key, const std::string& why) const;
 
-  /// Throws for keys that describe() did not name, then for required ones that are not there. Called by whoever called describe().
+  /// Throws for keys that describe() did not name, then for required ones that are not there. Called by whoever called
+  /// describe().
   void finish() const;
 
  private:
@@ -67,8 +70,8 @@ class YamlReader {
 YamlReader open_yaml_text(const std::string& text, const std::string& name);
 YamlReader open_yaml_file(const std::filesystem::path& file);
 
-/// @throws BadInput also for a file that is missing, larger than 4 MiB, not YAML, of more than one document, nested deeper than
-/// 32 levels, or with anchors and aliases (which can make a small file huge).
+/// @throws BadInput also for a file that is missing, larger than 4 MiB, not YAML, of more than one document, nested
+/// deeper than 32 levels, or with anchors and aliases (which can make a small file huge).
 template <class T>
 void read_yaml_file(const std::filesystem::path& file, T& value) {
   YamlReader reader = open_yaml_file(file);

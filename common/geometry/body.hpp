@@ -6,13 +6,14 @@
 
 namespace aisle::geometry {
 
-/// The outline of a thing that stands or moves on the floor: a disc, or a rectangle around its pose (length along its heading).
+/// The outline of a thing that stands or moves on the floor: a disc, or a rectangle around its pose (length along its
+/// heading).
 struct Body {
   enum class Shape { kDisc, kRectangle };
   Shape shape{Shape::kDisc};
   Pose2 base_in_map;
-  double radius_m{0.0};   // of the disc
-  double length_m{0.0};   // of the rectangle
+  double radius_m{0.0};  // of the disc
+  double length_m{0.0};  // of the rectangle
   double width_m{0.0};
 };
 
@@ -30,7 +31,8 @@ inline double distance_m(const Body& body, Point2 in_map) {
   return std::hypot(dx, dy);
 }
 
-/// Distance along the ray from `from` in direction `angle_rad` to the outline; 0 from within; `max_m` when it does not meet it.
+/// Distance along the ray from `from` in direction `angle_rad` to the outline; 0 from within; `max_m` when it does not
+/// meet it.
 inline double ray_hit_m(const Body& body, Point2 from_in_map, double angle_rad, double max_m) {
   if (body.shape == Body::Shape::kDisc) {
     const Point2 to_center = body.base_in_map.position() - from_in_map;

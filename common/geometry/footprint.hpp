@@ -7,14 +7,14 @@
 
 namespace aisle::geometry {
 
-/// A vehicle's outline in its own frame: a disc around its origin, or a rectangle (length along its heading) whose middle lies
-/// `ahead_m` before the origin: a forklift's frame is in its fixed axle, and the forks reach beyond it.
+/// A vehicle's outline in its own frame: a disc around its origin, or a rectangle (length along its heading) whose
+/// middle lies `ahead_m` before the origin: a forklift's frame is in its fixed axle, and the forks reach beyond it.
 struct Footprint {
   Body::Shape shape{Body::Shape::kDisc};
-  double radius_m{0.35};   // of the disc
-  double length_m{0.0};    // of the rectangle
+  double radius_m{0.35};  // of the disc
+  double length_m{0.0};   // of the rectangle
   double width_m{0.0};
-  double ahead_m{0.0};     // from the origin to the rectangle's middle; negative: behind
+  double ahead_m{0.0};  // from the origin to the rectangle's middle; negative: behind
 
   bool is_disc() const { return shape == Body::Shape::kDisc; }
 };
@@ -38,23 +38,26 @@ inline double reach_m(const Footprint& footprint) {
 /// The outline of a vehicle that stands there.
 inline Body body_of(const Footprint& footprint, const Pose2& base_in_map) {
   const Point2 middle = to_map(base_in_map, {footprint.ahead_m, 0.0});
-  return {footprint.shape, footprint.is_disc() ? base_in_map : Pose2{middle.x, middle.y, base_in_map.yaw}, footprint.radius_m, footprint.length_m, footprint.width_m};
+  return {footprint.shape, footprint.is_disc() ? base_in_map : Pose2{middle.x, middle.y, base_in_map.yaw},
+          footprint.radius_m, footprint.length_m, footprint.width_m};
 }
 
 /// Equal discs along the vehicle's axis that together hold the footprint.
 struct CoveringDiscs {
   double radius_m{0.35};
-  std::vector<double> ahead_m{0.0};   // of their centres, from the frame's origin
+  std::vector<double> ahead_m{0.0};  // of their centres, from the frame's origin
 };
 
-/// One disc for a disc; for a rectangle three to five, the more the longer it is. Each covers its equal share of the length, corners
-/// included, so they stand out to the sides by hypot(length / 2 n, width / 2) - width / 2 (Ziegler, Stiller 2010): 5 cm at 2.4 x 1.1 m.
+/// One disc for a disc; for a rectangle three to five, the more the longer it is. Each covers its equal share of the
+/// length, corners included, so they stand out to the sides by hypot(length / 2 n, width / 2) - width / 2 (Ziegler,
+/// Stiller 2010): 5 cm at 2.4 x 1.1 m.
 inline CoveringDiscs covering_discs(const Footprint& footprint) {
   if (footprint.is_disc()) return {footprint.radius_m, {0.0}};
   const double ratio = footprint.length_m / std::max(1e-3, footprint.width_m);
   const int count = std::clamp(static_cast<int>(std::ceil(2.0 * ratio)), 3, 5);
   CoveringDiscs out{std::hypot(0.5 * footprint.length_m / count, 0.5 * footprint.width_m), {}};
-  for (int i = 0; i < count; ++i) out.ahead_m.push_back(footprint.ahead_m + footprint.length_m * ((i + 0.5) / count - 0.5));
+  for (int i = 0; i < count; ++i)
+    out.ahead_m.push_back(footprint.ahead_m + footprint.length_m * ((i + 0.5) / count - 0.5));
   return out;
 }
 

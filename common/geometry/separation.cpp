@@ -12,7 +12,8 @@ using Corners = std::array<Point2, 4>;
 Corners corners_of(const Body& box) {
   const double l = 0.5 * box.length_m;
   const double w = 0.5 * box.width_m;
-  return {to_map(box.base_in_map, {l, w}), to_map(box.base_in_map, {-l, w}), to_map(box.base_in_map, {-l, -w}), to_map(box.base_in_map, {l, -w})};
+  return {to_map(box.base_in_map, {l, w}), to_map(box.base_in_map, {-l, w}), to_map(box.base_in_map, {-l, -w}),
+          to_map(box.base_in_map, {l, -w})};
 }
 
 /// From the point to the rectangle's edge; negative within.
@@ -47,7 +48,7 @@ double between_boxes_m(const Body& a, const Body& b) {
   const Corners of_b = corners_of(b);
   const double gap_m = std::max(gap_on_axes_of_m(a, of_b), gap_on_axes_of_m(b, of_a));
   if (gap_m <= 0.0) return gap_m;
-  double least_m = 1e18;      // of two convex outlines that are apart, a corner of one is nearest to the other
+  double least_m = 1e18;  // of two convex outlines that are apart, a corner of one is nearest to the other
   for (const Point2 corner : of_b) least_m = std::min(least_m, signed_distance_m(a, corner));
   for (const Point2 corner : of_a) least_m = std::min(least_m, signed_distance_m(b, corner));
   return least_m;
@@ -58,7 +59,8 @@ double between_boxes_m(const Body& a, const Body& b) {
 double separation_m(const Body& a, const Body& b) {
   const bool a_is_disc = a.shape == Body::Shape::kDisc;
   const bool b_is_disc = b.shape == Body::Shape::kDisc;
-  if (a_is_disc && b_is_disc) return distance(a.base_in_map.position(), b.base_in_map.position()) - a.radius_m - b.radius_m;
+  if (a_is_disc && b_is_disc)
+    return distance(a.base_in_map.position(), b.base_in_map.position()) - a.radius_m - b.radius_m;
   if (a_is_disc) return signed_distance_m(b, a.base_in_map.position()) - a.radius_m;
   if (b_is_disc) return signed_distance_m(a, b.base_in_map.position()) - b.radius_m;
   return between_boxes_m(a, b);

@@ -45,32 +45,37 @@ double distance_to_lower_left(Point a, Point b) {
   return std::min({distance_to_lower_left(a), distance_to_lower_left(b), distance_to_piece({0.5, 0.5}, a, b)});
 }
 
-/// Quick: true only when the piece is more than `least` cells away from that quarter, and true for nearly all that are. The quarter
-/// then lies left of it, below it, or below its line, which falls to the right and passes the quarter's upper right corner.
+/// Quick: true only when the piece is more than `least` cells away from that quarter, and true for nearly all that are.
+/// The quarter then lies left of it, below it, or below its line, which falls to the right and passes the quarter's
+/// upper right corner.
 bool is_surely_beyond_lower_left(Point a, Point b, double least) {
   if (std::min(a.s, b.s) > 0.5 + least || std::min(a.t, b.t) > 0.5 + least) return true;
   const double ds = b.s - a.s;
   const double dt = b.t - a.t;
   if (ds * dt >= 0.0) return false;
-  const double above = std::abs(dt) * (a.s - 0.5) + std::abs(ds) * (a.t - 0.5);   // times the length
+  const double above = std::abs(dt) * (a.s - 0.5) + std::abs(ds) * (a.t - 0.5);  // times the length
   return above > 0.0 && above * above > least * least * (ds * ds + dt * dt);
 }
 
 /// The point as seen when the square is turned so that this corner is the lower left one.
-Point turned(Point p, std::size_t corner) { return {(corner & 1U) != 0 ? 1.0 - p.s : p.s, (corner & 2U) != 0 ? 1.0 - p.t : p.t}; }
+Point turned(Point p, std::size_t corner) {
+  return {(corner & 1U) != 0 ? 1.0 - p.s : p.s, (corner & 2U) != 0 ? 1.0 - p.t : p.t};
+}
 
 constexpr double kRounding = 1e-12;
 
 }  // namespace
 
-BetweenCenters::BetweenCenters(const ClearanceField& field, int x, int y) : cell_m_(field.geometry().resolution_m), least_m_(0.0) {
+BetweenCenters::BetweenCenters(const ClearanceField& field, int x, int y)
+    : cell_m_(field.geometry().resolution_m), least_m_(0.0) {
   const Geometry& g = field.geometry();
   if (x >= 0 && y >= 0 && x + 1 < g.width && y + 1 < g.height) {
     const float* below = field.cells_m().data() + g.index({x, y});
     const float* above = below + g.width;
     corner_m_ = {below[0], below[1], above[0], above[1]};
   } else {
-    corner_m_ = {field.clearance_m(Cell{x, y}), field.clearance_m(Cell{x + 1, y}), field.clearance_m(Cell{x, y + 1}), field.clearance_m(Cell{x + 1, y + 1})};
+    corner_m_ = {field.clearance_m(Cell{x, y}), field.clearance_m(Cell{x + 1, y}), field.clearance_m(Cell{x, y + 1}),
+                 field.clearance_m(Cell{x + 1, y + 1})};
   }
   least_m_ = std::min(std::min(corner_m_[0], corner_m_[1]), std::min(corner_m_[2], corner_m_[3]));
 }

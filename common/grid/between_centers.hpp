@@ -12,11 +12,13 @@ namespace aisle::grid {
 /// Points are given in cells from the lower left centre: s to the right, t upwards, both in [0, 1].
 ///
 /// Why the bounds hold, with d(p) the true distance to the union of occupied squares, all in cells:
-/// 1. d(p) >= the least d of the four centres. A square covers [k-1/2, k+1/2] along each axis, so along each axis p is no nearer to
+/// 1. d(p) >= the least d of the four centres. A square covers [k-1/2, k+1/2] along each axis, so along each axis p is
+/// no nearer to
 ///    it than the nearer of the two centre coordinates.
-/// 2. d is the least of the distances to single squares, each convex. For a square outside the four cells, bilinear interpolation
-///    overestimates the convex distance by at most kWorst, and by at most kSlope (s(1-s) + t(1-t)); found by scanning all squares
-///    near by, and guarded by a test against brute force.
+/// 2. d is the least of the distances to single squares, each convex. For a square outside the four cells, bilinear
+/// interpolation
+///    overestimates the convex distance by at most kWorst, and by at most kSlope (s(1-s) + t(1-t)); found by scanning
+///    all squares near by, and guarded by a test against brute force.
 /// 3. If one of the four cells is occupied, it decides: what lies outside the four is at least half a cell away.
 class BetweenCenters {
  public:
@@ -37,8 +39,8 @@ class BetweenCenters {
   /// Lower bound of the clearance at a point, exact at the four centres, in metres.
   double clearance_m(Point p) const;
 
-  /// The same for a point on none of the square's edges, of corners (lower left, lower right, upper left, upper right) that are all
-  /// free; 0 when one is not.
+  /// The same for a point on none of the square's edges, of corners (lower left, lower right, upper left, upper right)
+  /// that are all free; 0 when one is not.
   static double clearance_m(const double (&corner_m)[4], Point p, double cell_m) {
     double clearance_m;
     find_clearance_m(corner_m, p.s, p.t, cell_m, clearance_m);
@@ -47,7 +49,8 @@ class BetweenCenters {
 
   /// The same of a number, or of a vector of them: one a point.
   template <class Number>
-  [[gnu::always_inline]] static void find_clearance_m(const Number (&corner_m)[4], const Number& s, const Number& t, double cell_m, Number& clearance_m) {
+  [[gnu::always_inline]] static void find_clearance_m(const Number (&corner_m)[4], const Number& s, const Number& t,
+                                                      double cell_m, Number& clearance_m) {
     const Number lower = corner_m[1] < corner_m[0] ? corner_m[1] : corner_m[0];
     const Number upper = corner_m[3] < corner_m[2] ? corner_m[3] : corner_m[2];
     const Number least = upper < lower ? upper : lower;

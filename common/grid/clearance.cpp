@@ -13,7 +13,8 @@
 namespace aisle::grid {
 namespace {
 
-// Lengths inside the transform are whole numbers of half cells, squared lengths are their squares: all arithmetic is exact.
+// Lengths inside the transform are whole numbers of half cells, squared lengths are their squares: all arithmetic is
+// exact.
 constexpr int kMaxReachCells = 16000;
 constexpr int kFar = 40000;  // more half cells than any reach: no obstacle within it
 
@@ -33,14 +34,18 @@ Window grown(const Window& w, int by, const Geometry& g) {
   return {std::max(0, w.x0 - by), std::max(0, w.y0 - by), std::min(g.width, w.x1 + by), std::min(g.height, w.y1 + by)};
 }
 
-/// Half cells from the centres of a row's cells to the edge of the nearest occupied cell in their own columns, row by row.
+/// Half cells from the centres of a row's cells to the edge of the nearest occupied cell in their own columns, row by
+/// row.
 class Columns {
  public:
   /// What is farther than `farthest` half cells counts as that far.
   Columns(const Window& seen, int grid_height, int farthest)
-      : seen_(seen), farthest_(static_cast<std::uint16_t>(farthest)), width_(static_cast<std::size_t>(seen.width())),
+      : seen_(seen),
+        farthest_(static_cast<std::uint16_t>(farthest)),
+        width_(static_cast<std::size_t>(seen.width())),
         half_(width_ * static_cast<std::size_t>(seen.height())) {
-    // Below the first and above the last row of the grid everything is occupied; at other borders of the window nothing is known.
+    // Below the first and above the last row of the grid everything is occupied; at other borders of the window nothing
+    // is known.
     below_.assign(width_, seen.y0 == 0 ? std::uint16_t{0} : farthest_);
     above_.assign(width_, seen.y1 == grid_height ? std::uint16_t{0} : farthest_);
   }
@@ -79,14 +84,15 @@ class Columns {
   std::vector<std::uint16_t> half_, below_, above_;
 };
 
-/// Squared half cells from the centres of one row to the nearest square, found by looking left and right in turn, 32 cells at once in
-/// 16-bit numbers that compilers make vectors of. Exact as far as kExact; what is farther is said to be farther.
+/// Squared half cells from the centres of one row to the nearest square, found by looking left and right in turn, 32
+/// cells at once in 16-bit numbers that compilers make vectors of. Exact as far as kExact; what is farther is said to
+/// be farther.
 class NearRow {
  public:
   static constexpr int kBlock = 32;
-  static constexpr int kSteps = 63;                                          // cells to each side
+  static constexpr int kSteps = 63;  // cells to each side
   static constexpr std::int16_t kExact = (2 * kSteps + 1) * (2 * kSteps + 1);
-  static constexpr int kHighest = 130;                                       // half cells in the column that still matter
+  static constexpr int kHighest = 130;  // half cells in the column that still matter
   static_assert(kHighest * kHighest > kExact && kHighest * kHighest + (2 * kSteps - 1) * (2 * kSteps - 1) <= INT16_MAX);
   using Block = std::array<std::int16_t, kBlock>;
 
@@ -125,7 +131,7 @@ class NearRow {
   }
 
  private:
-  static constexpr int kMargin = kSteps + kBlock;   // a block may stick out of the row
+  static constexpr int kMargin = kSteps + kBlock;  // a block may stick out of the row
 
   static int greatest_of(const Block& squares) {
     std::int16_t greatest = 0;
@@ -151,7 +157,8 @@ void fill(RowEnvelope& envelope, const std::uint16_t* row, const Window& seen, i
 
 ClearanceField::ClearanceField(const OccupancyGrid& grid, double max_m)
     : geometry_(grid.geometry()), max_m_(max_m), clearance_m_(grid.geometry().cells(), 0.0F) {
-  if (geometry_.width > 0 && geometry_.height > 0) recompute(grid, {}, {0, 0}, {geometry_.width - 1, geometry_.height - 1});
+  if (geometry_.width > 0 && geometry_.height > 0)
+    recompute(grid, {}, {0, 0}, {geometry_.width - 1, geometry_.height - 1});
 }
 
 void ClearanceField::update(const OccupancyGrid& grid, Cell low, Cell high, const std::vector<Cell>& also_occupied) {
@@ -188,13 +195,17 @@ void ClearanceField::recompute(const OccupancyGrid& grid, const std::vector<Cell
       float* out = clearance_m_.data() + geometry_.index({x, y});
       NearRow::Block squares;
       const bool is_exact = near.look(x, count, reach, squares) <= NearRow::kExact || reach <= NearRow::kSteps;
-      for (std::size_t i = 0; i < count; ++i) out[i] = std::min(max_m, half_cell_m * std::sqrt(static_cast<float>(squares[i])));
+      for (std::size_t i = 0; i < count; ++i)
+        out[i] = std::min(max_m, half_cell_m * std::sqrt(static_cast<float>(squares[i])));
       if (is_exact) continue;
       if (envelope.empty()) fill(envelope, row, seen, geometry_.width, far);
       std::array<double, NearRow::kBlock> squared;
-      for (std::size_t i = 0; i < count; ++i) squared[i] = static_cast<double>(row[x - seen.x0 + static_cast<int>(i)]) * row[x - seen.x0 + static_cast<int>(i)];
+      for (std::size_t i = 0; i < count; ++i)
+        squared[i] =
+            static_cast<double>(row[x - seen.x0 + static_cast<int>(i)]) * row[x - seen.x0 + static_cast<int>(i)];
       if (!envelope.empty()) envelope.lower(x, end, squared.data());
-      for (std::size_t i = 0; i < count; ++i) out[i] = std::min(max_m, half_cell_m * std::sqrt(static_cast<float>(squared[i])));
+      for (std::size_t i = 0; i < count; ++i)
+        out[i] = std::min(max_m, half_cell_m * std::sqrt(static_cast<float>(squared[i])));
     }
   }
 }
@@ -207,21 +218,21 @@ double ClearanceField::clearance_m(geometry::Point2 in_map) const {
   if (const double quick = clearance_between_free_m(x - 0.5, y - 0.5); quick > 0.0) return quick;
   const double u = BetweenCenters::snapped(x - 0.5);
   const double v = BetweenCenters::snapped(y - 0.5);
-  const auto below = [](double cells) { return cells < 0.0 ? -1 : static_cast<int>(cells); };   // -1/2 and more
+  const auto below = [](double cells) { return cells < 0.0 ? -1 : static_cast<int>(cells); };  // -1/2 and more
   const Cell lower_left{below(u), below(v)};
   if (u == lower_left.x && v == lower_left.y) return clearance_m(lower_left);
   return BetweenCenters(*this, lower_left.x, lower_left.y).clearance_m({u - lower_left.x, v - lower_left.y});
 }
 
-/// The usual case, without BetweenCenters and to the bit what it says: four free cells around the point, which lies on no line of
-/// centres. `u`, `v`: in cells from the first centre. Otherwise 0.
+/// The usual case, without BetweenCenters and to the bit what it says: four free cells around the point, which lies on
+/// no line of centres. `u`, `v`: in cells from the first centre. Otherwise 0.
 double ClearanceField::clearance_between_free_m(double u, double v) const {
   if (u < 0.0 || v < 0.0) return 0.0;
   const auto column = static_cast<int>(u);
   const auto row = static_cast<int>(v);
   if (column + 1 >= geometry_.width || row + 1 >= geometry_.height) return 0.0;
   const BetweenCenters::Point p{u - column, v - row};
-  constexpr double kOnALine = 1e-8;       // or nearly: snapping is not done here
+  constexpr double kOnALine = 1e-8;  // or nearly: snapping is not done here
   if (p.s < kOnALine || p.t < kOnALine || p.s > 1.0 - kOnALine || p.t > 1.0 - kOnALine) return 0.0;
   const float* corner = clearance_m_.data() + geometry_.index({column, row});
   const double corners[4]{corner[0], corner[1], corner[geometry_.width], corner[geometry_.width + 1]};

@@ -6,9 +6,9 @@
 
 namespace aisle::grid {
 
-/// Distance from each cell's centre to the nearest *square* cell that is not free, in metres, capped at `max_m`; outside the grid
-/// counts as occupied. Exact at the centres (Euclidean distance transform after Felzenszwalb, Huttenlocher 2012, with the edges of
-/// the squares as sites), stored as float: right to 1e-6 of the value.
+/// Distance from each cell's centre to the nearest *square* cell that is not free, in metres, capped at `max_m`;
+/// outside the grid counts as occupied. Exact at the centres (Euclidean distance transform after Felzenszwalb,
+/// Huttenlocher 2012, with the edges of the squares as sites), stored as float: right to 1e-6 of the value.
 class ClearanceField {
  public:
   ClearanceField() = default;
@@ -17,26 +17,28 @@ class ClearanceField {
 
   /// After an edit of the cells from `low` to `high` (both included): recomputes only what can have changed.
   /// Afterwards equal, cell by cell, to a field made anew from `grid`. Nothing to do when `high` lies below `low`.
-  /// `also_occupied`: cells that count as occupied whatever `grid` says; those that come or go lie within `low` to `high`.
+  /// `also_occupied`: cells that count as occupied whatever `grid` says; those that come or go lie within `low` to
+  /// `high`.
   /// @pre same geometry as before
   void update(const OccupancyGrid& grid, Cell low, Cell high, const std::vector<Cell>& also_occupied = {});
 
   const Geometry& geometry() const { return geometry_; }
   double max_m() const { return max_m_; }
 
-  /// Another number after each change, and never that of a field with other contents: for who keeps something made from a field.
-  /// 0 for an empty one.
+  /// Another number after each change, and never that of a field with other contents: for who keeps something made from
+  /// a field. 0 for an empty one.
   std::uint64_t revision() const { return revision_; }
 
-  /// Exact at the cell's centre (capped): the radius of the largest disc that may stand there. 0 on obstacles and outside the grid.
+  /// Exact at the cell's centre (capped): the radius of the largest disc that may stand there. 0 on obstacles and
+  /// outside the grid.
   double clearance_m(Cell c) const { return geometry_.contains(c) ? clearance_m_[geometry_.index(c)] : 0.0; }
 
   /// The same for every cell, row by row from the bottom: for loops that know that they are in the grid.
   const std::vector<float>& cells_m() const { return clearance_m_; }
 
-  /// A safe lower bound of the distance from any point to the nearest occupied square: interpolated between the four centres
-  /// around it, less what bilinear interpolation can overestimate there (at most 0.115 of a cell; nothing at the centres), and
-  /// never less than the smallest of the four. 0 on obstacles and outside the grid.
+  /// A safe lower bound of the distance from any point to the nearest occupied square: interpolated between the four
+  /// centres around it, less what bilinear interpolation can overestimate there (at most 0.115 of a cell; nothing at
+  /// the centres), and never less than the smallest of the four. 0 on obstacles and outside the grid.
   double clearance_m(geometry::Point2 in_map) const;
 
   /// May a vehicle of this radius (margin included) stand on the cell's centre? Never on a cell that is not free.

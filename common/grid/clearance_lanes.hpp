@@ -15,18 +15,21 @@ class ClearanceLanes {
   explicit ClearanceLanes(const ClearanceField& field);
 
   /// In metres; 0 may be said of points that are not `wanted`. The points may be anything, infinite too.
-  [[gnu::always_inline]] void find_m(const geometry::Wide& x, const geometry::Wide& y, const geometry::WideMarks& wanted, geometry::Wide& clearance_m) const {
+  [[gnu::always_inline]] void find_m(const geometry::Wide& x, const geometry::Wide& y,
+                                     const geometry::WideMarks& wanted, geometry::Wide& clearance_m) const {
     find_usual_m(x, y, clearance_m);
     if (geometry::is_any(wanted & ~(clearance_m > 0.0))) find_others_m(x, y, wanted, clearance_m);
   }
 
-  /// No more than `find_m` says, and less by at most two cells: what the centre of each point's own cell has, less a cell. A third
-  /// of the work. 0 or less outside the grid and near obstacles.
-  [[gnu::always_inline]] void find_at_least_m(const geometry::Wide& x, const geometry::Wide& y, geometry::Wide& at_least_m) const {
+  /// No more than `find_m` says, and less by at most two cells: what the centre of each point's own cell has, less a
+  /// cell. A third of the work. 0 or less outside the grid and near obstacles.
+  [[gnu::always_inline]] void find_at_least_m(const geometry::Wide& x, const geometry::Wide& y,
+                                              geometry::Wide& at_least_m) const {
     using geometry::Wide;
     const Wide u = (x - origin_x_) * cells_a_metre_, v = (y - origin_y_) * cells_a_metre_;
     const geometry::WideMarks is_inside = (u >= 0.0) & (v >= 0.0) & (u < columns_) & (v < rows_);
-    const Cells column = __builtin_convertvector(is_inside ? u : Wide{}, Cells), row = __builtin_convertvector(is_inside ? v : Wide{}, Cells);
+    const Cells column = __builtin_convertvector(is_inside ? u : Wide{}, Cells),
+                row = __builtin_convertvector(is_inside ? v : Wide{}, Cells);
     const auto index = reinterpret_cast<Indices>(row * width_ + column);
     const Four center_m{cells_m_[index[0]], cells_m_[index[1]], cells_m_[index[2]], cells_m_[index[3]]};
     at_least_m = is_inside ? __builtin_convertvector(center_m, Wide) - cell_m_ : Wide{};
@@ -36,14 +39,15 @@ class ClearanceLanes {
   using Four = float __attribute__((vector_size(16)));
   using Cells = std::int32_t __attribute__((vector_size(16)));
   using Indices = std::uint32_t __attribute__((vector_size(16)));
-  using Corners = float __attribute__((vector_size(32)));     // pairs of left and right
-  using Sorted = double __attribute__((vector_size(64)));     // all left, all right
+  using Corners = float __attribute__((vector_size(32)));  // pairs of left and right
+  using Sorted = double __attribute__((vector_size(64)));  // all left, all right
 
   /// The usual case: four free cells around a point that lies on no line of centres. Otherwise 0.
-  [[gnu::always_inline]] void find_usual_m(const geometry::Wide& x, const geometry::Wide& y, geometry::Wide& clearance_m) const {
+  [[gnu::always_inline]] void find_usual_m(const geometry::Wide& x, const geometry::Wide& y,
+                                           geometry::Wide& clearance_m) const {
     using geometry::Wide;
     using geometry::WideMarks;
-    constexpr double kOnALine = 1e-8;       // or nearly: snapping is not done here
+    constexpr double kOnALine = 1e-8;  // or nearly: snapping is not done here
     const Wide u = (x - origin_x_) / cell_m_ - 0.5;
     const Wide v = (y - origin_y_) / cell_m_ - 0.5;
     const WideMarks is_inside = (u >= 0.0) & (v >= 0.0) & (u < last_u_) & (v < last_v_);
@@ -51,7 +55,8 @@ class ClearanceLanes {
     const Wide known_v = is_inside ? v : Wide{};
     const Cells column = __builtin_convertvector(known_u, Cells), row = __builtin_convertvector(known_v, Cells);
     const auto index = reinterpret_cast<Indices>(row * width_ + column);
-    const Wide s = known_u - __builtin_convertvector(column, Wide);     // 0 where the point is not between four cells of the grid
+    const Wide s =
+        known_u - __builtin_convertvector(column, Wide);  // 0 where the point is not between four cells of the grid
     const Wide t = known_v - __builtin_convertvector(row, Wide);
     Wide corner_m[4], between_m;
     gather(cells_m_, index, corner_m[0], corner_m[1]);
@@ -62,7 +67,8 @@ class ClearanceLanes {
   }
 
   /// Of each index's cell and the next one.
-  [[gnu::always_inline]] static void gather(const float* cells_m, const Indices& index, geometry::Wide& left_m, geometry::Wide& right_m) {
+  [[gnu::always_inline]] static void gather(const float* cells_m, const Indices& index, geometry::Wide& left_m,
+                                            geometry::Wide& right_m) {
     geometry::Wide pairs;
     for (std::size_t i = 0; i < geometry::kWide; ++i) {
       double pair;
@@ -70,19 +76,21 @@ class ClearanceLanes {
       pairs[i] = pair;
     }
     const auto corners = reinterpret_cast<Corners>(pairs);
-    const Sorted sorted = __builtin_convertvector(__builtin_shufflevector(corners, corners, 0, 2, 4, 6, 1, 3, 5, 7), Sorted);
+    const Sorted sorted =
+        __builtin_convertvector(__builtin_shufflevector(corners, corners, 0, 2, 4, 6, 1, 3, 5, 7), Sorted);
     left_m = __builtin_shufflevector(sorted, sorted, 0, 1, 2, 3);
     right_m = __builtin_shufflevector(sorted, sorted, 4, 5, 6, 7);
   }
 
   /// One by one, of those that are wanted and not known.
-  void find_others_m(const geometry::Wide& x, const geometry::Wide& y, const geometry::WideMarks& wanted, geometry::Wide& clearance_m) const;
+  void find_others_m(const geometry::Wide& x, const geometry::Wide& y, const geometry::WideMarks& wanted,
+                     geometry::Wide& clearance_m) const;
 
   const ClearanceField& field_;
   const float* cells_m_;
   std::int32_t width_;
   double origin_x_, origin_y_, cell_m_;
-  double last_u_, last_v_;                  // the last centres, in cells from the first
+  double last_u_, last_v_;  // the last centres, in cells from the first
   double cells_a_metre_, columns_, rows_;
 };
 

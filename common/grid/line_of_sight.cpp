@@ -14,7 +14,8 @@ namespace {
 using geometry::Point2;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// One coordinate of a walk along a segment through squares of edge 1, which begin at whole numbers; time runs from 0 to 1.
+/// One coordinate of a walk along a segment through squares of edge 1, which begin at whole numbers; time runs from 0
+/// to 1.
 struct Axis {
   double start;
   double change;
@@ -24,7 +25,7 @@ struct Axis {
   /// The square that the walk goes through right after `time`.
   void enter(double time) {
     const double u = BetweenCenters::snapped(at(time));
-    square = static_cast<int>(u);   // toward zero
+    square = static_cast<int>(u);  // toward zero
     if (u < square || (change < 0.0 && u == square)) --square;
   }
   double next_border_time() const {
@@ -45,7 +46,8 @@ struct Box {
 double squared(Point2 p) { return geometry::dot(p, p); }
 
 double squared_distance(Point2 p, const Box& box) {
-  return squared({std::max({box.low.x - p.x, 0.0, p.x - box.high.x}), std::max({box.low.y - p.y, 0.0, p.y - box.high.y})});
+  return squared(
+      {std::max({box.low.x - p.x, 0.0, p.x - box.high.x}), std::max({box.low.y - p.y, 0.0, p.y - box.high.y})});
 }
 
 bool enters(Point2 a, Point2 b, const Box& box) {
@@ -79,7 +81,7 @@ double squared_distance(Point2 a, Point2 b, const Box& box) {
   return least;
 }
 
-constexpr double kShrunk_cells = 1e-4;   // far more than rounding
+constexpr double kShrunk_cells = 1e-4;  // far more than rounding
 
 Box shrunk_cell(const Geometry& g, Cell cell) {
   const double half_m = (0.5 - kShrunk_cells) * g.resolution_m;
@@ -87,7 +89,8 @@ Box shrunk_cell(const Geometry& g, Cell cell) {
   return {center - Point2{half_m, half_m}, center + Point2{half_m, half_m}};
 }
 
-/// The cell that is not free which one comes to by steps down the field; nothing where it is flat, beyond the field's cap.
+/// The cell that is not free which one comes to by steps down the field; nothing where it is flat, beyond the field's
+/// cap.
 std::optional<Cell> downhill(const ClearanceField& clearance, Cell at) {
   for (double here_m = clearance.clearance_m(at); here_m > 0.0;) {
     const Cell from = at;
@@ -105,11 +108,15 @@ std::optional<Cell> downhill(const ClearanceField& clearance, Cell at) {
   return at;
 }
 
-/// What a disc that stands between the centres of this square may touch: the cell downhill when it does, which is nearly always so.
-std::optional<Cell> touched_cell(const ClearanceField& clearance, const Axis& x, const Axis& y, double time, double radius_m) {
+/// What a disc that stands between the centres of this square may touch: the cell downhill when it does, which is
+/// nearly always so.
+std::optional<Cell> touched_cell(const ClearanceField& clearance, const Axis& x, const Axis& y, double time,
+                                 double radius_m) {
   const Geometry& g = clearance.geometry();
-  const Point2 here{g.origin_in_map.x + (x.at(time) + 0.5) * g.resolution_m, g.origin_in_map.y + (y.at(time) + 0.5) * g.resolution_m};
-  const int reach = std::clamp(static_cast<int>(std::ceil(radius_m / g.resolution_m - 0.5)), 0, 64);   // beyond it none can touch
+  const Point2 here{g.origin_in_map.x + (x.at(time) + 0.5) * g.resolution_m,
+                    g.origin_in_map.y + (y.at(time) + 0.5) * g.resolution_m};
+  const int reach =
+      std::clamp(static_cast<int>(std::ceil(radius_m / g.resolution_m - 0.5)), 0, 64);  // beyond it none can touch
   const std::optional<Cell> likely = downhill(clearance, g.cell_at(here));
   if (likely && squared_distance(here, shrunk_cell(g, *likely)) < radius_m * radius_m) return likely;
   std::optional<Cell> nearest;
@@ -136,7 +143,8 @@ class Squares {
   /// False where some of the four lie outside the grid.
   bool look(int x, int y) {
     if (x < 0 || y < 0 || x + 1 >= width_ || y + 1 >= height_) return false;
-    const float* below = cells_m_ + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+    const float* below =
+        cells_m_ + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
     const float* above = below + width_;
     least_m = std::min(std::min(below[0], below[1]), std::min(above[0], above[1]));
     greatest_m = std::max(std::max(below[0], below[1]), std::max(above[0], above[1]));
@@ -152,7 +160,8 @@ class Squares {
 };
 
 /// The walk of is_line_free, from centre to centre. `blocked_at`: the time when it was stopped.
-bool is_walk_free(const ClearanceField& clearance, Axis& x, Axis& y, double length_m, double radius_m, double& blocked_at) {
+bool is_walk_free(const ClearanceField& clearance, Axis& x, Axis& y, double length_m, double radius_m,
+                  double& blocked_at) {
   const double plenty_m = 2.0 * clearance.geometry().resolution_m;
   Squares squares(clearance);
   x.enter(0.0);
@@ -160,7 +169,8 @@ bool is_walk_free(const ClearanceField& clearance, Axis& x, Axis& y, double leng
   double x_time = x.next_border_time();
   double y_time = y.next_border_time();
   for (double time = 0.0; time < 1.0;) {
-    // Most squares are decided by their four centres: no room for a jump, or enough for the disc wherever in the square it is.
+    // Most squares are decided by their four centres: no room for a jump, or enough for the disc wherever in the square
+    // it is.
     const bool is_inside = squares.look(x.square, y.square);
     const bool may_jump = !is_inside || squares.greatest_m > radius_m + 0.999999 * plenty_m;
     const bool is_open = is_inside && squares.least_m > 0.0F && squares.least_m >= radius_m;
@@ -203,7 +213,8 @@ bool Blocker::blocks(const Geometry& geometry, Point2 from_in_map, Point2 to_in_
   return cell_ && squared_distance(from_in_map, to_in_map, shrunk_cell(geometry, *cell_)) < radius_m * radius_m;
 }
 
-bool is_line_free(const ClearanceField& clearance, Point2 from_in_map, Point2 to_in_map, double radius_m, Blocker* blocker) {
+bool is_line_free(const ClearanceField& clearance, Point2 from_in_map, Point2 to_in_map, double radius_m,
+                  Blocker* blocker) {
   const Geometry& g = clearance.geometry();
   if (blocker != nullptr) *blocker = {};
   const auto is_free_at = [&](Point2 p) {
@@ -211,7 +222,9 @@ bool is_line_free(const ClearanceField& clearance, Point2 from_in_map, Point2 to
     return here > 0.0 && here >= radius_m;
   };
   if (!is_free_at(from_in_map) || !is_free_at(to_in_map)) return false;  // also whatever lies outside the grid
-  const auto in_cells = [&](double map, double origin) { return BetweenCenters::snapped((map - origin) / g.resolution_m - 0.5); };
+  const auto in_cells = [&](double map, double origin) {
+    return BetweenCenters::snapped((map - origin) / g.resolution_m - 0.5);
+  };
   Axis x{in_cells(from_in_map.x, g.origin_in_map.x), 0.0};
   Axis y{in_cells(from_in_map.y, g.origin_in_map.y), 0.0};
   x.change = in_cells(to_in_map.x, g.origin_in_map.x) - x.start;
@@ -228,7 +241,8 @@ double cast_ray(const OccupancyGrid& grid, Point2 from_in_map, double angle_rad,
   const Geometry& g = grid.geometry();
   if (g.cells() == 0) return max_range_m;
   const Point2 direction{std::cos(angle_rad), std::sin(angle_rad)};
-  const Point2 start{(from_in_map.x - g.origin_in_map.x) / g.resolution_m, (from_in_map.y - g.origin_in_map.y) / g.resolution_m};
+  const Point2 start{(from_in_map.x - g.origin_in_map.x) / g.resolution_m,
+                     (from_in_map.y - g.origin_in_map.y) / g.resolution_m};
   const double range = max_range_m / g.resolution_m;  // lengths are in cells from here on
 
   // Where the ray enters and leaves the grid.
@@ -257,7 +271,8 @@ double cast_ray(const OccupancyGrid& grid, Point2 from_in_map, double angle_rad,
     return change == 0.0 ? kNever : (static_cast<double>(at) + (change > 0.0 ? 1.0 : 0.0) - begin) / change;
   };
   Point2 border{first_border(start.x, direction.x, cell.x), first_border(start.y, direction.y, cell.y)};
-  const Point2 spacing{direction.x == 0.0 ? kNever : 1.0 / std::fabs(direction.x), direction.y == 0.0 ? kNever : 1.0 / std::fabs(direction.y)};
+  const Point2 spacing{direction.x == 0.0 ? kNever : 1.0 / std::fabs(direction.x),
+                       direction.y == 0.0 ? kNever : 1.0 / std::fabs(direction.y)};
   const Occupancy* here = grid.cells().data() + g.index(cell);
   const std::ptrdiff_t row = step.y * static_cast<std::ptrdiff_t>(g.width);
   int columns_left = step.x > 0 ? g.width - cell.x : cell.x + 1;

@@ -12,12 +12,13 @@ struct MapEdit {
   enum class Action : std::uint8_t { kBlock = 0, kUnblock = 1 };
   enum class Shape : std::uint8_t { kRectangle = 0, kPolygon = 1, kDisc = 2 };
 
-  std::string edit_id;                          // an edit is applied once by this name
+  std::string edit_id;  // an edit is applied once by this name
   std::string map_id;
   Action action{Action::kBlock};
   Shape shape{Shape::kRectangle};
-  std::vector<geometry::Point2> points_in_map;  // rectangle: two opposite corners; polygon: three or more corners; disc: its centre
-  double radius_m{0.0};                         // of a disc
+  std::vector<geometry::Point2>
+      points_in_map;     // rectangle: two opposite corners; polygon: three or more corners; disc: its centre
+  double radius_m{0.0};  // of a disc
 };
 inline bool operator==(const MapEdit& a, const MapEdit& b) {
   return a.edit_id == b.edit_id && a.map_id == b.map_id && a.action == b.action && a.shape == b.shape &&
@@ -31,8 +32,8 @@ struct MapEditResult {
   std::string edit_id;
   std::string map_id;
   Outcome outcome{Outcome::kRefused};
-  std::string detail;            // why it was refused, one line
-  std::uint64_t revision{0};     // of the map that holds the edit; of the newest map when refused
+  std::string detail;         // why it was refused, one line
+  std::uint64_t revision{0};  // of the map that holds the edit; of the newest map when refused
   std::uint32_t changed_cells{0};
 };
 

@@ -18,9 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file's cells, each cut into subdivide x subdivide; `row_from_top` of the file is given to `cell(x, row_from_top)`.
+/// The file's cells, each cut into subdivide x subdivide; `row_from_top` of the file is given to `cell(x,
+/// row_from_top)`.
 template <class CellAt>
-OccupancyGrid make_grid(int width, int height, double cell_m, int subdivide, geometry::Point2 origin_in_map, CellAt cell_at) {
+OccupancyGrid make_grid(int width, int height, double cell_m, int subdivide, geometry::Point2 origin_in_map,
+                        CellAt cell_at) {
   OccupancyGrid grid(Geometry{width * subdivide, height * subdivide, cell_m / subdivide, origin_in_map});
   for (int y = 0; y < height * subdivide; ++y) {
     for (int x = 0; x < width * subdivide; ++x) grid.set({x, y}, cell_at(x / subdivide, height - 1 - y / subdivide));
@@ -51,8 +53,8 @@ std::string printable(char c) {
 
 /// Rows of characters, the first on top; `known` turns a character into a cell or throws.
 template <class Known>
-OccupancyGrid read_rows(const fs::path& file, const std::vector<std::string_view>& lines, std::size_t first_line, const MapFileOptions& options,
-                        Known known) {
+OccupancyGrid read_rows(const fs::path& file, const std::vector<std::string_view>& lines, std::size_t first_line,
+                        const MapFileOptions& options, Known known) {
   const std::size_t width = lines[first_line].size();
   const std::size_t height = lines.size() - first_line;
   require_map_size(file, static_cast<long long>(width), static_cast<long long>(height), options.subdivide);
@@ -60,15 +62,18 @@ OccupancyGrid read_rows(const fs::path& file, const std::vector<std::string_view
     const std::string line_name = "line " + std::to_string(first_line + row + 1);
     const std::string_view line = lines[first_line + row];
     if (line.size() != width) {
-      reject(file, line_name + " has " + std::to_string(line.size()) + " cells, it should have " + std::to_string(width) +
-                       ": the file is cut off or damaged");
+      reject(file, line_name + " has " + std::to_string(line.size()) + " cells, it should have " +
+                       std::to_string(width) + ": the file is cut off or damaged");
     }
     for (std::size_t x = 0; x < width; ++x) {
-      if (!known(line[x])) reject(file, line_name + ", column " + std::to_string(x + 1) + ": " + printable(line[x]) + " is no known cell");
+      if (!known(line[x]))
+        reject(file, line_name + ", column " + std::to_string(x + 1) + ": " + printable(line[x]) + " is no known cell");
     }
   }
-  return make_grid(static_cast<int>(width), static_cast<int>(height), options.moving_ai_cell_m, options.subdivide, {0.0, 0.0},
-                   [&](int x, int row) { return *known(lines[first_line + static_cast<std::size_t>(row)][static_cast<std::size_t>(x)]); });
+  return make_grid(static_cast<int>(width), static_cast<int>(height), options.moving_ai_cell_m, options.subdivide,
+                   {0.0, 0.0}, [&](int x, int row) {
+                     return *known(lines[first_line + static_cast<std::size_t>(row)][static_cast<std::size_t>(x)]);
+                   });
 }
 
 std::optional<Occupancy> text_cell(char c) {
@@ -91,7 +96,8 @@ OccupancyGrid read_text_grid(const fs::path& file, const MapFileOptions& options
   return read_rows(file, lines, 0, options, text_cell);
 }
 
-long long header_number(const fs::path& file, const std::vector<std::string_view>& lines, std::size_t line, const std::string& key) {
+long long header_number(const fs::path& file, const std::vector<std::string_view>& lines, std::size_t line,
+                        const std::string& key) {
   const std::string where = "line " + std::to_string(line + 1);
   const std::string_view text = lines[line];
   if (text.substr(0, key.size() + 1) != key + " ") reject(file, where + " should be '" + key + " NUMBER'");
@@ -106,18 +112,22 @@ OccupancyGrid read_moving_ai(const fs::path& file, const MapFileOptions& options
   constexpr std::size_t kHeaderLines = 4;
   const std::string text = read_bytes(file);
   const std::vector<std::string_view> lines = lines_of(text);
-  if (lines.empty() || lines[0].substr(0, 5) != "type ") reject(file, "line 1 should be 'type octile': it is not a Moving AI map");
-  if (lines.size() < kHeaderLines) reject(file, "ends within its header (type, height, width, map): the file is cut off");
+  if (lines.empty() || lines[0].substr(0, 5) != "type ")
+    reject(file, "line 1 should be 'type octile': it is not a Moving AI map");
+  if (lines.size() < kHeaderLines)
+    reject(file, "ends within its header (type, height, width, map): the file is cut off");
   const long long height = header_number(file, lines, 1, "height");
   const long long width = header_number(file, lines, 2, "width");
   if (lines[3] != "map") reject(file, "line 4 should be 'map'");
   require_map_size(file, width, height, options.subdivide);
   const std::size_t rows = lines.size() - kHeaderLines;
   if (static_cast<long long>(rows) != height) {
-    reject(file, "has " + std::to_string(rows) + " rows, its header says height " + std::to_string(height) + ": the file is cut off or damaged");
+    reject(file, "has " + std::to_string(rows) + " rows, its header says height " + std::to_string(height) +
+                     ": the file is cut off or damaged");
   }
   if (static_cast<long long>(lines[kHeaderLines].size()) != width) {
-    reject(file, "line 5 has " + std::to_string(lines[kHeaderLines].size()) + " cells, the header says width " + std::to_string(width));
+    reject(file, "line 5 has " + std::to_string(lines[kHeaderLines].size()) + " cells, the header says width " +
+                     std::to_string(width));
   }
   return read_rows(file, lines, kHeaderLines, options, moving_ai_cell);
 }
@@ -152,18 +162,27 @@ struct RosMap {
 
   template <class Reader>
   void check(Reader& r) {
-    if (origin.size() != 3) r.reject("origin", "has " + std::to_string(origin.size()) + " numbers, not the three x, y, yaw");
+    if (origin.size() != 3)
+      r.reject("origin", "has " + std::to_string(origin.size()) + " numbers, not the three x, y, yaw");
     if (origin[2] != 0.0) {
-      r.reject("origin", "yaw = " + std::to_string(origin[2]) + " rad, only 0 is supported: turn the image instead and write 0");
+      r.reject("origin",
+               "yaw = " + std::to_string(origin[2]) + " rad, only 0 is supported: turn the image instead and write 0");
     }
     if (free_thresh >= occupied_thresh) r.reject("free_thresh", "must be less than occupied_thresh");
-    if (mode_name == "trinary") mode = Mode::kTrinary;
-    else if (mode_name == "scale") mode = Mode::kScale;
-    else if (mode_name == "raw") mode = Mode::kRaw;
-    else r.reject("mode", "'" + mode_name + "' is not trinary, scale or raw");
-    if (negate_text == "0" || negate_text == "false") negate = false;
-    else if (negate_text == "1" || negate_text == "true") negate = true;
-    else r.reject("negate", "'" + negate_text + "' is not 0 or 1");
+    if (mode_name == "trinary")
+      mode = Mode::kTrinary;
+    else if (mode_name == "scale")
+      mode = Mode::kScale;
+    else if (mode_name == "raw")
+      mode = Mode::kRaw;
+    else
+      r.reject("mode", "'" + mode_name + "' is not trinary, scale or raw");
+    if (negate_text == "0" || negate_text == "false")
+      negate = false;
+    else if (negate_text == "1" || negate_text == "true")
+      negate = true;
+    else
+      r.reject("negate", "'" + negate_text + "' is not 0 or 1");
     if (image.empty()) r.reject("image", "is empty: name the PGM or PNG beside this file");
   }
 
@@ -198,11 +217,15 @@ OccupancyGrid read_ros_map(const fs::path& file, const MapFileOptions& options) 
   if (!fs::exists(image_file, error)) reject(file, "image '" + map.image + "': no such file as " + image_file.string());
   const std::string bytes = read_bytes(image_file);
   const bool is_png = !bytes.empty() && bytes[0] == '\x89';
-  const MapImage image = is_png ? parse_png(image_file, bytes, options.subdivide) : parse_pgm(image_file, bytes, options.subdivide);
-  return make_grid(image.width, image.height, map.resolution_m, options.subdivide, {map.origin[0], map.origin[1]}, [&](int x, int row) {
-    const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
-    return !image.alpha.empty() && image.alpha[i] == 0 ? Occupancy::kUnknown : map.cell(image.shade[i]);
-  });
+  const MapImage image =
+      is_png ? parse_png(image_file, bytes, options.subdivide) : parse_pgm(image_file, bytes, options.subdivide);
+  return make_grid(image.width, image.height, map.resolution_m, options.subdivide, {map.origin[0], map.origin[1]},
+                   [&](int x, int row) {
+                     const std::size_t i = static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                                           static_cast<std::size_t>(x);
+                     return !image.alpha.empty() && image.alpha[i] == 0 ? Occupancy::kUnknown
+                                                                        : map.cell(image.shade[i]);
+                   });
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ class PgmReader {
     }
     if (at_ == begin) reject(file_, std::string(field) + " at byte " + std::to_string(at_) + " is not a number");
     if (value < low || value > high) {
-      reject(file_, std::string(field) + " = " + std::to_string(value) + " is not within " + std::to_string(low) + " and " + std::to_string(high));
+      reject(file_, std::string(field) + " = " + std::to_string(value) + " is not within " + std::to_string(low) +
+                        " and " + std::to_string(high));
     }
     return value;
   }
@@ -43,7 +44,9 @@ class PgmReader {
   /// The one white space between header and pixels.
   std::string_view raster() {
     if (at_ == bytes_.size()) reject(file_, "ends after its header: the file is cut off");
-    if (bytes_[at_] == '\r') reject(file_, "has CRLF after its header: a binary PGM was converted as if it were text; copy it again as binary");
+    if (bytes_[at_] == '\r')
+      reject(file_,
+             "has CRLF after its header: a binary PGM was converted as if it were text; copy it again as binary");
     if (!is_space(bytes_[at_])) reject(file_, "lacks a white space after its header");
     return bytes_.substr(at_ + 1);
   }
@@ -67,12 +70,14 @@ std::uint8_t to_8_bits(long long value, long long max_value) {
   return static_cast<std::uint8_t>((value * 255 + max_value / 2) / max_value);
 }
 
-void read_binary_raster(const std::filesystem::path& file, std::string_view raster, long long max_value, MapImage& image) {
+void read_binary_raster(const std::filesystem::path& file, std::string_view raster, long long max_value,
+                        MapImage& image) {
   const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
   const std::size_t width = max_value > 255 ? 2 : 1;
   if (raster.size() < pixels * width) {
-    reject(file, "has " + std::to_string(raster.size()) + " bytes of pixels, its header says " + std::to_string(image.width) + " x " +
-                     std::to_string(image.height) + " = " + std::to_string(pixels * width) + ": the file is cut off");
+    reject(file, "has " + std::to_string(raster.size()) + " bytes of pixels, its header says " +
+                     std::to_string(image.width) + " x " + std::to_string(image.height) + " = " +
+                     std::to_string(pixels * width) + ": the file is cut off");
   }
   image.shade.resize(pixels);
   for (std::size_t i = 0; i < pixels; ++i) {
@@ -84,7 +89,9 @@ void read_binary_raster(const std::filesystem::path& file, std::string_view rast
 
 }  // namespace
 
-void reject(const std::filesystem::path& file, const std::string& what) { throw config::BadInput(file.string() + ": " + what); }
+void reject(const std::filesystem::path& file, const std::string& what) {
+  throw config::BadInput(file.string() + ": " + what);
+}
 
 std::string read_bytes(const std::filesystem::path& file) {
   std::error_code error;
@@ -94,7 +101,8 @@ std::string read_bytes(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) reject(file, "cannot be read: " + error.message());
   if (size == 0) reject(file, "is empty");
-  if (size > kMaxFileBytes) reject(file, "has " + std::to_string(size) + " bytes, at most " + std::to_string(kMaxFileBytes) + " are read");
+  if (size > kMaxFileBytes)
+    reject(file, "has " + std::to_string(size) + " bytes, at most " + std::to_string(kMaxFileBytes) + " are read");
   std::string bytes(size, '\0');
   std::ifstream in(file, std::ios::binary);
   if (!in) reject(file, "cannot be opened: check its permissions");
@@ -106,11 +114,14 @@ std::string read_bytes(const std::filesystem::path& file) {
 void require_map_size(const std::filesystem::path& file, long long width, long long height, int subdivide) {
   const auto tiles_along = [&](long long cells) { return (cells * subdivide + kTileSize - 1) / kTileSize; };
   constexpr long long kMaxEdge = kMaxTiles * kTileSize;
-  if (width < 1 || height < 1) reject(file, "is " + std::to_string(width) + " x " + std::to_string(height) + " cells: a map has at least one");
+  if (width < 1 || height < 1)
+    reject(file, "is " + std::to_string(width) + " x " + std::to_string(height) + " cells: a map has at least one");
   if (width > kMaxEdge || height > kMaxEdge || tiles_along(width) * tiles_along(height) > kMaxTiles) {
     reject(file, "is " + std::to_string(width) + " x " + std::to_string(height) + " cells" +
-                     (subdivide > 1 ? ", each cut into " + std::to_string(subdivide) + " x " + std::to_string(subdivide) : std::string()) +
-                     "; a map has at most " + std::to_string(kMaxTiles) + " tiles of 64 x 64: use a coarser resolution or crop it");
+                     (subdivide > 1 ? ", each cut into " + std::to_string(subdivide) + " x " + std::to_string(subdivide)
+                                    : std::string()) +
+                     "; a map has at most " + std::to_string(kMaxTiles) +
+                     " tiles of 64 x 64: use a coarser resolution or crop it");
   }
 }
 
@@ -130,11 +141,12 @@ MapImage parse_pgm(const std::filesystem::path& file, std::string_view bytes, in
   }
   const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   if (bytes.size() < pixels) {
-    reject(file, "has " + std::to_string(bytes.size()) + " bytes, too few for " + std::to_string(width) + " x " + std::to_string(height) +
-                     " pixels: the file is cut off");
+    reject(file, "has " + std::to_string(bytes.size()) + " bytes, too few for " + std::to_string(width) + " x " +
+                     std::to_string(height) + " pixels: the file is cut off");
   }
   image.shade.reserve(pixels);
-  for (std::size_t i = 0; i < pixels; ++i) image.shade.push_back(to_8_bits(reader.number("a pixel", 0, max_value), max_value));
+  for (std::size_t i = 0; i < pixels; ++i)
+    image.shade.push_back(to_8_bits(reader.number("a pixel", 0, max_value), max_value));
   return image;
 }
 
@@ -142,7 +154,8 @@ MapImage parse_png(const std::filesystem::path& file, std::string_view bytes, in
   constexpr std::size_t kDeflateAtBest = 1040;  // to one
   constexpr std::string_view kMagic = "\x89PNG\r\n\x1a\n";
   if (bytes.substr(0, kMagic.size()) != kMagic) reject(file, "does not begin as a PNG does; convert it to PGM or PNG");
-  if (bytes.rfind("IEND\xAE\x42\x60\x82") == std::string_view::npos) reject(file, "lacks the end of a PNG: the file is cut off");
+  if (bytes.rfind("IEND\xAE\x42\x60\x82") == std::string_view::npos)
+    reject(file, "lacks the end of a PNG: the file is cut off");
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0) {
@@ -155,8 +168,8 @@ MapImage parse_png(const std::filesystem::path& file, std::string_view bytes, in
   try {
     require_map_size(file, width, height, subdivide);
     if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) / 8 > bytes.size() * kDeflateAtBest) {
-      reject(file, "claims " + std::to_string(width) + " x " + std::to_string(height) + " pixels, more than its " + std::to_string(bytes.size()) +
-                       " bytes can hold");
+      reject(file, "claims " + std::to_string(width) + " x " + std::to_string(height) + " pixels, more than its " +
+                       std::to_string(bytes.size()) + " bytes can hold");
     }
   } catch (...) {
     png_image_free(&png);

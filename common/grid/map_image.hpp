@@ -11,8 +11,8 @@ namespace aisle::grid {
 struct MapImage {
   int width{0};
   int height{0};
-  std::vector<std::uint8_t> shade;        // 0 black, 255 white
-  std::vector<std::uint8_t> alpha;        // empty: opaque; else 0 transparent
+  std::vector<std::uint8_t> shade;  // 0 black, 255 white
+  std::vector<std::uint8_t> alpha;  // empty: opaque; else 0 transparent
 };
 
 /// The file's bytes, at most 512 MiB. @throws config::BadInput when it is missing, not a file, empty or too large

@@ -11,16 +11,20 @@ bool is_sound(const MapSummary& summary) {
   const Geometry& g = summary.tiling.geometry;
   const int size = summary.tiling.tile_size;
   constexpr int kMaxEdge = MapMirror::kMaxTiles * MapMirror::kMaxTileSize;
-  if (size < 1 || size > MapMirror::kMaxTileSize || g.width < 1 || g.height < 1 || g.width > kMaxEdge || g.height > kMaxEdge) return false;
+  if (size < 1 || size > MapMirror::kMaxTileSize || g.width < 1 || g.height < 1 || g.width > kMaxEdge ||
+      g.height > kMaxEdge)
+    return false;
   if (!std::isfinite(g.resolution_m) || g.resolution_m <= 0.0 || !geometry::is_finite(g.origin_in_map)) return false;
   const auto tiles = static_cast<std::int64_t>(summary.tiling.tiles_x()) * summary.tiling.tiles_y();
-  return tiles <= MapMirror::kMaxTiles && summary.tile_hashes.size() == static_cast<std::size_t>(tiles) && summary.revision > 0 &&
-         map_hash(summary.tile_hashes) == summary.hash;
+  return tiles <= MapMirror::kMaxTiles && summary.tile_hashes.size() == static_cast<std::size_t>(tiles) &&
+         summary.revision > 0 && map_hash(summary.tile_hashes) == summary.hash;
 }
 
 bool is_sound(const Tile& tile) {
-  return tile.tile_x >= 0 && tile.tile_y >= 0 && tile.cells.size() <= std::size_t{MapMirror::kMaxTileSize} * MapMirror::kMaxTileSize &&
-         std::all_of(tile.cells.begin(), tile.cells.end(), [](Occupancy cell) { return cell <= Occupancy::kUnknown; }) &&
+  return tile.tile_x >= 0 && tile.tile_y >= 0 &&
+         tile.cells.size() <= std::size_t{MapMirror::kMaxTileSize} * MapMirror::kMaxTileSize &&
+         std::all_of(tile.cells.begin(), tile.cells.end(),
+                     [](Occupancy cell) { return cell <= Occupancy::kUnknown; }) &&
          tile_hash(tile.cells) == tile.hash;
 }
 
@@ -28,7 +32,8 @@ bool is_sound(const Tile& tile) {
 
 MapMirror::Change MapMirror::take(const MapSummary& summary) {
   if (!is_sound(summary)) return Change::kNone;
-  const bool is_same_map = summary_ && summary_->map_id == summary.map_id && summary_->tiling.tile_size == summary.tiling.tile_size &&
+  const bool is_same_map = summary_ && summary_->map_id == summary.map_id &&
+                           summary_->tiling.tile_size == summary.tiling.tile_size &&
                            summary_->tiling.geometry == summary.tiling.geometry;
   if (is_same_map && summary.revision <= summary_->revision) return Change::kNone;
   if (is_same_map) {
@@ -94,7 +99,8 @@ void MapMirror::find_missing() {
 
 bool MapMirror::fits(const Tile& tile) const {
   const Tiling& tiling = summary_->tiling;
-  if (tile.map_id != summary_->map_id || tile.tile_x >= tiling.tiles_x() || tile.tile_y >= tiling.tiles_y()) return false;
+  if (tile.map_id != summary_->map_id || tile.tile_x >= tiling.tiles_x() || tile.tile_y >= tiling.tiles_y())
+    return false;
   const int index = tile.tile_y * tiling.tiles_x() + tile.tile_x;
   const Cell low = tiling.low(index);
   const Cell high = tiling.high(index);

@@ -29,12 +29,15 @@ struct Tile {
   std::vector<Occupancy> cells;
 };
 
-/// A copy of the site's map that knows when it is complete: when the cells of every tile hash to what the newest summary lists.
-/// Tiles and summaries may come in any order and more than once; older revisions of the same map are ignored.
+/// A copy of the site's map that knows when it is complete: when the cells of every tile hash to what the newest
+/// summary lists. Tiles and summaries may come in any order and more than once; older revisions of the same map are
+/// ignored.
 ///
-///   empty --summary--> incomplete --last tile--> complete --newer summary--> incomplete (grid() still the last complete one) ...
+///   empty --summary--> incomplete --last tile--> complete --newer summary--> incomplete (grid() still the last
+///   complete one) ...
 ///
-/// Tiles that come before the summary that lists them wait, at most kMaxTiles of them; they leave a complete mirror complete.
+/// Tiles that come before the summary that lists them wait, at most kMaxTiles of them; they leave a complete mirror
+/// complete.
 class MapMirror {
  public:
   static constexpr int kMaxTiles = 16384;
@@ -44,7 +47,8 @@ class MapMirror {
   enum class Change { kNone, kProgress, kComplete };
 
   /// A summary of another map id, size or place starts over. kComplete: the mirror became complete at a new revision.
-  /// Ignored when it contradicts itself (number of tiles, hash, sizes beyond the limits above, numbers that are not finite).
+  /// Ignored when it contradicts itself (number of tiles, hash, sizes beyond the limits above, numbers that are not
+  /// finite).
   Change take(const MapSummary& summary);
   /// A tile whose cells do not hash to its own hash, or are not 0, 1 or 2, is ignored.
   Change take(const Tile& tile);
@@ -82,8 +86,8 @@ class MapMirror {
   std::vector<std::optional<std::uint64_t>> grid_hashes_;  // of the tiles in grid_; none before the first complete map
   std::vector<std::uint8_t> is_missing_;
   int missing_{0};
-  std::map<std::pair<int, int>, Tile> waiting_;            // by (tile_y, tile_x)
-  std::map<int, Staged> staged_;                           // as the summary lists them, not yet in grid_
+  std::map<std::pair<int, int>, Tile> waiting_;  // by (tile_y, tile_x)
+  std::map<int, Staged> staged_;                 // as the summary lists them, not yet in grid_
   OccupancyGrid grid_;
   std::uint64_t revision_{0};
   Cell changed_low_{0, 0};

@@ -23,7 +23,9 @@ struct Geometry {
   geometry::Point2 origin_in_map{};
 
   bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < width && c.y < height; }
-  std::size_t index(Cell c) const { return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x); }
+  std::size_t index(Cell c) const {
+    return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);
+  }
   std::size_t cells() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
   geometry::Point2 center_in_map(Cell c) const {
     return {origin_in_map.x + (c.x + 0.5) * resolution_m, origin_in_map.y + (c.y + 0.5) * resolution_m};
@@ -35,7 +37,8 @@ struct Geometry {
   }
 };
 inline bool operator==(const Geometry& a, const Geometry& b) {
-  return a.width == b.width && a.height == b.height && a.resolution_m == b.resolution_m && a.origin_in_map == b.origin_in_map;
+  return a.width == b.width && a.height == b.height && a.resolution_m == b.resolution_m &&
+         a.origin_in_map == b.origin_in_map;
 }
 inline bool operator!=(const Geometry& a, const Geometry& b) { return !(a == b); }
 

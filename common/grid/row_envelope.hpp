@@ -6,11 +6,13 @@
 
 namespace aisle::grid {
 
-/// The lower envelope of parabolas over one row of cells (Felzenszwalb, Huttenlocher 2012). A site stands on each border between two
-/// cells of the row. Lengths are whole numbers of half cells, squared lengths are their squares: all arithmetic is exact.
+/// The lower envelope of parabolas over one row of cells (Felzenszwalb, Huttenlocher 2012). A site stands on each
+/// border between two cells of the row. Lengths are whole numbers of half cells, squared lengths are their squares: all
+/// arithmetic is exact.
 class RowEnvelope {
  public:
-  explicit RowEnvelope(int width) : site_(static_cast<std::size_t>(width) + 1), height_(site_.size()), begin_(site_.size()) {}
+  explicit RowEnvelope(int width)
+      : site_(static_cast<std::size_t>(width) + 1), height_(site_.size()), begin_(site_.size()) {}
 
   void clear() { count_ = 0; }
   bool empty() const { return count_ == 0; }
@@ -55,7 +57,8 @@ class RowEnvelope {
     const std::int64_t gap = b - a;
     const std::int64_t top = height_b - height_a + 4 * gap * (static_cast<std::int64_t>(a) + b - 1);
     if (top < 0) return 0;
-    // A double holds both exactly, and the quotient is nearer to a whole number than rounding can tell only when it is one.
+    // A double holds both exactly, and the quotient is nearer to a whole number than rounding can tell only when it is
+    // one.
     return static_cast<std::int32_t>(static_cast<double>(top) / static_cast<double>(8 * gap)) + 1;
   }
 

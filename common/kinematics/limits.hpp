@@ -8,9 +8,9 @@ enum class Model { kDifferential, kOmnidirectional, kTricycle };
 /// The steered wheel of a tricycle. The vehicle's frame lies in the middle of its fixed axle.
 struct SteeredAxle {
   double wheelbase_m{1.5};
-  double max_steering_rad{1.2};           // to either side, less than a quarter turn
+  double max_steering_rad{1.2};  // to either side, less than a quarter turn
   double max_steering_rate_radps{0.8};
-  bool is_rear{false};                    // the steered wheel trails the fixed axle (counterbalance forklifts), else it leads
+  bool is_rear{false};  // the steered wheel trails the fixed axle (counterbalance forklifts), else it leads
 
   template <class Reader>
   void describe(Reader& r) {
@@ -30,7 +30,7 @@ struct Limits {
   double max_deceleration_mps2{1.2};
   double max_turn_acceleration_radps2{2.5};
   Model model{Model::kDifferential};
-  SteeredAxle axle{};                     // of a tricycle
+  SteeredAxle axle{};  // of a tricycle
 
   template <class Reader>
   void describe(Reader& r) {

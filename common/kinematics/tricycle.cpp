@@ -25,15 +25,18 @@ double steering_for_rad(const SteeredAxle& axle, const geometry::Twist2& twist, 
 
 double least_radius_m(const SteeredAxle& axle) { return axle.wheelbase_m / std::tan(axle.max_steering_rad); }
 
-TricycleState limit_change_tricycle(const TricycleState& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s) {
+TricycleState limit_change_tricycle(const TricycleState& current, const geometry::Twist2& wanted, const Limits& limits,
+                                    double dt_s) {
   const SteeredAxle& axle = limits.axle;
   const double target_rad = steering_for_rad(axle, wanted, current.steering_rad);
   const double turn = axle.max_steering_rate_radps * dt_s;
   const double steering = current.steering_rad + std::clamp(target_rad - current.steering_rad, -turn, turn);
   const double per_metre = std::abs(turn_rate_radps(axle, 1.0, steering));
   const double fastest = per_metre > 1e-9 ? limits.max_turn_radps / per_metre : 1e9;
-  const double speed = std::clamp(wanted.linear_mps, -std::min(limits.max_reverse_mps, fastest), std::min(limits.max_speed_mps, fastest));
-  return {approach(current.speed_mps, speed, limits.max_acceleration_mps2, limits.max_deceleration_mps2, dt_s), steering};
+  const double speed = std::clamp(wanted.linear_mps, -std::min(limits.max_reverse_mps, fastest),
+                                  std::min(limits.max_speed_mps, fastest));
+  return {approach(current.speed_mps, speed, limits.max_acceleration_mps2, limits.max_deceleration_mps2, dt_s),
+          steering};
 }
 
 }  // namespace aisle::kinematics

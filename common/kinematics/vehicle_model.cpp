@@ -23,22 +23,29 @@ geometry::Pose2 advance(const geometry::Pose2& base_in_map, const geometry::Twis
 
 DriveState follow(const DriveState& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s) {
   switch (limits.model) {
-    case Model::kOmnidirectional: return {limit_change_omnidirectional(current.twist, wanted, limits, dt_s), 0.0};
+    case Model::kOmnidirectional:
+      return {limit_change_omnidirectional(current.twist, wanted, limits, dt_s), 0.0};
     case Model::kTricycle: {
-      const TricycleState next = limit_change_tricycle({current.twist.linear_mps, current.steering_rad}, wanted, limits, dt_s);
-      return {{next.speed_mps, turn_rate_radps(limits.axle, next.speed_mps, next.steering_rad), 0.0}, next.steering_rad};
+      const TricycleState next =
+          limit_change_tricycle({current.twist.linear_mps, current.steering_rad}, wanted, limits, dt_s);
+      return {{next.speed_mps, turn_rate_radps(limits.axle, next.speed_mps, next.steering_rad), 0.0},
+              next.steering_rad};
     }
-    case Model::kDifferential: break;
+    case Model::kDifferential:
+      break;
   }
   return {limit_change_differential(current.twist, wanted, limits, dt_s), 0.0};
 }
 
-geometry::Twist2 limit_change(const geometry::Twist2& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s) {
+geometry::Twist2 limit_change(const geometry::Twist2& current, const geometry::Twist2& wanted, const Limits& limits,
+                              double dt_s) {
   const double steering = limits.model == Model::kTricycle ? steering_for_rad(limits.axle, current, 0.0) : 0.0;
   return follow({current, steering}, wanted, limits, dt_s).twist;
 }
 
-double least_turning_radius_m(const Limits& limits) { return limits.model == Model::kTricycle ? least_radius_m(limits.axle) : 0.0; }
+double least_turning_radius_m(const Limits& limits) {
+  return limits.model == Model::kTricycle ? least_radius_m(limits.axle) : 0.0;
+}
 
 double stopping_distance_m(double speed_mps, double deceleration_mps2) {
   return speed_mps * speed_mps / (2.0 * deceleration_mps2);

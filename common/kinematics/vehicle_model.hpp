@@ -10,14 +10,15 @@ geometry::Pose2 advance(const geometry::Pose2& base_in_map, const geometry::Twis
 /// How a vehicle moves, and where its steered wheel points, which a twist does not say of a vehicle that stands.
 struct DriveState {
   geometry::Twist2 twist;
-  double steering_rad{0.0};               // of a tricycle, else 0
+  double steering_rad{0.0};  // of a tricycle, else 0
 };
 
 /// The motion nearest to `wanted` that the model and its limits let a vehicle reach from `current` within `dt_s`.
 DriveState follow(const DriveState& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s);
 
 /// The same for who knows only the twist: a tricycle that stands is taken to be steered straight.
-geometry::Twist2 limit_change(const geometry::Twist2& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s);
+geometry::Twist2 limit_change(const geometry::Twist2& current, const geometry::Twist2& wanted, const Limits& limits,
+                              double dt_s);
 
 /// Radius of the tightest arc that can be driven; 0: it turns on the spot.
 double least_turning_radius_m(const Limits& limits);

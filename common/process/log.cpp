@@ -60,7 +60,8 @@ void start_logging(const std::string& instance_id, const std::string& level) {
   std::string instance;
   for (const char c : escape_for_log(instance_id)) instance += c == '%' ? "%%" : std::string(1, c);
   auto formatter = std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
-  formatter->add_flag<EscapedText>('*').set_pattern("time=%Y-%m-%dT%H:%M:%S.%eZ level=%l instance=" + instance + " text=\"%*\"");
+  formatter->add_flag<EscapedText>('*').set_pattern("time=%Y-%m-%dT%H:%M:%S.%eZ level=%l instance=" + instance +
+                                                    " text=\"%*\"");
   auto sink = std::make_shared<spdlog::sinks::stderr_sink_st>();
   sink->set_formatter(std::move(formatter));
   auto logger = std::make_shared<spdlog::logger>("aisle", std::move(sink));

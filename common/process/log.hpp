@@ -23,12 +23,13 @@ std::string escape_for_log(const std::string& text);
 /// Lets the first line of each kind through, then at most one a period, and tells how many were kept back.
 class RateLimit {
  public:
-  /// At most `max_kinds` kinds are remembered; when full, new kinds share one entry, so that a flood of kinds stays bounded.
+  /// At most `max_kinds` kinds are remembered; when full, new kinds share one entry, so that a flood of kinds stays
+  /// bounded.
   explicit RateLimit(time::Stamp period, std::size_t max_kinds = 256);
 
   struct Pass {
     bool allowed{false};
-    std::uint64_t kept_back{0};   // of this kind since the line before
+    std::uint64_t kept_back{0};  // of this kind since the line before
   };
   Pass ask(const std::string& kind, time::Stamp now);
 

@@ -13,8 +13,8 @@
 namespace aisle::process {
 namespace {
 
-/// The code and constants of one loaded file: pages that nobody wrote, and that the next use reads again from the page cache.
-/// What the loader relocated is in writable segments, and stays.
+/// The code and constants of one loaded file: pages that nobody wrote, and that the next use reads again from the page
+/// cache. What the loader relocated is in writable segments, and stays.
 int unmap_read_only_segments(dl_phdr_info* file, std::size_t, void*) {
   const std::uintptr_t page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   for (int i = 0; i < file->dlpi_phnum; ++i) {
@@ -40,7 +40,8 @@ bool is_debugged() {
 }  // namespace
 
 void keep_no_large_blocks() {
-  // Said once, glibc no longer raises the limit to the largest block that was ever freed, which would keep a map's worth of heap.
+  // Said once, glibc no longer raises the limit to the largest block that was ever freed, which would keep a map's
+  // worth of heap.
   constexpr int kLargeBytes = 64 * 1024;
   mallopt(M_MMAP_THRESHOLD, kLargeBytes);
 }

@@ -8,7 +8,9 @@
 namespace aisle::process {
 namespace {
 
-time::Stamp duration_of(const timeval& t) { return std::chrono::seconds(t.tv_sec) + std::chrono::microseconds(t.tv_usec); }
+time::Stamp duration_of(const timeval& t) {
+  return std::chrono::seconds(t.tv_sec) + std::chrono::microseconds(t.tv_usec);
+}
 
 }  // namespace
 

@@ -28,7 +28,8 @@ std::vector<fs::path> data_folders(const fs::path& scenario_file) {
 fs::path find_data(const std::string& name, const fs::path& scenario_file) {
   const fs::path relative = fs::path(name).lexically_normal();
   if (relative.is_absolute() || (!relative.empty() && *relative.begin() == "..")) {
-    throw config::BadInput(scenario_file.string() + ": '" + kDataPrefix + name + "' leaves the data folder; name a file within it");
+    throw config::BadInput(scenario_file.string() + ": '" + kDataPrefix + name +
+                           "' leaves the data folder; name a file within it");
   }
   std::string looked;
   for (const fs::path& folder : data_folders(scenario_file)) {
@@ -46,7 +47,8 @@ fs::path find_named_file(const std::string& name, const fs::path& scenario_file)
   if (name.compare(0, prefix.size(), prefix) == 0) return find_data(name.substr(prefix.size()), scenario_file);
   const fs::path path = (scenario_file.parent_path() / name).lexically_normal();
   if (!is_file(path)) {
-    throw config::BadInput(scenario_file.string() + ": no file '" + path.string() + "'; paths are relative to the scenario file");
+    throw config::BadInput(scenario_file.string() + ": no file '" + path.string() +
+                           "'; paths are relative to the scenario file");
   }
   return path;
 }

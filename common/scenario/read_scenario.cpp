@@ -24,18 +24,21 @@ constexpr std::size_t kMostGoals = 1000;
 
 bool is_id(const std::string& id) {
   const auto fits = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           c == '.';
   };
   return !id.empty() && id.size() <= 60 && std::all_of(id.begin(), id.end(), fits);
 }
 
 void read_id(YamlReader& r, const char* key, std::string& id) {
   r.field(key, id).require({key});
-  if (r.has(key) && !is_id(id)) r.reject(key, "'" + id + "' is not an id; use 1 to 60 letters, digits, '-', '_' and '.'");
+  if (r.has(key) && !is_id(id))
+    r.reject(key, "'" + id + "' is not an id; use 1 to 60 letters, digits, '-', '_' and '.'");
 }
 
 geometry::Pose2 pose_of(YamlReader& r, const char* key, const std::vector<double>& numbers) {
-  if (numbers.size() < 2 || numbers.size() > 3) r.reject(key, "takes [x, y] or [x, y, yaw]: metres and radians, in map");
+  if (numbers.size() < 2 || numbers.size() > 3)
+    r.reject(key, "takes [x, y] or [x, y, yaw]: metres and radians, in map");
   const double yaw = numbers.size() == 3 ? numbers[2] : 0.0;
   if (std::abs(yaw) > 6.3) r.reject(key, "the yaw is in radians, at most a turn (6.28)");
   return {numbers[0], numbers[1], geometry::wrap(yaw)};
@@ -78,8 +81,10 @@ struct VehicleEntry {
         .section("axle", value.axle);
     r.require({"start"});
     read_pose(r, "start", value.start_in_map);
-    if (!find_model(value.model)) r.reject("model", "'" + value.model + "' is not simulated; use differential, omnidirectional or tricycle");
-    if (r.has("length_m") != r.has("width_m")) r.reject(r.has("length_m") ? "length_m" : "width_m", "a rectangle has both, length_m and width_m");
+    if (!find_model(value.model))
+      r.reject("model", "'" + value.model + "' is not simulated; use differential, omnidirectional or tricycle");
+    if (r.has("length_m") != r.has("width_m"))
+      r.reject(r.has("length_m") ? "length_m" : "width_m", "a rectangle has both, length_m and width_m");
     if (r.has("length_m") && r.has("radius_m")) r.reject("radius_m", "a rectangle has none; give length_m and width_m");
     if (r.has("ahead_m") && !r.has("length_m")) r.reject("ahead_m", "is a rectangle's; give length_m and width_m");
     if (r.has("axle") && value.model != "tricycle") r.reject("axle", "only a tricycle has a steered axle");
@@ -217,14 +222,17 @@ struct ScenarioFile {
     for (const MissionEntry& mission : missions) {
       const std::string& id = mission.value.vehicle;
       if (known.count(id) == 0) throw config::BadInput(mission.where + ": no vehicle '" + id + "' in vehicles");
-      if (!with_mission.insert(id).second) throw config::BadInput(mission.where + ": '" + id + "' has a mission already; list its goals in one");
+      if (!with_mission.insert(id).second)
+        throw config::BadInput(mission.where + ": '" + id + "' has a mission already; list its goals in one");
     }
   }
 };
 
 }  // namespace
 
-kinematics::Model Vehicle::kinematic_model() const { return find_model(model).value_or(kinematics::Model::kDifferential); }
+kinematics::Model Vehicle::kinematic_model() const {
+  return find_model(model).value_or(kinematics::Model::kDifferential);
+}
 
 Scenario read_scenario(const std::filesystem::path& file) {
   ScenarioFile read;

@@ -12,15 +12,15 @@
 namespace aisle::scenario {
 
 struct Vehicle {
-  std::string id;                       // "agv-1"
-  std::string model{"differential"};    // or "omnidirectional" or "tricycle"
+  std::string id;                     // "agv-1"
+  std::string model{"differential"};  // or "omnidirectional" or "tricycle"
   geometry::Pose2 start_in_map;
-  double radius_m{0.35};                // of a disc
-  double length_m{0.0};                 // of a rectangle; 0: a disc
+  double radius_m{0.35};  // of a disc
+  double length_m{0.0};   // of a rectangle; 0: a disc
   double width_m{0.0};
-  double ahead_m{0.0};                  // of its middle before the vehicle's frame
+  double ahead_m{0.0};  // of its middle before the vehicle's frame
   double max_speed_mps{1.2};
-  kinematics::SteeredAxle axle{};       // of a tricycle
+  kinematics::SteeredAxle axle{};  // of a tricycle
 
   geometry::Footprint footprint() const { return geometry::footprint_of(radius_m, length_m, width_m, ahead_m); }
   kinematics::Model kinematic_model() const;
@@ -41,7 +41,7 @@ struct Mover {
   double speed_mps{1.2};
   double start_s{0.0};
   bool loop{true};
-  bool courteous{true};                 // stops short of a vehicle in its way, as people do
+  bool courteous{true};  // stops short of a vehicle in its way, as people do
   std::vector<geometry::Point2> waypoints_in_map;
 };
 
@@ -49,7 +49,7 @@ struct Mover {
 struct Recording {
   std::filesystem::path file;
   geometry::Pose2 frame_in_map;
-  double frames_per_s{25.0};            // of the film; 15 for biwi_eth, whose rows are ten frames apart like the others'
+  double frames_per_s{25.0};  // of the film; 15 for biwi_eth, whose rows are ten frames apart like the others'
   double radius_m{0.25};
   double begin_s{0.0};
   double end_s{1e9};
@@ -74,7 +74,8 @@ struct MapEdit {
 
 struct Scenario {
   std::string name;
-  std::filesystem::path map_file;       // relative to the scenario file, or $AISLE_DATA / ../shared/data when it begins with "data:"
+  std::filesystem::path
+      map_file;  // relative to the scenario file, or $AISLE_DATA / ../shared/data when it begins with "data:"
   grid::MapFileOptions map_options;
   std::vector<Vehicle> vehicles;
   std::vector<Mission> missions;
@@ -83,12 +84,13 @@ struct Scenario {
   std::vector<Block> blocks;
   std::vector<MapEdit> map_edits;
   std::uint64_t seed{1};
-  double duration_s{300.0};             // the referee gives up then
-  double start_jitter_m{0.0};           // starts, movers' speeds and phases vary by seed
-  double person_clearance_m{0.0};       // the referee fails a run in which a vehicle and a person come nearer
+  double duration_s{300.0};        // the referee gives up then
+  double start_jitter_m{0.0};      // starts, movers' speeds and phases vary by seed
+  double person_clearance_m{0.0};  // the referee fails a run in which a vehicle and a person come nearer
 };
 
-/// @throws config::BadInput: file:line, key, value, limit; unknown vehicle in a mission; a start inside a wall is found by whoever loads the map.
+/// @throws config::BadInput: file:line, key, value, limit; unknown vehicle in a mission; a start inside a wall is found
+/// by whoever loads the map.
 Scenario read_scenario(const std::filesystem::path& file);
 
 }  // namespace aisle::scenario

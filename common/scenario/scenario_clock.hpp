@@ -9,9 +9,9 @@
 
 namespace aisle::scenario {
 
-/// Second zero of a run, the same rule for every process: the moment that the last of the scenario's vehicles was heard, or the
-/// given `start_at_ns` (Unix epoch), whichever is known. The wall clock is looked at once, to place second zero on the monotonic
-/// clock; a later jump of it does not move the run.
+/// Second zero of a run, the same rule for every process: the moment that the last of the scenario's vehicles was
+/// heard, or the given `start_at_ns` (Unix epoch), whichever is known. The wall clock is looked at once, to place
+/// second zero on the monotonic clock; a later jump of it does not move the run.
 ///
 ///   waiting ──(all vehicles heard, or start_at_ns known)──► running
 class ScenarioClock {

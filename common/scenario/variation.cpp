@@ -5,8 +5,8 @@ namespace aisle::scenario {
 std::mt19937_64 random_for(std::uint64_t seed, const std::string& name) {
   std::uint64_t hash = 14695981039346656037ull ^ seed;  // FNV-1a
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
-  std::seed_seq spread{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), static_cast<std::uint32_t>(hash),
-                       static_cast<std::uint32_t>(hash >> 32)};
+  std::seed_seq spread{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
+                       static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32)};
   return std::mt19937_64(spread);
 }
 

@@ -10,8 +10,8 @@ namespace aisle::scenario {
 /// A generator for one thing of one run: the same for the same seed and name, in every process.
 std::mt19937_64 random_for(std::uint64_t seed, const std::string& name);
 
-/// Where the vehicle starts in the run with this seed: within `jitter_m` of its start along x and y, and 0.1 rad of its heading.
-/// Without jitter: exactly there.
+/// Where the vehicle starts in the run with this seed: within `jitter_m` of its start along x and y, and 0.1 rad of its
+/// heading. Without jitter: exactly there.
 geometry::Pose2 varied_start(const Vehicle& vehicle, double jitter_m, std::uint64_t seed);
 
 }  // namespace aisle::scenario

@@ -23,7 +23,8 @@ void add_flag_names(const CLI::App& app, std::vector<std::string>& names) {
 void add_verb_names(const CLI::App& app, std::vector<std::string>& names) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   if (!chosen.empty()) return add_verb_names(*chosen.front(), names);
-  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; })) names.push_back(verb->get_name());
+  for (const CLI::App* verb : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(verb->get_name());
 }
 
 std::string unknown_argument(const CLI::App& app, const std::string& argument) {
@@ -36,7 +37,7 @@ std::string unknown_argument(const CLI::App& app, const std::string& argument) {
     add_verb_names(app, known);
   }
   const std::string nearest = config::nearest_name(name, known);
-  if (nearest == name) return "'" + name + "' is not expected here; see --help";   // e.g. after a lone --
+  if (nearest == name) return "'" + name + "' is not expected here; see --help";  // e.g. after a lone --
   return (is_flag ? "unknown flag '" : "unexpected argument '") + name + "'" +
          (nearest.empty() ? "; see --help" : "; did you mean '" + nearest + "'?");
 }
@@ -58,20 +59,28 @@ std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* a
 
 void add_site_options(CLI::App& app, bus::Settings& settings) {
   const std::string group = "Site";
-  app.add_option("--domain", settings.domain, "DDS domain of the site, 0 to 230")->envname("AISLE_DOMAIN")->check(CLI::Range(0, 230))->group(group);
-  app.add_option("--partition", settings.partition, "DDS partition of the site")->envname("AISLE_PARTITION")->group(group);
-  app.add_option("--interface", settings.interfaces, "IPv4 address to bind to, more than once or with commas; all when not given")
+  app.add_option("--domain", settings.domain, "DDS domain of the site, 0 to 230")
+      ->envname("AISLE_DOMAIN")
+      ->check(CLI::Range(0, 230))
+      ->group(group);
+  app.add_option("--partition", settings.partition, "DDS partition of the site")
+      ->envname("AISLE_PARTITION")
+      ->group(group);
+  app.add_option("--interface", settings.interfaces,
+                 "IPv4 address to bind to, more than once or with commas; all when not given")
       ->envname("AISLE_INTERFACES")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::ValidIPV4)
       ->group(group);
-  app.add_option("--peer", settings.peers, "address of another host, where multicast is missing; more than once or with commas")
+  app.add_option("--peer", settings.peers,
+                 "address of another host, where multicast is missing; more than once or with commas")
       ->envname("AISLE_PEERS")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->group(group);
-  app.add_option("--discovery-server", settings.discovery_server, "ADDRESS:PORT of a discovery server, instead of multicast")
+  app.add_option("--discovery-server", settings.discovery_server,
+                 "ADDRESS:PORT of a discovery server, instead of multicast")
       ->envname("AISLE_DISCOVERY_SERVER")
       ->group(group);
   app.add_flag("--shared-memory", settings.shared_memory, "use shared memory between processes of this host too")

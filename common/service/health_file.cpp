@@ -24,8 +24,9 @@ std::optional<HealthNote> recall_health(const std::filesystem::path& file) {
     const json kept = json::parse(*text);
     const int state = kept.at("state").get<int>();
     if (state < 0 || state > static_cast<int>(ServiceState::SERVICE_STOPPING)) return std::nullopt;
-    return HealthNote{kept.at("instance_id").get<std::string>(), static_cast<ServiceState>(state), kept.at("waits_for").get<std::string>(),
-                      kept.at("last_error").get<std::string>(), kept.at("wall_clock_ns").get<std::int64_t>()};
+    return HealthNote{kept.at("instance_id").get<std::string>(), static_cast<ServiceState>(state),
+                      kept.at("waits_for").get<std::string>(), kept.at("last_error").get<std::string>(),
+                      kept.at("wall_clock_ns").get<std::int64_t>()};
   } catch (const json::exception&) {
     return std::nullopt;
   }

@@ -8,14 +8,14 @@
 
 namespace aisle::service {
 
-/// The part of a service's last word on `service_health` that a healthcheck on the same host needs. Kept in a file, because a check
-/// that joins the site anew costs more than the service it asks after.
+/// The part of a service's last word on `service_health` that a healthcheck on the same host needs. Kept in a file,
+/// because a check that joins the site anew costs more than the service it asks after.
 struct HealthNote {
   std::string instance_id;
   aisle::ServiceState state{};
   std::string waits_for;
   std::string last_error;
-  std::int64_t wall_clock_ns{0};   // when it was said
+  std::int64_t wall_clock_ns{0};  // when it was said
 };
 
 /// False when the file cannot be written.

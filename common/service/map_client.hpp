@@ -11,23 +11,26 @@
 
 namespace aisle::service {
 
-/// The site's map as a service uses it: follows `map_info` and `map_tile`, asks aisle-map for tiles that do not come, and tells
-/// when a whole map of a new revision is there. Lives on the bus's loop; make it before the loop runs and keep it while it runs.
+/// The site's map as a service uses it: follows `map_info` and `map_tile`, asks aisle-map for tiles that do not come,
+/// and tells when a whole map of a new revision is there. Lives on the bus's loop; make it before the loop runs and
+/// keep it while it runs.
 ///
 ///   MapClient map(shell.bus(), shell.instance_id(), {});
-///   map.on_map([&](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low, grid::Cell high) {...});
+///   map.on_map([&](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low, grid::Cell
+///   high) {...});
 class MapClient {
  public:
   struct Options {
-    std::string map_id;                          // empty: the first map that is heard
-    bool with_clearance{true};                   // false: no field is computed, the handler gets an empty one
+    std::string map_id;         // empty: the first map that is heard
+    bool with_clearance{true};  // false: no field is computed, the handler gets an empty one
     double clearance_max_m{5.0};
-    std::chrono::milliseconds ask_after{300};    // without progress
+    std::chrono::milliseconds ask_after{300};  // without progress
   };
 
-  /// `low` to `high`, both included, are the cells that changed: the whole grid at first, none (high below low) when a revision
-  /// changed nothing. The references stay valid, and their content the same, until the next call.
-  using OnMap = std::function<void(const grid::OccupancyGrid&, const grid::ClearanceField&, grid::Cell low, grid::Cell high)>;
+  /// `low` to `high`, both included, are the cells that changed: the whole grid at first, none (high below low) when a
+  /// revision changed nothing. The references stay valid, and their content the same, until the next call.
+  using OnMap =
+      std::function<void(const grid::OccupancyGrid&, const grid::ClearanceField&, grid::Cell low, grid::Cell high)>;
 
   /// `requester_id`: of this process, e.g. the shell's instance id.
   MapClient(bus::Bus& bus, const std::string& requester_id, const Options& options);

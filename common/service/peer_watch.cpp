@@ -10,15 +10,16 @@ namespace {
 
 constexpr std::size_t kMostInstances = 512;
 constexpr double kMostSkewS = 1.0;
-// An older process's last sample may still be on its way when a restarted one speaks; after this it is a second process.
+// An older process's last sample may still be on its way when a restarted one speaks; after this it is a second
+// process.
 constexpr time::Stamp kHandover = std::chrono::milliseconds(500);
 
 std::string name_of(const PeerHealth& peer) { return fmt::format("process {} on host {}", peer.process_id, peer.host); }
 
 }  // namespace
 
-PeerWatch::PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std::uint32_t own_idl_version, std::string own_service,
-                     std::string own_agv_id)
+PeerWatch::PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std::uint32_t own_idl_version,
+                     std::string own_service, std::string own_agv_id)
     : own_instance_id_(std::move(own_instance_id)),
       own_boot_id_(own_boot_id),
       own_idl_version_(own_idl_version),
@@ -26,7 +27,8 @@ PeerWatch::PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std
       own_agv_id_(std::move(own_agv_id)) {}
 
 bool PeerWatch::is_twin(const PeerHealth& peer) const {
-  return !peer.is_stopping && !own_agv_id_.empty() && peer.agv_id == own_agv_id_ && peer.service == own_service_ && peer.instance_id != own_instance_id_;
+  return !peer.is_stopping && !own_agv_id_.empty() && peer.agv_id == own_agv_id_ && peer.service == own_service_ &&
+         peer.instance_id != own_instance_id_;
 }
 
 bool PeerWatch::is_duplicate(const PeerHealth& peer, const Seen* seen, time::Stamp now) const {
@@ -54,31 +56,35 @@ std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, st
   if (duplicate && !seen.said_duplicate) {
     seen.said_duplicate = true;
     const bool is_ours = peer.instance_id == own_instance_id_;
-    findings.push_back({Finding::Kind::kDuplicateInstance, peer.instance_id,
-                        fmt::format("instance id '{}' is used twice: also by {}{}; give one of them another --instance", peer.instance_id,
-                                    name_of(peer), is_ours ? "" : " beside " + name_of(seen.newest))});
+    findings.push_back(
+        {Finding::Kind::kDuplicateInstance, peer.instance_id,
+         fmt::format("instance id '{}' is used twice: also by {}{}; give one of them another --instance",
+                     peer.instance_id, name_of(peer), is_ours ? "" : " beside " + name_of(seen.newest))});
   }
   if (peer.boot_id < seen.newest.boot_id) return findings;
   if (is_twin(peer) && !seen.said_twin) {
     seen.said_twin = true;
     findings.push_back({Finding::Kind::kDuplicateVehicle, peer.instance_id,
-                        fmt::format("'{}' has two processes of the service {}: '{}' ({}) beside this one; stop one of them, or give it another vehicle's id",
+                        fmt::format("'{}' has two processes of the service {}: '{}' ({}) beside this one; stop one of "
+                                    "them, or give it another vehicle's id",
                                     own_agv_id_, own_service_, peer.instance_id, name_of(peer))});
   }
   if (peer.idl_version != own_idl_version_ && !seen.said_version) {
     seen.said_version = true;
-    findings.push_back({Finding::Kind::kOtherIdlVersion, peer.instance_id,
-                        fmt::format("{} ({}) speaks IDL version {} (software {}), this process {}; install the same release on both",
-                                    peer.instance_id, name_of(peer), peer.idl_version, peer.software_version, own_idl_version_)});
+    findings.push_back(
+        {Finding::Kind::kOtherIdlVersion, peer.instance_id,
+         fmt::format("{} ({}) speaks IDL version {} (software {}), this process {}; install the same release on both",
+                     peer.instance_id, name_of(peer), peer.idl_version, peer.software_version, own_idl_version_)});
   }
   // The first sample may be history that waited for us, so one that is fresh must confirm it.
   const double skew_s = static_cast<double>(peer.wall_clock_ns - wall_clock_ns) * 1e-9;
   const bool is_skewed = seen.samples >= 2 && std::abs(skew_s) > kMostSkewS && std::abs(seen.last_skew_s) > kMostSkewS;
   if (is_skewed && !seen.said_skew) {
     seen.said_skew = true;
-    findings.push_back({Finding::Kind::kClockSkew, peer.instance_id,
-                        fmt::format("the clock of host {} ({}) is {:.1f} s {} ours; synchronise both, e.g. with chrony", peer.host,
-                                    peer.instance_id, std::abs(skew_s), skew_s > 0 ? "ahead of" : "behind")});
+    findings.push_back(
+        {Finding::Kind::kClockSkew, peer.instance_id,
+         fmt::format("the clock of host {} ({}) is {:.1f} s {} ours; synchronise both, e.g. with chrony", peer.host,
+                     peer.instance_id, std::abs(skew_s), skew_s > 0 ? "ahead of" : "behind")});
   }
   seen.last_skew_s = skew_s;
   seen.newest = peer;

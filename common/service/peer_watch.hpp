@@ -19,7 +19,7 @@ struct PeerHealth {
   std::int64_t wall_clock_ns{0};
   bool is_stopping{false};
   std::string service{};
-  std::string agv_id{};          // of a service for one vehicle, else empty
+  std::string agv_id{};  // of a service for one vehicle, else empty
 };
 
 /// Something that does not fit, in words.
@@ -30,22 +30,23 @@ struct Finding {
   std::string text;
 };
 
-/// Notices two processes with one instance id, two of one service for one vehicle, another IDL version, and clocks more than a second
-/// apart. Says each once for each start of the other process. Pure: times come in as arguments. Remembers at most 512 instances.
+/// Notices two processes with one instance id, two of one service for one vehicle, another IDL version, and clocks more
+/// than a second apart. Says each once for each start of the other process. Pure: times come in as arguments. Remembers
+/// at most 512 instances.
 class PeerWatch {
  public:
-  /// `own_instance_id` and `own_boot_id`: of the process that watches; empty and 0 for an observer without a health of its own.
-  /// `own_service` and `own_agv_id`: of a process for one vehicle, which then is the only one of its kind.
-  PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std::uint32_t own_idl_version, std::string own_service = {},
-            std::string own_agv_id = {});
+  /// `own_instance_id` and `own_boot_id`: of the process that watches; empty and 0 for an observer without a health of
+  /// its own. `own_service` and `own_agv_id`: of a process for one vehicle, which then is the only one of its kind.
+  PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std::uint32_t own_idl_version,
+            std::string own_service = {}, std::string own_agv_id = {});
 
   /// A sample that arrived at `now`, when this host's wall clock showed `wall_clock_ns`.
   std::vector<Finding> take(const PeerHealth& peer, time::Stamp now, std::int64_t wall_clock_ns);
 
  private:
   struct Seen {
-    PeerHealth newest;             // of the start with the highest boot id
-    time::Stamp first_arrival{};   // of that start
+    PeerHealth newest;            // of the start with the highest boot id
+    time::Stamp first_arrival{};  // of that start
     double last_skew_s{0.0};
     int samples{0};
     bool said_duplicate{false}, said_twin{false}, said_version{false}, said_skew{false};

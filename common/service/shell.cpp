@@ -36,10 +36,10 @@ using Describe = std::function<void(config::YamlReader&)>;
 constexpr std::size_t kMostCounters = 32;
 constexpr std::size_t kLongestId = 64;
 constexpr milliseconds kHealthPeriod{1000};
-constexpr milliseconds kLivelinessPeriod{500};   // of a lease of 2 s
-constexpr milliseconds kLongestWait{100};        // until a signal is noticed
+constexpr milliseconds kLivelinessPeriod{500};  // of a lease of 2 s
+constexpr milliseconds kLongestWait{100};       // until a signal is noticed
 constexpr seconds kWarningPeriod{10};
-constexpr seconds kTidyPeriod{5};                // a map or a crowd of peers came: what they needed for a moment is given back
+constexpr seconds kTidyPeriod{5};  // a map or a crowd of peers came: what they needed for a moment is given back
 
 thread_local std::vector<Describe>* config_bindings = nullptr;
 
@@ -49,7 +49,9 @@ std::string host_name() {
 }
 
 void check_id(const std::string& flag, const std::string& id) {
-  const auto is_fit = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.'; };
+  const auto is_fit = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
+  };
   if (id.empty() || id.size() > kLongestId || !std::all_of(id.begin(), id.end(), is_fit)) {
     throw config::BadInput(flag + ": '" + id + "' is not an id; use 1 to 64 letters, digits, '-', '_' and '.'");
   }
@@ -67,20 +69,28 @@ struct Common {
   template <class Reader>
   void describe(Reader& r) {
     SiteConfig site{settings};
-    r.field("instance", instance_id).field("log_level", log_level).field("health_file", health_file).section("site", site);
+    r.field("instance", instance_id)
+        .field("log_level", log_level)
+        .field("health_file", health_file)
+        .section("site", site);
   }
 };
 
 void add_common_options(CLI::App& app, const Shell::About& about, Common& common) {
-  app.set_version_flag("--version", "aisle-" + about.service + " " + process::software_version() + " (IDL " + std::to_string(kIdlVersion) +
-                                        ", Fast DDS " + std::to_string(AISLE_FASTDDS_MAJOR) + ")");
-  app.add_option("--config", common.config_file, "YAML file; flags and environment win over it")->envname("AISLE_CONFIG");
-  app.add_option("--instance", common.instance_id, "name of this process, unique on the site")->envname("AISLE_INSTANCE");
+  app.set_version_flag("--version", "aisle-" + about.service + " " + process::software_version() + " (IDL " +
+                                        std::to_string(kIdlVersion) + ", Fast DDS " +
+                                        std::to_string(AISLE_FASTDDS_MAJOR) + ")");
+  app.add_option("--config", common.config_file, "YAML file; flags and environment win over it")
+      ->envname("AISLE_CONFIG");
+  app.add_option("--instance", common.instance_id, "name of this process, unique on the site")
+      ->envname("AISLE_INSTANCE");
   app.add_option("--log-level", common.log_level, "debug, info, warning, error or off")->envname("AISLE_LOG_LEVEL");
-  app.add_option("--health-file", common.health_file, "keeps the last word on service_health there, for `aisle health --file`")
+  app.add_option("--health-file", common.health_file,
+                 "keeps the last word on service_health there, for `aisle health --file`")
       ->envname("AISLE_HEALTH_FILE");
   if (!about.agv_id_flag.empty()) {
-    app.add_option(about.agv_id_flag, common.agv_id, "id of the vehicle that this process works for")->envname("AISLE_AGV");
+    app.add_option(about.agv_id_flag, common.agv_id, "id of the vehicle that this process works for")
+        ->envname("AISLE_AGV");
   }
   add_site_options(app, common.settings);
 }
@@ -95,12 +105,13 @@ std::string find_config_file(int argc, const char* const* argv) {
   try {
     only_config.parse(argc, argv);
   } catch (const CLI::ParseError&) {
-    return {};   // parsed again, and reported, with all the flags
+    return {};  // parsed again, and reported, with all the flags
   }
   return file;
 }
 
-void read_config(const std::string& file, const Shell::About& about, Common& common, const std::vector<Describe>& bindings) {
+void read_config(const std::string& file, const Shell::About& about, Common& common,
+                 const std::vector<Describe>& bindings) {
   config::YamlReader reader = config::open_yaml_file(file);
   common.describe(reader);
   if (!about.agv_id_flag.empty()) reader.field("agv", common.agv_id);
@@ -110,10 +121,12 @@ void read_config(const std::string& file, const Shell::About& about, Common& com
 
 void complete_ids(const Shell::About& about, Common& common) {
   if (!about.agv_id_flag.empty()) {
-    if (common.agv_id.empty()) throw config::BadInput(about.agv_id_flag + " is missing: the id of the vehicle, e.g. agv-1 (or AISLE_AGV)");
+    if (common.agv_id.empty())
+      throw config::BadInput(about.agv_id_flag + " is missing: the id of the vehicle, e.g. agv-1 (or AISLE_AGV)");
     check_id(about.agv_id_flag, common.agv_id);
   }
-  if (common.instance_id.empty()) common.instance_id = about.service + (common.agv_id.empty() ? "" : "-" + common.agv_id);
+  if (common.instance_id.empty())
+    common.instance_id = about.service + (common.agv_id.empty() ? "" : "-" + common.agv_id);
   check_id("--instance", common.instance_id);
   common.settings.participant_name = common.instance_id;
 }
@@ -164,7 +177,8 @@ struct Shell::State {
         peers(common.instance_id, boot_id, kIdlVersion, service, common.agv_id),
         warnings(kWarningPeriod) {
     bus.on_incident([this](const bus::Incident& incident) { take(incident); });
-    bus.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) { take(sample, info); });
+    bus.on<topics::ServiceHealth>(
+        [this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) { take(sample, info); });
     bus.every(kHealthPeriod, [this] { publish(); });
     bus.every(kLivelinessPeriod, [this] { writer.assert_liveliness(); });
     bus.every(kTidyPeriod, tidy);
@@ -242,7 +256,7 @@ struct Shell::State {
   }
 
   void run(const std::atomic<bool>& stop) {
-    tidy();   // of what only the start needed
+    tidy();  // of what only the start needed
     publish();
     while (!stop.load()) {
       bus.run_once(kLongestWait);

@@ -7,8 +7,9 @@ class App;
 
 namespace aisle::service {
 
-/// Adds --domain, --partition, --interface, --peer, --discovery-server and --shared-memory, with their environment variables
-/// (AISLE_DOMAIN, AISLE_PARTITION, AISLE_INTERFACES, AISLE_PEERS, AISLE_DISCOVERY_SERVER, AISLE_SHARED_MEMORY; lists with commas).
+/// Adds --domain, --partition, --interface, --peer, --discovery-server and --shared-memory, with their environment
+/// variables (AISLE_DOMAIN, AISLE_PARTITION, AISLE_INTERFACES, AISLE_PEERS, AISLE_DISCOVERY_SERVER,
+/// AISLE_SHARED_MEMORY; lists with commas).
 void add_site_options(CLI::App& app, bus::Settings& settings);
 
 /// Names the keys of `security` in the `site` section of a config file: paths of PEM and S/MIME files.

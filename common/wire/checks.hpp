@@ -45,12 +45,14 @@ class Checks {
     return std::isfinite(value) ? *this : refuse(field, " is not a finite number");
   }
   Checks& within(const char* field, double value, double low, double high) {
-    return value >= low && value <= high ? *this : refuse(field, " = " + text(value) + " is not within " + text(low) + " and " + text(high));
+    return value >= low && value <= high
+               ? *this
+               : refuse(field, " = " + text(value) + " is not within " + text(low) + " and " + text(high));
   }
   Checks& count(const char* field, std::size_t size, std::size_t low, std::size_t high) {
-    return size >= low && size <= high
-               ? *this
-               : refuse(field, " has " + std::to_string(size) + " elements, not " + std::to_string(low) + " to " + std::to_string(high));
+    return size >= low && size <= high ? *this
+                                       : refuse(field, " has " + std::to_string(size) + " elements, not " +
+                                                           std::to_string(low) + " to " + std::to_string(high));
   }
   /// An identifier that must not be empty and has no control characters (it ends up in logs and file names).
   Checks& id(const char* field, const std::string& value) {
@@ -63,7 +65,9 @@ class Checks {
   template <class Enum>
   Checks& known(const char* field, Enum value, Enum last) {
     const auto number = static_cast<long long>(value);
-    return number >= 0 && number <= static_cast<long long>(last) ? *this : refuse(field, " = " + std::to_string(number) + " is no known value");
+    return number >= 0 && number <= static_cast<long long>(last)
+               ? *this
+               : refuse(field, " = " + std::to_string(number) + " is no known value");
   }
   Checks& holds(bool condition, const char* what) { return condition ? *this : refuse(what, ""); }
 

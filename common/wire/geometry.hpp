@@ -1,5 +1,6 @@
 #pragma once
-// Shapes of idl/geometry.idl to and from our own. Decoders check into `Checks` and return a value that is safe to compute with.
+// Shapes of idl/geometry.idl to and from our own. Decoders check into `Checks` and return a value that is safe to
+// compute with.
 #include <cstdint>
 #include <string>
 
@@ -9,7 +10,7 @@
 
 namespace aisle::wire {
 
-inline constexpr double kFarthestM = 1.0e6;       // no site is larger; beyond, centimetres get lost in sums of squares
+inline constexpr double kFarthestM = 1.0e6;  // no site is larger; beyond, centimetres get lost in sums of squares
 inline constexpr double kFastestMps = 100.0;
 inline constexpr double kFastestTurnRadps = 100.0;
 
@@ -76,7 +77,8 @@ inline geometry::Twist2 decode(const aisle::Twist& sample, Checks& checks, const
 }
 
 inline SampleOrigin decode(const aisle::Origin& sample, Checks& checks, const char* field = "by") {
-  SampleOrigin origin{sample.source_id().to_string(), sample.boot_id(), sample.epoch(), sample.sequence_number(), sample.stamp_ns()};
+  SampleOrigin origin{sample.source_id().to_string(), sample.boot_id(), sample.epoch(), sample.sequence_number(),
+                      sample.stamp_ns()};
   checks.id(field, origin.source_id);
   checks.holds(origin.sequence_number > 0, "by.sequence_number counts from 1");
   return origin;

@@ -15,7 +15,8 @@ constexpr std::size_t kMaxDetail = 256;
 
 std::vector<std::uint8_t> bytes(const std::vector<grid::Occupancy>& cells) {
   std::vector<std::uint8_t> out(cells.size());
-  std::transform(cells.begin(), cells.end(), out.begin(), [](grid::Occupancy cell) { return static_cast<std::uint8_t>(cell); });
+  std::transform(cells.begin(), cells.end(), out.begin(),
+                 [](grid::Occupancy cell) { return static_cast<std::uint8_t>(cell); });
   return out;
 }
 
@@ -29,8 +30,8 @@ grid::Tiling decode_tiling(const aisle::MapInfo& sample, Checks& checks) {
   if (!checks.ok()) return {};
   grid::Tiling tiling;
   tiling.tile_size = static_cast<int>(sample.tile_size_cells());
-  tiling.geometry = {static_cast<int>(sample.width_cells()), static_cast<int>(sample.height_cells()), sample.resolution_m(),
-                     origin.position()};
+  tiling.geometry = {static_cast<int>(sample.width_cells()), static_cast<int>(sample.height_cells()),
+                     sample.resolution_m(), origin.position()};
   return tiling;
 }
 
@@ -60,7 +61,8 @@ Decoded<grid::MapSummary> decode(const aisle::MapInfo& sample) {
   checks.id("map_id", summary.map_id).holds(summary.revision > 0, "revision counts from 1");
   summary.tiling = decode_tiling(sample, checks);
   if (!checks.ok()) return Decoded<grid::MapSummary>::refused(checks.reason());
-  const auto tiles = static_cast<std::size_t>(summary.tiling.tiles_x()) * static_cast<std::size_t>(summary.tiling.tiles_y());
+  const auto tiles =
+      static_cast<std::size_t>(summary.tiling.tiles_x()) * static_cast<std::size_t>(summary.tiling.tiles_y());
   checks.count("tile_hashes", sample.tile_hashes().size(), tiles, std::min(tiles, kMaxTiles));
   if (!checks.ok()) return Decoded<grid::MapSummary>::refused(checks.reason());
   summary.tile_hashes = sample.tile_hashes();
@@ -97,7 +99,8 @@ Decoded<grid::Tile> decode(const aisle::MapTile& sample) {
   tile.cells.resize(sample.cells().size());
   for (std::size_t i = 0; i < tile.cells.size(); ++i) {
     if (sample.cells()[i] > static_cast<std::uint8_t>(grid::Occupancy::kUnknown)) {
-      return Decoded<grid::Tile>::refused("cells[" + std::to_string(i) + "] = " + std::to_string(sample.cells()[i]) + " is not 0, 1 or 2");
+      return Decoded<grid::Tile>::refused("cells[" + std::to_string(i) + "] = " + std::to_string(sample.cells()[i]) +
+                                          " is not 0, 1 or 2");
     }
     tile.cells[i] = static_cast<grid::Occupancy>(sample.cells()[i]);
   }

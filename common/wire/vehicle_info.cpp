@@ -8,13 +8,13 @@ namespace aisle::wire {
 namespace {
 
 constexpr double kSmallestM = 0.01;
-constexpr double kLargestM = 10.0;      // of a radius
+constexpr double kLargestM = 10.0;  // of a radius
 constexpr double kQuarterTurnRad = 0.5 * geometry::kPi;
 
 /// Names of the IDL and of kinematics::Limits, side by side.
 struct LimitField {
   const char* name;
-  double kinematics::Limits::* ours;
+  double kinematics::Limits::*ours;
   double low;
   double high;
 };

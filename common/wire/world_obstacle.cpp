@@ -40,7 +40,8 @@ Decoded<WorldObstacle> decode(const aisle::WorldObstacle& sample) {
   obstacle.base_in_map = decode(sample.base_in_map(), checks, "base_in_map");
   if (!checks.ok()) return Decoded<WorldObstacle>::refused(checks.reason());
   obstacle.kind = static_cast<WorldObstacle::Kind>(sample.kind());
-  obstacle.footprint = {static_cast<geometry::Body::Shape>(sample.shape()), sample.radius_m(), sample.length_m(), sample.width_m(), sample.ahead_m()};
+  obstacle.footprint = {static_cast<geometry::Body::Shape>(sample.shape()), sample.radius_m(), sample.length_m(),
+                        sample.width_m(), sample.ahead_m()};
   obstacle.velocity_in_map = {sample.velocity_x_mps(), sample.velocity_y_mps()};
   obstacle.boot_id = sample.by().boot_id();
   return obstacle;

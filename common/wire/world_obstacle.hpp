@@ -14,10 +14,10 @@ struct WorldObstacle {
   enum class Kind { kVehicle, kPerson, kBlock };
   std::string id;
   Kind kind{Kind::kPerson};
-  geometry::Pose2 base_in_map;        // of the thing's frame
-  geometry::Footprint footprint;      // around it
-  geometry::Point2 velocity_in_map;   // m/s
-  std::uint64_t boot_id{0};           // of the process that simulates it; read only
+  geometry::Pose2 base_in_map;       // of the thing's frame
+  geometry::Footprint footprint;     // around it
+  geometry::Point2 velocity_in_map;  // m/s
+  std::uint64_t boot_id{0};          // of the process that simulates it; read only
 
   geometry::Body body() const { return geometry::body_of(footprint, base_in_map); }
 };

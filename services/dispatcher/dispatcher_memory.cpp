@@ -26,8 +26,8 @@ std::optional<DispatcherMemory> recall(const std::filesystem::path& file, const 
     if (kept.at("run").get<std::string>() != run) return std::nullopt;
     DispatcherMemory memory;
     for (const auto& [id, p] : kept.at("missions").items()) {
-      memory.missions[id] = {p.at("next").get<std::uint64_t>(), p.at("reached").get<std::uint64_t>(), p.at("failed").get<std::uint64_t>(),
-                             p.at("stopped").get<bool>()};
+      memory.missions[id] = {p.at("next").get<std::uint64_t>(), p.at("reached").get<std::uint64_t>(),
+                             p.at("failed").get<std::uint64_t>(), p.at("stopped").get<bool>()};
     }
     memory.edits_done = kept.at("edits_done").get<std::vector<std::string>>();
     if (kept.contains("started_at_ns")) memory.started_at_ns = kept.at("started_at_ns").get<std::int64_t>();

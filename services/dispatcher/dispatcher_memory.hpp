@@ -13,7 +13,7 @@ namespace aisle::dispatcher {
 struct DispatcherMemory {
   Memory missions;
   std::vector<std::string> edits_done;
-  std::optional<std::int64_t> started_at_ns;   // second zero of the scenario
+  std::optional<std::int64_t> started_at_ns;  // second zero of the scenario
 };
 
 /// The text of the file; `run` names the scenario.

@@ -30,24 +30,31 @@ Status status_of(const aisle::NavigationStatus& sample) {
   status.goal_id = sample.goal_id().to_string();
   status.reason = sample.detail().to_string();
   switch (sample.phase()) {
-    case NavigationPhase::PHASE_ARRIVED: status.phase = Status::Phase::kArrived; break;
-    case NavigationPhase::PHASE_FAILED: status.phase = Status::Phase::kFailed; break;
-    default: status.phase = status.goal_id.empty() ? Status::Phase::kIdle : Status::Phase::kOnTheWay;
+    case NavigationPhase::PHASE_ARRIVED:
+      status.phase = Status::Phase::kArrived;
+      break;
+    case NavigationPhase::PHASE_FAILED:
+      status.phase = Status::Phase::kFailed;
+      break;
+    default:
+      status.phase = status.goal_id.empty() ? Status::Phase::kIdle : Status::Phase::kOnTheWay;
   }
-  if (sample.reason() == NavigationReason::REASON_NO_GOAL || sample.reason() == NavigationReason::REASON_NO_PLAN) status.phase = Status::Phase::kIdle;
+  if (sample.reason() == NavigationReason::REASON_NO_GOAL || sample.reason() == NavigationReason::REASON_NO_PLAN)
+    status.phase = Status::Phase::kIdle;
   return status;
 }
 
 }  // namespace
 
-DispatcherService::DispatcherService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
-                                     const ServiceConfig& config)
+DispatcherService::DispatcherService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id,
+                                     service::Health& health, const ServiceConfig& config)
     : bus_(bus),
       health_(health),
       config_(config),
       instance_id_(instance_id),
       memory_(config.state_file.empty() ? std::nullopt : recall(config.state_file, config.scenario.name)),
-      clock_(vehicle_ids(config.scenario), memory_ && memory_->started_at_ns ? memory_->started_at_ns : config.start_at_ns),
+      clock_(vehicle_ids(config.scenario),
+             memory_ && memory_->started_at_ns ? memory_->started_at_ns : config.start_at_ns),
       dispatcher_(config.scenario.missions, config.settings, memory_ ? &memory_->missions : nullptr),
       edits_(config.scenario, memory_ ? memory_->edits_done : std::vector<std::string>{}),
       goal_stamper_(instance_id, boot_id),
@@ -87,7 +94,8 @@ void DispatcherService::take(const aisle::NavigationStatus& sample) {
 
 void DispatcherService::take(const aisle::Goal& sample) {
   const bool by_another = sample.by().source_id().to_string() != instance_id_;
-  if (by_another && sample.cancelled()) dispatcher_.cancelled(sample.agv_id().to_string(), sample.goal_id().to_string());
+  if (by_another && sample.cancelled())
+    dispatcher_.cancelled(sample.agv_id().to_string(), sample.goal_id().to_string());
 }
 
 void DispatcherService::take(const aisle::MapEditResult& sample) {
@@ -133,21 +141,32 @@ void DispatcherService::write(const Order& order) {
   sample.yaw_tolerance_rad(order.yaw_tolerance_rad);
   sample.cancelled(false);
   goals_.write(sample);
-  spdlog::info("goal {} for {}: x={:.2f} y={:.2f}", order.goal_id, order.agv_id, order.goal_in_map.x, order.goal_in_map.y);
+  spdlog::info("goal {} for {}: x={:.2f} y={:.2f}", order.goal_id, order.agv_id, order.goal_in_map.x,
+               order.goal_in_map.y);
 }
 
 void DispatcherService::log(const Event& event) {
   const std::string why = event.reason.empty() ? "" : ": " + event.reason;
   switch (event.kind) {
-    case Event::Kind::kReached: spdlog::info("{} reached {}", event.agv_id, event.goal_id); break;
+    case Event::Kind::kReached:
+      spdlog::info("{} reached {}", event.agv_id, event.goal_id);
+      break;
     case Event::Kind::kFailed:
       health_.last_error = event.agv_id + " did not reach " + event.goal_id + why;
       spdlog::error("{}", health_.last_error);
       break;
-    case Event::Kind::kRetried: spdlog::warn("{} gets {} again{}", event.agv_id, event.goal_id, why); break;
-    case Event::Kind::kCancelled: spdlog::warn("{} {}{}", event.agv_id, event.goal_id, why); break;
-    case Event::Kind::kMissionDone: spdlog::info("{} has done its mission", event.agv_id); break;
-    case Event::Kind::kResumed: spdlog::info("{} was on {}; its mission goes on from there", event.agv_id, event.goal_id); break;
+    case Event::Kind::kRetried:
+      spdlog::warn("{} gets {} again{}", event.agv_id, event.goal_id, why);
+      break;
+    case Event::Kind::kCancelled:
+      spdlog::warn("{} {}{}", event.agv_id, event.goal_id, why);
+      break;
+    case Event::Kind::kMissionDone:
+      spdlog::info("{} has done its mission", event.agv_id);
+      break;
+    case Event::Kind::kResumed:
+      spdlog::info("{} was on {}; its mission goes on from there", event.agv_id, event.goal_id);
+      break;
   }
 }
 
@@ -158,7 +177,8 @@ void DispatcherService::keep_memory() {
   if (process::keep_in_file(config_.state_file, text)) {
     kept_text_ = std::move(text);
   } else {
-    health_.last_error = "cannot write " + config_.state_file.string() + "; a restart will ask the vehicles where they were";
+    health_.last_error =
+        "cannot write " + config_.state_file.string() + "; a restart will ask the vehicles where they were";
     warnings_.warn("state_file", health_.last_error);
   }
 }
@@ -171,7 +191,8 @@ void DispatcherService::tell_health() {
   health_.counters["missions_done"] = dispatcher_.all_done() ? 1 : 0;
   health_.waits_for.clear();
   for (const std::string& id : dispatcher_.missing()) {
-    if (health_.waits_for.size() < 200) health_.waits_for += (health_.waits_for.empty() ? "vehicle_state of " : ", ") + id;
+    if (health_.waits_for.size() < 200)
+      health_.waits_for += (health_.waits_for.empty() ? "vehicle_state of " : ", ") + id;
   }
   health_.state = health_.waits_for.empty() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
 }

@@ -19,8 +19,9 @@ namespace aisle::dispatcher {
 struct ServiceConfig {
   Settings settings;
   scenario::Scenario scenario;
-  std::optional<std::int64_t> start_at_ns;   // second zero of the scenario, Unix epoch; none: when all vehicles are heard
-  std::filesystem::path state_file;          // empty: nothing is kept
+  std::optional<std::int64_t>
+      start_at_ns;                   // second zero of the scenario, Unix epoch; none: when all vehicles are heard
+  std::filesystem::path state_file;  // empty: nothing is kept
 
   template <class Reader>
   void describe(Reader& r) {
@@ -28,11 +29,12 @@ struct ServiceConfig {
   }
 };
 
-/// Between the bus and the dispatcher. Tells its progress in the counters goals_assigned, goals_reached, goals_failed and
-/// missions_done (1 when nothing is left to do) on `service_health`.
+/// Between the bus and the dispatcher. Tells its progress in the counters goals_assigned, goals_reached, goals_failed
+/// and missions_done (1 when nothing is left to do) on `service_health`.
 class DispatcherService {
  public:
-  DispatcherService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health, const ServiceConfig& config);
+  DispatcherService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
+                    const ServiceConfig& config);
   DispatcherService(const DispatcherService&) = delete;
   DispatcherService& operator=(const DispatcherService&) = delete;
 

@@ -13,13 +13,18 @@ int main(int argc, char** argv) {
   const auto options = [&](CLI::App& app) {
     service::Shell::config(app, config);
     app.add_option("--scenario", scenario_file, "missions and map edits")->envname("AISLE_SCENARIO");
-    app.add_option("--start-at", config.start_at_ns, "second zero of the scenario, nanoseconds since the Unix epoch; default: when all vehicles are heard");
+    app.add_option(
+        "--start-at", config.start_at_ns,
+        "second zero of the scenario, nanoseconds since the Unix epoch; default: when all vehicles are heard");
     app.add_option("--state-file", config.state_file, "keeps the missions' progress over a restart");
   };
-  return service::run_service(argc, argv, {"dispatcher", "Gives each vehicle the goals of its mission", ""}, options, [&](service::Shell& shell) {
-    if (scenario_file.empty()) throw config::BadInput("--scenario FILE is missing (or AISLE_SCENARIO)");
-    config.scenario = scenario::read_scenario(scenario_file);
-    dispatcher::DispatcherService dispatcher(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), config);
-    shell.run();
-  });
+  return service::run_service(argc, argv, {"dispatcher", "Gives each vehicle the goals of its mission", ""}, options,
+                              [&](service::Shell& shell) {
+                                if (scenario_file.empty())
+                                  throw config::BadInput("--scenario FILE is missing (or AISLE_SCENARIO)");
+                                config.scenario = scenario::read_scenario(scenario_file);
+                                dispatcher::DispatcherService dispatcher(shell.bus(), shell.instance_id(),
+                                                                         shell.boot_id(), shell.health(), config);
+                                shell.run();
+                              });
 }

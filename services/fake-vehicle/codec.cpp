@@ -7,10 +7,14 @@ namespace {
 
 HoldReason reason_of(Hold hold) {
   switch (hold) {
-    case Hold::kNone: return HoldReason::HOLD_NONE;
-    case Hold::kNoCommand: return HoldReason::HOLD_NO_COMMAND;
-    case Hold::kLateCommand: return HoldReason::HOLD_LATE_COMMAND;
-    case Hold::kContact: return HoldReason::HOLD_CONTACT;
+    case Hold::kNone:
+      return HoldReason::HOLD_NONE;
+    case Hold::kNoCommand:
+      return HoldReason::HOLD_NO_COMMAND;
+    case Hold::kLateCommand:
+      return HoldReason::HOLD_LATE_COMMAND;
+    case Hold::kContact:
+      return HoldReason::HOLD_CONTACT;
   }
   return HoldReason::HOLD_NONE;
 }
@@ -27,7 +31,8 @@ aisle::VehicleState encode(const Report& report) {
   if (report.command) {
     const Command& command = *report.command;
     sample.command_agv_id(command.agv_id);
-    sample.command_by(wire::encode(wire::SampleOrigin{command.source_id, command.boot_id, command.epoch, command.sequence_number, command.stamp_ns}));
+    sample.command_by(wire::encode(wire::SampleOrigin{command.source_id, command.boot_id, command.epoch,
+                                                      command.sequence_number, command.stamp_ns}));
     sample.command_plan_id(command.plan_id);
   }
   sample.accepted_epoch(report.accepted_epoch);

@@ -16,7 +16,7 @@ struct Report {
   std::string agv_id;
   geometry::Pose2 base_in_map;
   geometry::Twist2 twist;
-  double steering_rad{0.0};            // of a tricycle
+  double steering_rad{0.0};  // of a tricycle
   Hold hold{Hold::kNoCommand};
   std::optional<Command> command;
   std::uint32_t accepted_epoch{0};

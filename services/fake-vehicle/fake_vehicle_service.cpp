@@ -36,8 +36,8 @@ VehicleMemory memory_of(const ServiceConfig& config) {
 
 }  // namespace
 
-FakeVehicleService::FakeVehicleService(bus::Bus& bus, const std::string& agv_id, const std::string& instance_id, std::uint64_t boot_id,
-                                       service::Health& health, const ServiceConfig& config)
+FakeVehicleService::FakeVehicleService(bus::Bus& bus, const std::string& agv_id, const std::string& instance_id,
+                                       std::uint64_t boot_id, service::Health& health, const ServiceConfig& config)
     : bus_(bus),
       agv_id_(agv_id),
       health_(health),
@@ -66,15 +66,19 @@ FakeVehicleService::FakeVehicleService(bus::Bus& bus, const std::string& agv_id,
 }
 
 void FakeVehicleService::listen() {
-  bus_.on<topics::VelocityCommand>([this](const aisle::VelocityCommand& sample, const SampleInfo& info) { take(sample, info); });
-  bus_.on<topics::WorldObstacle>([this](const aisle::WorldObstacle& sample, const SampleInfo& info) { take(sample, info); });
+  bus_.on<topics::VelocityCommand>(
+      [this](const aisle::VelocityCommand& sample, const SampleInfo& info) { take(sample, info); });
+  bus_.on<topics::WorldObstacle>(
+      [this](const aisle::WorldObstacle& sample, const SampleInfo& info) { take(sample, info); });
   bus_.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData && is_this_vehicle(sample)) duplicates_.heard(sample.by().boot_id(), monotonic_now());
+    if (info.kind == SampleKind::kData && is_this_vehicle(sample))
+      duplicates_.heard(sample.by().boot_id(), monotonic_now());
   });
 }
 
 bool FakeVehicleService::is_this_vehicle(const aisle::ServiceHealth& sample) const {
-  return sample.service().to_string() == "fake-vehicle" && sample.agv_id().to_string() == agv_id_ && sample.state() != ServiceState::SERVICE_STOPPING;
+  return sample.service().to_string() == "fake-vehicle" && sample.agv_id().to_string() == agv_id_ &&
+         sample.state() != ServiceState::SERVICE_STOPPING;
 }
 
 void FakeVehicleService::take(const aisle::VelocityCommand& sample, const SampleInfo& info) {
@@ -83,11 +87,12 @@ void FakeVehicleService::take(const aisle::VelocityCommand& sample, const Sample
   const Verdict verdict = authority_.judge(command);
   if (verdict != Verdict::kAccepted) {
     health_.count(std::string("refused_") + name(verdict));
-    warnings_.warn(name(verdict), fmt::format("velocity_command refused: {} (source {}, epoch {}, accepted epoch {})", name(verdict),
-                                              command.source_id, command.epoch, authority_.accepted_epoch()));
+    warnings_.warn(name(verdict),
+                   fmt::format("velocity_command refused: {} (source {}, epoch {}, accepted epoch {})", name(verdict),
+                               command.source_id, command.epoch, authority_.accepted_epoch()));
     return;
   }
-  if (!map_.has_map()) return;   // cannot tell where its walls are
+  if (!map_.has_map()) return;  // cannot tell where its walls are
   command_ = command;
   vehicle_.command(command.twist, info.arrived.time_since_epoch());
 }
@@ -101,15 +106,18 @@ void FakeVehicleService::take(const aisle::WorldObstacle& sample, const SampleIn
     warnings_.warn("world_obstacle", "world_obstacle: a sample was dropped: " + obstacle.reason());
     return;
   }
-  bodies_.seen(obstacle->id, obstacle->body(), obstacle->kind == wire::WorldObstacle::Kind::kVehicle, obstacle->boot_id, monotonic_now());
+  bodies_.seen(obstacle->id, obstacle->body(), obstacle->kind == wire::WorldObstacle::Kind::kVehicle, obstacle->boot_id,
+               monotonic_now());
 }
 
 bool FakeVehicleService::may_act(time::Stamp now) {
   const bool yields = duplicates_.must_yield(now);
   if (yields != yields_) {
     if (yields) {
-      spdlog::error("hold=duplicate_id: another process (boot {}) is {} already; this one stands and stays silent until it is gone",
-                    duplicates_.other_boot_id(), agv_id_);
+      spdlog::error(
+          "hold=duplicate_id: another process (boot {}) is {} already; this one stands and stays silent until it is "
+          "gone",
+          duplicates_.other_boot_id(), agv_id_);
     } else {
       spdlog::info("{} is free again", agv_id_);
     }
@@ -122,12 +130,14 @@ bool FakeVehicleService::may_act(time::Stamp now) {
 void FakeVehicleService::tick() {
   const time::Stamp now = monotonic_now();
   if (!may_act(now)) {
-    if (introduced_ && map_.has_map()) vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});   // brakes: nobody commands it any more
+    if (introduced_ && map_.has_map())
+      vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});  // brakes: nobody commands it any more
     return;
   }
   if (!introduced_) {
     const Parameters& vehicle = config_.vehicle;
-    aisle::VehicleInfo info = wire::encode(wire::VehicleInfo{agv_id_, vehicle.footprint(), vehicle.limits, vehicle.lidar.range_max_m, vehicle.command_timeout_s});
+    aisle::VehicleInfo info = wire::encode(wire::VehicleInfo{agv_id_, vehicle.footprint(), vehicle.limits,
+                                                             vehicle.lidar.range_max_m, vehicle.command_timeout_s});
     info.by(info_stamper_.next());
     introduced_ = infos_.write(info);
   }
@@ -141,8 +151,14 @@ void FakeVehicleService::tick() {
 }
 
 Report FakeVehicleService::report() {
-  return {agv_id_,  with_noise(vehicle_.base_in_map(), config_.vehicle, random_), vehicle_.twist(),    vehicle_.steering_rad(), vehicle_.hold(),
-          command_, authority_.accepted_epoch(),                                   authority_.refused()};
+  return {agv_id_,
+          with_noise(vehicle_.base_in_map(), config_.vehicle, random_),
+          vehicle_.twist(),
+          vehicle_.steering_rad(),
+          vehicle_.hold(),
+          command_,
+          authority_.accepted_epoch(),
+          authority_.refused()};
 }
 
 void FakeVehicleService::publish() {
@@ -164,7 +180,8 @@ void FakeVehicleService::publish() {
 }
 
 void FakeVehicleService::publish_scan() {
-  const std::vector<float> ranges_m = scan({map_.grid(), bodies_.bodies()}, vehicle_.base_in_map(), config_.vehicle.lidar, random_);
+  const std::vector<float> ranges_m =
+      scan({map_.grid(), bodies_.bodies()}, vehicle_.base_in_map(), config_.vehicle.lidar, random_);
   aisle::Scan sample = encode_scan(report(), config_.vehicle, ranges_m);
   sample.by(scan_stamper_.next());
   scans_.write(sample);
@@ -185,8 +202,9 @@ void FakeVehicleService::tell_health(time::Stamp now) {
   health_.counters["contacts"] = vehicle_.contacts();
   if (duplicates_.is_duplicate(now)) {
     health_.state = ServiceState::SERVICE_DEGRADED;
-    health_.last_error = fmt::format("two processes are {}: boot {} and this one, which {}", agv_id_, duplicates_.other_boot_id(),
-                                     yields_ ? "came later, stands and stays silent (hold: duplicate id)" : "was first and goes on");
+    health_.last_error =
+        fmt::format("two processes are {}: boot {} and this one, which {}", agv_id_, duplicates_.other_boot_id(),
+                    yields_ ? "came later, stands and stays silent (hold: duplicate id)" : "was first and goes on");
     health_.waits_for = yields_ ? "the other " + agv_id_ + " to be gone" : "";
     return;
   }

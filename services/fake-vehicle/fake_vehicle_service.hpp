@@ -22,9 +22,9 @@ namespace aisle::fake_vehicle {
 struct ServiceConfig {
   Parameters vehicle;
   std::uint64_t seed{1};
-  std::string run;                     // names this vehicle's run in the state file
+  std::string run;  // names this vehicle's run in the state file
   geometry::Pose2 start_in_map;
-  std::filesystem::path state_file;    // empty: nothing is kept
+  std::filesystem::path state_file;  // empty: nothing is kept
 
   template <class Reader>
   void describe(Reader& r) {
@@ -32,12 +32,12 @@ struct ServiceConfig {
   }
 };
 
-/// One simulated vehicle on the bus. Listens for kListen first: when another process is this vehicle already, it says so on
-/// `service_health`, writes nothing under the vehicle's name, and does not move, until the other is gone.
+/// One simulated vehicle on the bus. Listens for kListen first: when another process is this vehicle already, it says
+/// so on `service_health`, writes nothing under the vehicle's name, and does not move, until the other is gone.
 class FakeVehicleService {
  public:
-  FakeVehicleService(bus::Bus& bus, const std::string& agv_id, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
-                     const ServiceConfig& config);
+  FakeVehicleService(bus::Bus& bus, const std::string& agv_id, const std::string& instance_id, std::uint64_t boot_id,
+                     service::Health& health, const ServiceConfig& config);
   FakeVehicleService(const FakeVehicleService&) = delete;
   FakeVehicleService& operator=(const FakeVehicleService&) = delete;
 
@@ -61,7 +61,7 @@ class FakeVehicleService {
   service::Health& health_;
   ServiceConfig config_;
   service::MapClient map_;
-  VehicleMemory memory_;               // of before a restart, or the start
+  VehicleMemory memory_;  // of before a restart, or the start
   CommandAuthority authority_;
   std::optional<Command> command_;
   SimulatedVehicle vehicle_;

@@ -24,7 +24,8 @@ struct Flags {
 };
 
 const scenario::Vehicle& find_vehicle(const scenario::Scenario& scenario, const std::string& agv_id) {
-  const auto found = std::find_if(scenario.vehicles.begin(), scenario.vehicles.end(), [&](const scenario::Vehicle& v) { return v.id == agv_id; });
+  const auto found = std::find_if(scenario.vehicles.begin(), scenario.vehicles.end(),
+                                  [&](const scenario::Vehicle& v) { return v.id == agv_id; });
   if (found != scenario.vehicles.end()) return *found;
   std::string ids;
   for (const scenario::Vehicle& vehicle : scenario.vehicles) ids += (ids.empty() ? "" : ", ") + vehicle.id;
@@ -36,7 +37,8 @@ void start_by_scenario(const Flags& flags, const std::string& agv_id, fake_vehic
   const scenario::Vehicle& vehicle = find_vehicle(scenario, agv_id);
   config.seed = flags.seed.value_or(scenario.seed);
   config.start_in_map = scenario::varied_start(vehicle, scenario.start_jitter_m, config.seed);
-  if (flags.radius_m && !vehicle.footprint().is_disc()) throw config::BadInput("--radius: " + agv_id + " of scenario " + scenario.name + " is a rectangle");
+  if (flags.radius_m && !vehicle.footprint().is_disc())
+    throw config::BadInput("--radius: " + agv_id + " of scenario " + scenario.name + " is a rectangle");
   config.vehicle.radius_m = flags.radius_m.value_or(vehicle.radius_m);
   config.vehicle.length_m = vehicle.length_m;
   config.vehicle.width_m = vehicle.width_m;
@@ -48,7 +50,8 @@ void start_by_scenario(const Flags& flags, const std::string& agv_id, fake_vehic
 }
 
 void start_by_flags(const Flags& flags, const std::string& agv_id, fake_vehicle::ServiceConfig& config) {
-  if (flags.start.empty()) throw config::BadInput("--start X,Y,YAW or --scenario FILE is missing: where does the vehicle stand?");
+  if (flags.start.empty())
+    throw config::BadInput("--start X,Y,YAW or --scenario FILE is missing: where does the vehicle stand?");
   if (flags.start.size() < 2) throw config::BadInput("--start takes X,Y or X,Y,YAW: metres and radians in map");
   config.start_in_map = {flags.start[0], flags.start[1], flags.start.size() > 2 ? geometry::wrap(flags.start[2]) : 0.0};
   config.seed = flags.seed.value_or(config.seed);
@@ -64,19 +67,25 @@ int main(int argc, char** argv) {
   const auto options = [&](CLI::App& app) {
     service::Shell::config(app, config);
     app.add_option("--scenario", flags.scenario_file, "scenario that has this vehicle")->envname("AISLE_SCENARIO");
-    app.add_option("--start", flags.start, "X,Y,YAW in map, instead of a scenario")->delimiter(',')->expected(2, 3)->check(CLI::Number);
+    app.add_option("--start", flags.start, "X,Y,YAW in map, instead of a scenario")
+        ->delimiter(',')
+        ->expected(2, 3)
+        ->check(CLI::Number);
     app.add_option("--radius", flags.radius_m, "of the vehicle, in metres")->check(CLI::Range(0.05, 5.0));
     app.add_option("--seed", flags.seed, "of the noise and the start; default: the scenario's")->envname("AISLE_SEED");
     app.add_option("--state-file", flags.state_file, "keeps the vehicle's place over a restart");
   };
-  return service::run_service(argc, argv, {"fake-vehicle", "Simulates one vehicle with its lidar", "--agv"}, options, [&](service::Shell& shell) {
-    if (!flags.start.empty() || flags.scenario_file.empty()) {
-      start_by_flags(flags, shell.agv_id(), config);
-    } else {
-      start_by_scenario(flags, shell.agv_id(), config);
-    }
-    config.state_file = flags.state_file;
-    fake_vehicle::FakeVehicleService vehicle(shell.bus(), shell.agv_id(), shell.instance_id(), shell.boot_id(), shell.health(), config);
-    shell.run();
-  });
+  return service::run_service(argc, argv, {"fake-vehicle", "Simulates one vehicle with its lidar", "--agv"}, options,
+                              [&](service::Shell& shell) {
+                                if (!flags.start.empty() || flags.scenario_file.empty()) {
+                                  start_by_flags(flags, shell.agv_id(), config);
+                                } else {
+                                  start_by_scenario(flags, shell.agv_id(), config);
+                                }
+                                config.state_file = flags.state_file;
+                                fake_vehicle::FakeVehicleService vehicle(shell.bus(), shell.agv_id(),
+                                                                         shell.instance_id(), shell.boot_id(),
+                                                                         shell.health(), config);
+                                shell.run();
+                              });
 }

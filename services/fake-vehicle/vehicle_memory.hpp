@@ -10,7 +10,7 @@ namespace aisle::fake_vehicle {
 
 /// What survives a kill -9: the body stays where it was, and who was replaced stays refused.
 struct VehicleMemory {
-  std::string run;                 // which vehicle of which run this is; of another one, the memory does not count
+  std::string run;  // which vehicle of which run this is; of another one, the memory does not count
   geometry::Pose2 base_in_map;
   std::uint32_t accepted_epoch{0};
 };

@@ -50,8 +50,8 @@ aisle::WorldObstacle encode(const Thing& thing) {
 
 }  // namespace
 
-FakeWorldService::FakeWorldService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
-                                   const ServiceConfig& config)
+FakeWorldService::FakeWorldService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id,
+                                   service::Health& health, const ServiceConfig& config)
     : bus_(bus),
       health_(health),
       config_(config),
@@ -62,14 +62,16 @@ FakeWorldService::FakeWorldService(bus::Bus& bus, const std::string& instance_id
       stamper_(instance_id, boot_id),
       obstacles_(bus.writer<topics::WorldObstacle>()),
       warnings_(std::chrono::seconds(10)) {
-  bus_.on<topics::WorldObstacle>([this](const aisle::WorldObstacle& sample, const SampleInfo& info) { take(sample, info); });
+  bus_.on<topics::WorldObstacle>(
+      [this](const aisle::WorldObstacle& sample, const SampleInfo& info) { take(sample, info); });
   bus_.every(kTick, [this] { tick(); });
   bus_.every(kHealthPeriod, [this] { tell_health(); });
   if (!config_.state_file.empty()) bus_.every(kKeepPeriod, [this] { keep_memory(); });
 }
 
 void FakeWorldService::take(const aisle::WorldObstacle& sample, const SampleInfo& info) {
-  if (info.kind != SampleKind::kData || sample.kind() != BodyKind::BODY_VEHICLE) return;   // a silent vehicle still stands there
+  if (info.kind != SampleKind::kData || sample.kind() != BodyKind::BODY_VEHICLE)
+    return;  // a silent vehicle still stands there
   const auto vehicle = wire::decode(sample);
   if (!vehicle) {
     health_.count("dropped_world_obstacle");

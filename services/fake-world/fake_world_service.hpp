@@ -19,15 +19,17 @@ namespace aisle::fake_world {
 struct ServiceConfig {
   scenario::Scenario scenario;
   std::uint64_t seed{1};
-  std::optional<std::int64_t> start_at_ns;   // second zero of the scenario, Unix epoch; none: when all vehicles are heard
-  std::filesystem::path state_file;          // empty: nothing is kept
+  std::optional<std::int64_t>
+      start_at_ns;                   // second zero of the scenario, Unix epoch; none: when all vehicles are heard
+  std::filesystem::path state_file;  // empty: nothing is kept
 };
 
 /// Shows the things of a scenario on `world_obstacle`, 50 times a second, from second zero on.
 class FakeWorldService {
  public:
   /// @throws config::BadInput for a recording that cannot be read
-  FakeWorldService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health, const ServiceConfig& config);
+  FakeWorldService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
+                   const ServiceConfig& config);
   FakeWorldService(const FakeWorldService&) = delete;
   FakeWorldService& operator=(const FakeWorldService&) = delete;
 

@@ -16,15 +16,19 @@ int main(int argc, char** argv) {
   const auto options = [&](CLI::App& app) {
     app.add_option("--scenario", scenario_file, "what moves and stands in the world")->envname("AISLE_SCENARIO");
     app.add_option("--seed", seed, "of speeds and phases; default: the scenario's")->envname("AISLE_SEED");
-    app.add_option("--start-at", config.start_at_ns, "second zero of the scenario, nanoseconds since the Unix epoch; default: when all vehicles are heard");
+    app.add_option(
+        "--start-at", config.start_at_ns,
+        "second zero of the scenario, nanoseconds since the Unix epoch; default: when all vehicles are heard");
     app.add_option("--state-file", config.state_file, "keeps the world's progress over a restart");
   };
-  return service::run_service(argc, argv, {"fake-world", "Simulates what moves and stands beside the vehicles", ""}, options,
-                              [&](service::Shell& shell) {
-                                if (scenario_file.empty()) throw config::BadInput("--scenario FILE is missing (or AISLE_SCENARIO)");
+  return service::run_service(argc, argv, {"fake-world", "Simulates what moves and stands beside the vehicles", ""},
+                              options, [&](service::Shell& shell) {
+                                if (scenario_file.empty())
+                                  throw config::BadInput("--scenario FILE is missing (or AISLE_SCENARIO)");
                                 config.scenario = scenario::read_scenario(scenario_file);
                                 config.seed = seed.value_or(config.scenario.seed);
-                                fake_world::FakeWorldService world(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), config);
+                                fake_world::FakeWorldService world(shell.bus(), shell.instance_id(), shell.boot_id(),
+                                                                   shell.health(), config);
                                 shell.run();
                               });
 }

@@ -10,8 +10,8 @@ namespace aisle::global_planner {
 namespace {
 
 using wire::Checks;
-using wire::Decoded;
 using wire::decode;
+using wire::Decoded;
 using wire::encode;
 
 template <class T>
@@ -21,20 +21,28 @@ Decoded<T> checked(const Checks& checks, T value) {
 
 Navigation::Activity activity(NavigationPhase phase) {
   switch (phase) {
-    case NavigationPhase::PHASE_BLOCKED: return Navigation::Activity::kBlocked;
-    case NavigationPhase::PHASE_ARRIVED: return Navigation::Activity::kArrived;
+    case NavigationPhase::PHASE_BLOCKED:
+      return Navigation::Activity::kBlocked;
+    case NavigationPhase::PHASE_ARRIVED:
+      return Navigation::Activity::kArrived;
     case NavigationPhase::PHASE_FAILED:
-    case NavigationPhase::PHASE_HELD: return Navigation::Activity::kStopped;
-    default: return Navigation::Activity::kUnderway;
+    case NavigationPhase::PHASE_HELD:
+      return Navigation::Activity::kStopped;
+    default:
+      return Navigation::Activity::kUnderway;
   }
 }
 
 Navigation::Cause cause(NavigationReason reason) {
   switch (reason) {
-    case NavigationReason::REASON_OBSTACLE: return Navigation::Cause::kObstacle;
-    case NavigationReason::REASON_VEHICLE: return Navigation::Cause::kVehicle;
-    case NavigationReason::REASON_OFF_PATH: return Navigation::Cause::kOffPath;
-    default: return Navigation::Cause::kOther;
+    case NavigationReason::REASON_OBSTACLE:
+      return Navigation::Cause::kObstacle;
+    case NavigationReason::REASON_VEHICLE:
+      return Navigation::Cause::kVehicle;
+    case NavigationReason::REASON_OFF_PATH:
+      return Navigation::Cause::kOffPath;
+    default:
+      return Navigation::Cause::kOther;
   }
 }
 
@@ -42,7 +50,8 @@ Navigation::Cause cause(NavigationReason reason) {
 
 Decoded<VehicleShape> decode(const aisle::VehicleInfo& sample) {
   const auto info = wire::decode(sample);
-  return info ? Decoded<VehicleShape>(shape_of(info->footprint, info->limits)) : Decoded<VehicleShape>::refused(info.reason());
+  return info ? Decoded<VehicleShape>(shape_of(info->footprint, info->limits))
+              : Decoded<VehicleShape>::refused(info.reason());
 }
 
 Decoded<geometry::Pose2> decode(const aisle::VehicleState& sample) {
@@ -98,15 +107,20 @@ Decoded<FleetPlan> decode(const aisle::Plan& sample) {
   FleetPlan plan;
   plan.agv_id = sample.agv_id().to_string();
   plan.plan_id = sample.plan_id();
-  checks.id("agv_id", plan.agv_id).known("outcome", sample.outcome(), PlanOutcome::PLAN_CANCELLED).known("trigger", sample.trigger(), PlanTrigger::TRIGGER_TAKEOVER);
-  plan.goal = {sample.goal_id().to_string(), decode(sample.goal_in_map(), checks, "goal_in_map"), sample.position_tolerance_m(),
-               sample.yaw_tolerance_rad(), sample.outcome() == PlanOutcome::PLAN_CANCELLED};
+  checks.id("agv_id", plan.agv_id)
+      .known("outcome", sample.outcome(), PlanOutcome::PLAN_CANCELLED)
+      .known("trigger", sample.trigger(), PlanTrigger::TRIGGER_TAKEOVER);
+  plan.goal = {sample.goal_id().to_string(), decode(sample.goal_in_map(), checks, "goal_in_map"),
+               sample.position_tolerance_m(), sample.yaw_tolerance_rad(),
+               sample.outcome() == PlanOutcome::PLAN_CANCELLED};
   plan.map_id = sample.map_id().to_string();
   plan.map_revision = sample.map_revision();
   plan.detail = sample.detail().to_string();
   plan.length_m = sample.length_m();
-  checks.within("length_m", plan.length_m, 0.0, 1e9).count("waypoints_in_map", sample.waypoints_in_map().size(), 0, 4096);
-  for (const aisle::Point& point : sample.waypoints_in_map()) plan.waypoints_in_map.push_back(decode(point, checks, "waypoints_in_map"));
+  checks.within("length_m", plan.length_m, 0.0, 1e9)
+      .count("waypoints_in_map", sample.waypoints_in_map().size(), 0, 4096);
+  for (const aisle::Point& point : sample.waypoints_in_map())
+    plan.waypoints_in_map.push_back(decode(point, checks, "waypoints_in_map"));
   if (!checks.ok()) return Decoded<FleetPlan>::refused(checks.reason());
   plan.outcome = static_cast<FleetOutcome>(sample.outcome());
   plan.trigger = static_cast<Trigger>(sample.trigger());
@@ -125,7 +139,8 @@ aisle::Plan encode(const FleetPlan& plan, const std::string& planner, double pla
   sample.detail(plan.detail);
   sample.planner(planner);
   geometry::Pose2 ends_in_map = plan.goal.pose_in_map;
-  if (plan.is_to_nearest) ends_in_map = {plan.waypoints_in_map.back().x, plan.waypoints_in_map.back().y, ends_in_map.yaw};
+  if (plan.is_to_nearest)
+    ends_in_map = {plan.waypoints_in_map.back().x, plan.waypoints_in_map.back().y, ends_in_map.yaw};
   sample.goal_in_map(encode(ends_in_map));
   sample.position_tolerance_m(plan.goal.position_tolerance_m);
   sample.yaw_tolerance_rad(plan.goal.yaw_tolerance_rad);

@@ -19,9 +19,9 @@ using process::monotonic_now;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTurn{20};
-constexpr milliseconds kAssert{50};          // of a lease of 200 ms
+constexpr milliseconds kAssert{50};  // of a lease of 200 ms
 constexpr std::uint32_t kMostEpochs = 2'000'000;
-constexpr const char* kPlanEpoch = "plan_epoch";   // counter in service_health: of the plans that a service follows
+constexpr const char* kPlanEpoch = "plan_epoch";  // counter in service_health: of the plans that a service follows
 
 std::unique_ptr<Planner> make_planner(const std::string& name) {
   if (const Variant* variant = find_variant(name)) return variant->make();
@@ -31,12 +31,14 @@ std::unique_ptr<Planner> make_planner(const std::string& name) {
 }
 
 /// A later epoch is heard, whatever its strength: ownership on the wire follows authority.
-int ownership_strength(std::uint32_t epoch, int strength) { return static_cast<int>(std::min(epoch, kMostEpochs)) * 1000 + strength; }
+int ownership_strength(std::uint32_t epoch, int strength) {
+  return static_cast<int>(std::min(epoch, kMostEpochs)) * 1000 + strength;
+}
 
 }  // namespace
 
-GlobalPlannerService::GlobalPlannerService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
-                                           const ServiceConfig& config)
+GlobalPlannerService::GlobalPlannerService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id,
+                                           service::Health& health, const ServiceConfig& config)
     : bus_(bus),
       config_(config),
       boot_id_(boot_id),
@@ -66,15 +68,17 @@ void GlobalPlannerService::listen() {
     work_soon();
   });
   bus_.on<topics::VehicleInfo>([this](const aisle::VehicleInfo& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) return;   // a vehicle that is gone still stands where it was
-    if (const auto shape = accepted("vehicle_info", decode(sample))) fleet_.set_vehicle(sample.agv_id().to_string(), *shape);
+    if (info.kind != SampleKind::kData) return;  // a vehicle that is gone still stands where it was
+    if (const auto shape = accepted("vehicle_info", decode(sample)))
+      fleet_.set_vehicle(sample.agv_id().to_string(), *shape);
   });
   bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
-    if (const auto pose = accepted("vehicle_state", decode(sample))) fleet_.set_pose(sample.agv_id().to_string(), *pose, monotonic_now());
+    if (const auto pose = accepted("vehicle_state", decode(sample)))
+      fleet_.set_pose(sample.agv_id().to_string(), *pose, monotonic_now());
   });
   bus_.on<topics::Goal>([this](const aisle::Goal& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) return;   // goals outlive whoever gave them
+    if (info.kind != SampleKind::kData) return;  // goals outlive whoever gave them
     if (const auto goal = accepted("goal", decode(sample))) fleet_.set_goal(sample.agv_id().to_string(), *goal);
     work_soon();
   });
@@ -109,7 +113,7 @@ void GlobalPlannerService::hear(const aisle::Plan& sample, const SampleInfo& inf
     if (leadership_.role() != Leadership::Role::kLeading) leadership_.lose_leader();
     return keep_lead();
   }
-  if (sample.by().boot_id() == boot_id_) return;   // our own
+  if (sample.by().boot_id() == boot_id_) return;  // our own
   const auto plan = accepted("plan", decode(sample));
   if (!plan) return;
   health_.count("heard_plans");
@@ -170,7 +174,7 @@ void GlobalPlannerService::rest_after_searches() {
 
 bool GlobalPlannerService::is_too_late(time::Stamp begun) {
   const time::Stamp now = monotonic_now();
-  if (now - asserted_ >= kAssert) {   // a long search is no silence
+  if (now - asserted_ >= kAssert) {  // a long search is no silence
     plans_.assert_liveliness();
     asserted_ = now;
   }

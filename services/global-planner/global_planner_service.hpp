@@ -15,9 +15,9 @@
 namespace aisle::global_planner {
 
 struct ServiceConfig {
-  std::string planner{"direct"};    // a name in core/variants
-  int strength{100};                // of this planner among those of one epoch; the highest is heard
-  bool standby{false};              // does not lead before the leader is gone
+  std::string planner{"direct"};  // a name in core/variants
+  int strength{100};              // of this planner among those of one epoch; the highest is heard
+  bool standby{false};            // does not lead before the leader is gone
   double longest_search_s{1.0};
   FleetSettings fleet;
 
@@ -31,12 +31,13 @@ struct ServiceConfig {
   }
 };
 
-/// Between the bus and the fleet planner. Makes at most one plan a turn of the loop, so that samples are handled in between; the
-/// `plan` writer exists only while this planner leads.
+/// Between the bus and the fleet planner. Makes at most one plan a turn of the loop, so that samples are handled in
+/// between; the `plan` writer exists only while this planner leads.
 class GlobalPlannerService {
  public:
   /// @throws config::BadInput for an unknown planner
-  GlobalPlannerService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health, const ServiceConfig& config);
+  GlobalPlannerService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
+                       const ServiceConfig& config);
   GlobalPlannerService(const GlobalPlannerService&) = delete;
   GlobalPlannerService& operator=(const GlobalPlannerService&) = delete;
 
@@ -63,7 +64,7 @@ class GlobalPlannerService {
   FleetPlanner fleet_;
   Leadership leadership_;
   bus::Writer<topics::Plan> plans_;
-  std::string followed_;             // the leader whose plans were heard last
+  std::string followed_;  // the leader whose plans were heard last
   time::Stamp asserted_{};
   std::uint64_t searches_before_rest_{0};
   bool is_work_posted_{false};

@@ -9,11 +9,14 @@ int main(int argc, char** argv) {
   const auto options = [&](CLI::App& app) {
     service::Shell::config(app, config);
     app.add_option("--planner", config.planner, "name of a planner, e.g. direct, wang or theta");
-    app.add_option("--strength", config.strength, "among planners of one epoch, the highest is heard")->check(CLI::Range(0, 999));
+    app.add_option("--strength", config.strength, "among planners of one epoch, the highest is heard")
+        ->check(CLI::Range(0, 999));
     app.add_flag("--standby", config.standby, "takes over when the leading planner is gone");
   };
-  return service::run_service(argc, argv, {"global-planner", "Plans a path for each vehicle with a goal", ""}, options, [&](service::Shell& shell) {
-    global_planner::GlobalPlannerService planner(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), config);
-    shell.run();
-  });
+  return service::run_service(argc, argv, {"global-planner", "Plans a path for each vehicle with a goal", ""}, options,
+                              [&](service::Shell& shell) {
+                                global_planner::GlobalPlannerService planner(shell.bus(), shell.instance_id(),
+                                                                             shell.boot_id(), shell.health(), config);
+                                shell.run();
+                              });
 }

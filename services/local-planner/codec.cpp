@@ -11,8 +11,8 @@ namespace aisle::local_planner {
 namespace {
 
 using wire::Checks;
-using wire::Decoded;
 using wire::decode;
+using wire::Decoded;
 using wire::encode;
 
 constexpr std::size_t kMostIntent = 64;
@@ -29,14 +29,16 @@ Decoded<Vehicle> decode(const aisle::VehicleInfo& sample) {
   const auto info = wire::decode(sample);
   if (!info) return Decoded<Vehicle>::refused(info.reason());
   const geometry::Footprint& footprint = info->footprint;
-  return Vehicle{info->agv_id, geometry::reach_m(footprint), info->limits, footprint.is_disc() ? std::nullopt : std::optional(footprint)};
+  return Vehicle{info->agv_id, geometry::reach_m(footprint), info->limits,
+                 footprint.is_disc() ? std::nullopt : std::optional(footprint)};
 }
 
 Decoded<StateReport> decode(const aisle::VehicleState& sample) {
   Checks checks;
   checks.id("agv_id", sample.agv_id().to_string());
   StateReport report;
-  report.state = {decode(sample.base_in_map(), checks, "base_in_map"), decode(sample.twist(), checks, "twist"), sample.steering_rad()};
+  report.state = {decode(sample.base_in_map(), checks, "base_in_map"), decode(sample.twist(), checks, "twist"),
+                  sample.steering_rad()};
   checks.within("steering_rad", sample.steering_rad(), -geometry::kPi, geometry::kPi);
   report.accepted_epoch = sample.accepted_epoch();
   return checked(checks, report);
@@ -60,7 +62,8 @@ Decoded<Plan> decode(const aisle::Plan& sample) {
       .within("position_tolerance_m", sample.position_tolerance_m(), 0.0, 100.0)
       .within("yaw_tolerance_rad", sample.yaw_tolerance_rad(), 0.0, 7.0)
       .count("waypoints_in_map", sample.waypoints_in_map().size(), plan.outcome == Plan::Outcome::kFound ? 1 : 0, 4096);
-  for (const aisle::Point& point : sample.waypoints_in_map()) plan.waypoints_in_map.push_back(decode(point, checks, "waypoints_in_map"));
+  for (const aisle::Point& point : sample.waypoints_in_map())
+    plan.waypoints_in_map.push_back(decode(point, checks, "waypoints_in_map"));
   return checked(checks, std::move(plan));
 }
 

@@ -19,10 +19,10 @@ using process::monotonic_now;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPeriod{20};
-constexpr int kStatusEvery = 5;                       // cycles
-constexpr milliseconds kTrackGrace{300};              // a new track may be heard before the status that lists it
+constexpr int kStatusEvery = 5;           // cycles
+constexpr milliseconds kTrackGrace{300};  // a new track may be heard before the status that lists it
 constexpr std::uint32_t kMostStrength = 1'000'000'000;
-constexpr double kUnknownRadiusM = 0.6;               // of a peer whose vehicle_info has not come yet
+constexpr double kUnknownRadiusM = 0.6;  // of a peer whose vehicle_info has not come yet
 
 const Variant& variant_of(const std::string& name) {
   if (const Variant* variant = find_variant(name)) return *variant;
@@ -31,8 +31,9 @@ const Variant& variant_of(const std::string& name) {
 
 }  // namespace
 
-LocalPlannerService::LocalPlannerService(bus::Bus& bus, const std::string& agv_id, const service::OriginStamper& stamper,
-                                         service::Health& health, const std::string& instance_id, const ServiceConfig& config)
+LocalPlannerService::LocalPlannerService(bus::Bus& bus, const std::string& agv_id,
+                                         const service::OriginStamper& stamper, service::Health& health,
+                                         const std::string& instance_id, const ServiceConfig& config)
     : bus_(bus),
       agv_id_(agv_id),
       command_stamper_(stamper),
@@ -49,7 +50,7 @@ LocalPlannerService::LocalPlannerService(bus::Bus& bus, const std::string& agv_i
   listen_to_vehicles();
   listen_to_tracks();
   bus_.on<topics::Plan>([this](const aisle::Plan& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take(sample);   // a plan outlives its planner
+    if (info.kind == SampleKind::kData) take(sample);  // a plan outlives its planner
   });
   bus_.every(kPeriod, [this] { cycle(); });
 }
@@ -69,7 +70,7 @@ void LocalPlannerService::listen_to_vehicles() {
     return entry;
   };
   bus_.on<topics::VehicleInfo>([this, peer](const aisle::VehicleInfo& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) return;       // a vehicle that is gone still stands where it was
+    if (info.kind != SampleKind::kData) return;  // a vehicle that is gone still stands where it was
     const auto vehicle = accepted("vehicle_info", decode(sample));
     if (!vehicle) return;
     if (vehicle->id == agv_id_) {
@@ -115,8 +116,10 @@ void LocalPlannerService::take_own_state(const aisle::VehicleState& sample, time
   }
   if (report->accepted_epoch > *epoch_ && !inputs_.authority_lost) {
     inputs_.authority_lost = true;
-    health_.last_error = agv_id_ + " obeys epoch " + std::to_string(report->accepted_epoch) + ", ours is " + std::to_string(*epoch_);
-    spdlog::warn("{}: another local planner drives it; this one stays silent until it is restarted", health_.last_error);
+    health_.last_error =
+        agv_id_ + " obeys epoch " + std::to_string(report->accepted_epoch) + ", ours is " + std::to_string(*epoch_);
+    spdlog::warn("{}: another local planner drives it; this one stays silent until it is restarted",
+                 health_.last_error);
   }
 }
 
@@ -124,15 +127,17 @@ void LocalPlannerService::take(const aisle::Plan& sample) {
   if (sample.agv_id().to_string() != agv_id_) return plan_authority_.hear(sample.by().epoch());
   auto plan = accepted("plan", decode(sample));
   if (!plan) return;
-  const PlanVerdict verdict = plan_authority_.judge(sample.by().epoch(), sample.by().boot_id(), sample.by().sequence_number());
+  const PlanVerdict verdict =
+      plan_authority_.judge(sample.by().epoch(), sample.by().boot_id(), sample.by().sequence_number());
   if (verdict == PlanVerdict::kAccepted) {
     inputs_.plan = *std::move(plan);
     return;
   }
   health_.count(std::string("refused_plan_") + name(verdict));
-  warnings_.warn(std::string("plan ") + name(verdict),
-                 fmt::format("plan refused: {} (plan {} of {}, epoch {}; newest epoch heard {})", name(verdict), sample.plan_id(),
-                             sample.by().source_id().to_string(), sample.by().epoch(), plan_authority_.epoch()));
+  warnings_.warn(
+      std::string("plan ") + name(verdict),
+      fmt::format("plan refused: {} (plan {} of {}, epoch {}; newest epoch heard {})", name(verdict), sample.plan_id(),
+                  sample.by().source_id().to_string(), sample.by().epoch(), plan_authority_.epoch()));
 }
 
 void LocalPlannerService::listen_to_tracks() {
@@ -156,13 +161,16 @@ void LocalPlannerService::take_status(const aisle::TrackingStatus& sample, time:
   for (const aisle::ScanUse& use : sample.newest_scans()) {
     if (use.agv_id().to_string() != agv_id_) continue;
     scan_stamp_ns_ = std::max<std::int64_t>(scan_stamp_ns_, use.scan_stamp_ns());
-    // Another number is another scan, also the 1 of a vehicle that was restarted. The first one heard may be of long ago.
+    // Another number is another scan, also the 1 of a vehicle that was restarted. The first one heard may be of long
+    // ago.
     const auto [known, is_first] = own_scans_.try_emplace(source, use.scan_sequence());
-    if (!is_first && std::exchange(known->second, use.scan_sequence()) != use.scan_sequence()) inputs_.tracker_alive = arrived;
+    if (!is_first && std::exchange(known->second, use.scan_sequence()) != use.scan_sequence())
+      inputs_.tracker_alive = arrived;
   }
   for (auto entry = tracks_.begin(); entry != tracks_.end();) {
     const bool listed = std::find(live.begin(), live.end(), entry->first) != live.end();
-    const bool lost = !listed && entry->second.source_id == source && arrived - entry->second.seen.arrived > kTrackGrace;
+    const bool lost =
+        !listed && entry->second.source_id == source && arrived - entry->second.seen.arrived > kTrackGrace;
     entry = lost ? tracks_.erase(entry) : std::next(entry);
   }
 }
@@ -183,7 +191,9 @@ void LocalPlannerService::cycle() {
   if (!silent) write_command(output);
   if (changed || (!silent && cycles_ % kStatusEvery == 0)) write_status(output);
   for (const Event& event : output.events) spdlog::info("{}", event.text);
-  if (changed) spdlog::info("{}: {}{}{}", name(output.phase), name(output.reason), output.detail.empty() ? "" : ": ", output.detail);
+  if (changed)
+    spdlog::info("{}: {}{}{}", name(output.phase), name(output.reason), output.detail.empty() ? "" : ": ",
+                 output.detail);
   phase_ = output.phase;
   reason_ = output.reason;
   if (cycles_++ % 50 == 0 || changed) report(output);
@@ -224,13 +234,22 @@ void LocalPlannerService::report(const Output& output) {
   health_.counters["epoch"] = epoch_.value_or(0);
   health_.counters["plan_epoch"] = plan_authority_.epoch();
   switch (output.reason) {
-    case Reason::kNoState: health_.waits_for = inputs_.vehicle ? "vehicle_state of " + agv_id_ : "vehicle_info of " + agv_id_; break;
-    case Reason::kNoMap: health_.waits_for = "map_info and map_tile"; break;
-    case Reason::kNoTracker: health_.waits_for = "tracking_status with scans of " + agv_id_; break;
-    default: health_.waits_for.clear();
+    case Reason::kNoState:
+      health_.waits_for = inputs_.vehicle ? "vehicle_state of " + agv_id_ : "vehicle_info of " + agv_id_;
+      break;
+    case Reason::kNoMap:
+      health_.waits_for = "map_info and map_tile";
+      break;
+    case Reason::kNoTracker:
+      health_.waits_for = "tracking_status with scans of " + agv_id_;
+      break;
+    default:
+      health_.waits_for.clear();
   }
   const bool degraded = output.phase == Phase::kHeld && output.reason != Reason::kCancelled;
-  health_.state = !health_.waits_for.empty() ? ServiceState::SERVICE_WAITING : degraded ? ServiceState::SERVICE_DEGRADED : ServiceState::SERVICE_READY;
+  health_.state = !health_.waits_for.empty() ? ServiceState::SERVICE_WAITING
+                  : degraded                 ? ServiceState::SERVICE_DEGRADED
+                                             : ServiceState::SERVICE_READY;
 }
 
 }  // namespace aisle::local_planner

@@ -16,7 +16,7 @@
 namespace aisle::local_planner {
 
 struct ServiceConfig {
-  std::string planner{"wang"};      // a name in core/variants
+  std::string planner{"wang"};  // a name in core/variants
   Settings settings;
 
   template <class Reader>
@@ -26,14 +26,15 @@ struct ServiceConfig {
   }
 };
 
-/// Between the bus and the core, for one vehicle: a command every 20 ms, zero while there is nothing to do; its status at 10 Hz
-/// and whenever phase or reason change. Commands begin when the vehicle was heard, with the epoch after the one that it obeys;
-/// when the vehicle obeys a later one, this planner falls silent for good (a person decides who drives on).
+/// Between the bus and the core, for one vehicle: a command every 20 ms, zero while there is nothing to do; its status
+/// at 10 Hz and whenever phase or reason change. Commands begin when the vehicle was heard, with the epoch after the
+/// one that it obeys; when the vehicle obeys a later one, this planner falls silent for good (a person decides who
+/// drives on).
 class LocalPlannerService {
  public:
   /// @throws config::BadInput for an unknown planner
-  LocalPlannerService(bus::Bus& bus, const std::string& agv_id, const service::OriginStamper& stamper, service::Health& health,
-                      const std::string& instance_id, const ServiceConfig& config);
+  LocalPlannerService(bus::Bus& bus, const std::string& agv_id, const service::OriginStamper& stamper,
+                      service::Health& health, const std::string& instance_id, const ServiceConfig& config);
   LocalPlannerService(const LocalPlannerService&) = delete;
   LocalPlannerService& operator=(const LocalPlannerService&) = delete;
 
@@ -68,8 +69,8 @@ class LocalPlannerService {
   std::map<std::uint64_t, TrackEntry> tracks_;
   bus::Writer<topics::VelocityCommand> commands_;
   bus::Writer<topics::NavigationStatus> statuses_;
-  std::optional<std::uint32_t> epoch_;          // of our commands, once the vehicle was heard
-  std::map<std::string, std::uint64_t> own_scans_;      // the newest in each tracker's tracks, by sequence number
+  std::optional<std::uint32_t> epoch_;              // of our commands, once the vehicle was heard
+  std::map<std::string, std::uint64_t> own_scans_;  // the newest in each tracker's tracks, by sequence number
   std::int64_t scan_stamp_ns_{0};
   double control_ms_{0.0};
   std::uint64_t cycles_{0};

@@ -14,20 +14,25 @@ int main(int argc, char** argv) {
   const auto options = [&](CLI::App& app) {
     service::Shell::config(app, config);
     app.add_option("--map", config.map, "map file: ROS .yaml, Moving AI .map, or a text grid .txt");
-    app.add_option("--map-id", config.map_id, "name of the map on the site; by default the file's name without its ending");
+    app.add_option("--map-id", config.map_id,
+                   "name of the map on the site; by default the file's name without its ending");
     app.add_option("--scenario", config.scenario, "serve the map of this scenario file");
-    app.add_option("--journal", config.journal, "SQLite file that keeps edits; without it they last until the process ends")
+    app.add_option("--journal", config.journal,
+                   "SQLite file that keeps edits; without it they last until the process ends")
         ->envname("AISLE_MAP_JOURNAL");
-    app.add_option("--cell-m", config.cell_m, "edge of a Moving AI or text cell in metres")->check(CLI::Range(1e-3, 1e3));
+    app.add_option("--cell-m", config.cell_m, "edge of a Moving AI or text cell in metres")
+        ->check(CLI::Range(1e-3, 1e3));
     app.add_option("--subdivide", config.subdivide, "cut each cell of the file into N x N")->check(CLI::Range(1, 64));
   };
-  return service::run_service(argc, argv, {"map", "Serves the site's map and its edits", ""}, options, [&](service::Shell& shell) {
-    map::MapStore store = map::open_map(config, process::wall_clock_ns());
-    const grid::Geometry& g = store.map().grid().geometry();
-    spdlog::info("map={} cells={}x{} resolution_m={} tiles={} revision={} edits={} journal={}", store.map().map_id(), g.width, g.height,
-                 g.resolution_m, store.map().tiles(), store.map().revision(), store.edits(),
-                 config.journal.empty() ? "none: edits last until this process ends" : config.journal);
-    map::MapService service(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), std::move(store));
-    shell.run();
-  });
+  return service::run_service(
+      argc, argv, {"map", "Serves the site's map and its edits", ""}, options, [&](service::Shell& shell) {
+        map::MapStore store = map::open_map(config, process::wall_clock_ns());
+        const grid::Geometry& g = store.map().grid().geometry();
+        spdlog::info("map={} cells={}x{} resolution_m={} tiles={} revision={} edits={} journal={}",
+                     store.map().map_id(), g.width, g.height, g.resolution_m, store.map().tiles(),
+                     store.map().revision(), store.edits(),
+                     config.journal.empty() ? "none: edits last until this process ends" : config.journal);
+        map::MapService service(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), std::move(store));
+        shell.run();
+      });
 }

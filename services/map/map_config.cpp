@@ -31,7 +31,8 @@ Source source_of(const MapConfig& config) {
 std::string id_of(const MapConfig& config, const std::filesystem::path& file) {
   const std::string id = config.map_id.empty() ? file.stem().string() : config.map_id;
   const auto is_fit = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
+           c == '.';
   };
   if (id.empty() || id.size() > 64 || !std::all_of(id.begin(), id.end(), is_fit)) {
     throw config::BadInput("--map-id: '" + id + "' is not an id; use 1 to 64 letters, digits, '-', '_' and '.'");
@@ -46,9 +47,11 @@ MapStore open_map(const MapConfig& config, std::int64_t now_ns) {
   const std::string id = id_of(config, source.file);
   const MapStore::Limits limits{{config.max_cells_per_edit}, config.max_edits};
   grid::OccupancyGrid grid = grid::read_map_file(source.file, source.options);
-  if (config.journal.empty()) return {SiteMap(id, std::move(grid), static_cast<std::uint64_t>(now_ns / 1000000)), nullptr, limits};
+  if (config.journal.empty())
+    return {SiteMap(id, std::move(grid), static_cast<std::uint64_t>(now_ns / 1000000)), nullptr, limits};
   SiteMap base(id, std::move(grid));
-  auto journal = std::make_unique<Journal>(config.journal, id, base.summary().hash, Journal::Options{std::int64_t{config.journal_max_mb} << 20});
+  auto journal = std::make_unique<Journal>(config.journal, id, base.summary().hash,
+                                           Journal::Options{std::int64_t{config.journal_max_mb} << 20});
   return {std::move(base), std::move(journal), limits};
 }
 

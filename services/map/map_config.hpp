@@ -8,14 +8,14 @@ namespace aisle::map {
 
 /// What aisle-map takes from its flags and its config file.
 struct MapConfig {
-  std::string map;                  // map file
-  std::string map_id;               // empty: the stem of the map file
-  std::string scenario;             // scenario file; its map is served, with its options
-  std::string journal;              // SQLite file; empty: edits last until the process ends
-  double cell_m{1.0};               // edge of a Moving AI or text cell
-  int subdivide{1};                 // cells of the grid along a cell of the file
+  std::string map;       // map file
+  std::string map_id;    // empty: the stem of the map file
+  std::string scenario;  // scenario file; its map is served, with its options
+  std::string journal;   // SQLite file; empty: edits last until the process ends
+  double cell_m{1.0};    // edge of a Moving AI or text cell
+  int subdivide{1};      // cells of the grid along a cell of the file
   int max_cells_per_edit{1000000};
-  int max_edits{200000};            // ever, of one journal
+  int max_edits{200000};  // ever, of one journal
   int journal_max_mb{256};
 
   template <class Reader>
@@ -33,8 +33,8 @@ struct MapConfig {
 };
 
 /// Reads the map and its journal. `now_ns`: nanoseconds since the Unix epoch.
-/// Without a journal the revision starts at the Unix time in milliseconds, not at 1: so it does not go back when the process starts
-/// again without the edits, and mirrors take the fresh map for the newer one.
+/// Without a journal the revision starts at the Unix time in milliseconds, not at 1: so it does not go back when the
+/// process starts again without the edits, and mirrors take the fresh map for the newer one.
 /// @throws config::BadInput, config::BadEnvironment
 MapStore open_map(const MapConfig& config, std::int64_t now_ns);
 

@@ -16,11 +16,12 @@ using std::chrono::milliseconds;
 
 namespace {
 constexpr milliseconds kRequestPeriod{10};
-constexpr int kTilesPerPeriod = 128;      // 4 kB each: 50 MB/s at most
+constexpr int kTilesPerPeriod = 128;  // 4 kB each: 50 MB/s at most
 constexpr int kLogLinesPerSecond = 20;
 }  // namespace
 
-MapService::MapService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health, MapStore store)
+MapService::MapService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
+                       MapStore store)
     : bus_(bus),
       health_(health),
       store_(std::move(store)),
@@ -51,9 +52,16 @@ void MapService::take(const aisle::MapEdit& sample) {
     result = std::move(answer.result);
   } else {
     drop("map_edit", edit.reason());
-    result = {sample.edit_id().to_string(), sample.map_id().to_string(), Outcome::kRefused, edit.reason(), store_.map().revision(), 0};
+    result = {sample.edit_id().to_string(),
+              sample.map_id().to_string(),
+              Outcome::kRefused,
+              edit.reason(),
+              store_.map().revision(),
+              0};
   }
-  const char* counter = result.outcome == Outcome::kApplied ? "edits_applied" : result.outcome == Outcome::kRefused ? "edits_refused" : "edits_repeated";
+  const char* counter = result.outcome == Outcome::kApplied   ? "edits_applied"
+                        : result.outcome == Outcome::kRefused ? "edits_refused"
+                                                              : "edits_repeated";
   health_.count(counter);
   if (result.outcome == Outcome::kRefused) health_.last_error = "edit " + result.edit_id + " refused: " + result.detail;
   if (lines_left_ > 0) {
@@ -62,19 +70,21 @@ void MapService::take(const aisle::MapEdit& sample) {
       spdlog::error("edit={} refused reason=\"{}\"", result.edit_id, result.detail);
     } else {
       spdlog::info("edit={} {} revision={} changed_cells={}", result.edit_id,
-                   result.outcome == Outcome::kApplied ? "applied" : "was applied before", result.revision, result.changed_cells);
+                   result.outcome == Outcome::kApplied ? "applied" : "was applied before", result.revision,
+                   result.changed_cells);
     }
   }
   answers_.push_back(std::move(result));
   if (is_publishing_) return;
-  is_publishing_ = true;   // once for all edits that wait
+  is_publishing_ = true;  // once for all edits that wait
   bus_.post([this] { publish_changes(); });
 }
 
 void MapService::take(const aisle::MapRequest& sample) {
   const auto request = wire::decode(sample);
   if (!request) return drop("map_request", request.reason());
-  if (!request->map_id.empty() && request->map_id != store_.map().map_id()) return drop("map_request", "map_id is of another map");
+  if (!request->map_id.empty() && request->map_id != store_.map().map_id())
+    return drop("map_request", "map_id is of another map");
   health_.count("map_requests");
   is_info_requested_ = true;
   for (const std::uint32_t tile : request->tiles) {

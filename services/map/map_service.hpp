@@ -10,11 +10,12 @@
 
 namespace aisle::map {
 
-/// The shell around MapStore: publishes the map at the start; answers edits with the tiles that changed, then map_info, then the
-/// result; writes tiles again for mirrors that miss them. Lives on the bus's loop.
+/// The shell around MapStore: publishes the map at the start; answers edits with the tiles that changed, then map_info,
+/// then the result; writes tiles again for mirrors that miss them. Lives on the bus's loop.
 class MapService {
  public:
-  MapService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health, MapStore store);
+  MapService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
+             MapStore store);
   MapService(const MapService&) = delete;
   MapService& operator=(const MapService&) = delete;
 
@@ -50,7 +51,7 @@ class MapService {
   bool is_publishing_{false};
   std::set<std::uint32_t> requested_tiles_;
   bool is_info_requested_{false};
-  int lines_left_{0};            // of log, in this second
+  int lines_left_{0};  // of log, in this second
 };
 
 }  // namespace aisle::map

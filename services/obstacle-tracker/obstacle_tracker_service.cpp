@@ -79,8 +79,8 @@ void ObstacleTrackerService::hear(const aisle::VehicleInfo& sample) {
   const auto body = accepted("vehicle_info", decode(sample));
   if (!body) return;
   if (vehicles_.count(body->agv_id) == 0 && vehicles_.size() >= kMostVehicles) {
-    warnings_.warn("vehicles",
-                   "vehicle_info of " + body->agv_id + " is not used: there are " + std::to_string(kMostVehicles) + " vehicles already");
+    warnings_.warn("vehicles", "vehicle_info of " + body->agv_id + " is not used: there are " +
+                                   std::to_string(kMostVehicles) + " vehicles already");
     return;
   }
   KnownVehicle& known = vehicles_[body->agv_id].known;
@@ -141,7 +141,8 @@ std::vector<KnownVehicle> ObstacleTrackerService::known_vehicles() const {
   known.reserve(vehicles_.size());
   for (const auto& [id, vehicle] : vehicles_) {
     known.push_back(vehicle.known);
-    if (!vehicle.has_state) known.back().stamp = time::Stamp::min() / 2;  // nobody knows where it is: it explains nothing
+    if (!vehicle.has_state)
+      known.back().stamp = time::Stamp::min() / 2;  // nobody knows where it is: it explains nothing
   }
   return known;
 }

@@ -15,9 +15,9 @@ namespace fs = std::filesystem;
 using Strings = std::vector<std::string>;
 
 struct Source {
-  std::string file;      // from the top, e.g. "common/grid/clearance.cpp"
-  Strings includes;      // as written between quotes or angle brackets
-  Strings code;          // lines without // comments
+  std::string file;  // from the top, e.g. "common/grid/clearance.cpp"
+  Strings includes;  // as written between quotes or angle brackets
+  Strings code;      // lines without // comments
 };
 
 Source read_source(const fs::path& path) {
@@ -38,7 +38,8 @@ const std::vector<Source>& all_sources() {
     for (const char* room : {"common", "services", "tools"}) {
       for (const auto& entry : fs::recursive_directory_iterator(fs::path(AISLE_SOURCE_DIR) / room)) {
         const std::string ending = entry.path().extension().string();
-        if (entry.is_regular_file() && (ending == ".hpp" || ending == ".cpp")) found.push_back(read_source(entry.path()));
+        if (entry.is_regular_file() && (ending == ".hpp" || ending == ".cpp"))
+          found.push_back(read_source(entry.path()));
       }
     }
     return found;
@@ -58,9 +59,11 @@ std::string core_of(const std::string& file) {
   return std::regex_search(file, match, core) ? match[1].str() : std::string{};
 }
 
-/// Values in, values out: no DDS, no clock, no thread, no log. (tools/lockstep is no core: it measures computing times.)
+/// Values in, values out: no DDS, no clock, no thread, no log. (tools/lockstep is no core: it measures computing
+/// times.)
 bool is_pure(const std::string& file) {
-  return !core_of(file).empty() || begins_with_any(file, {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/"});
+  return !core_of(file).empty() ||
+         begins_with_any(file, {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/"});
 }
 
 TEST(Architecture, FindsTheSources) { EXPECT_GT(all_sources().size(), 50U); }
@@ -79,15 +82,17 @@ TEST(Architecture, MessageTypesStayAtTheEdge) {
   for (const Source& source : all_sources()) {
     for (const std::string& include : source.includes) {
       if (!begins_with(include, "idl/")) continue;
-      EXPECT_TRUE(begins_with_any(source.file, edge) && core_of(source.file).empty()) << source.file << " includes " << include;
+      EXPECT_TRUE(begins_with_any(source.file, edge) && core_of(source.file).empty())
+          << source.file << " includes " << include;
     }
   }
 }
 
 TEST(Architecture, CoresKnowNoDdsClockThreadOrLog) {
-  const Strings refused{"idl/", "common/bus/", "common/wire/", "common/service/", "common/process/", "spdlog", "thread", "mutex", "shared_mutex",
-                        "condition_variable", "future"};
-  const std::regex clock_or_chance(R"(::now\s*\(|\brandom_device\b|\bstd::this_thread\b|\btime\s*\(\s*(nullptr|NULL|0)\s*\)|\bgettimeofday\b|\bclock_gettime\b|\bstd::c(out|err)\b)");
+  const Strings refused{"idl/",   "common/bus/", "common/wire/", "common/service/",    "common/process/", "spdlog",
+                        "thread", "mutex",       "shared_mutex", "condition_variable", "future"};
+  const std::regex clock_or_chance(
+      R"(::now\s*\(|\brandom_device\b|\bstd::this_thread\b|\btime\s*\(\s*(nullptr|NULL|0)\s*\)|\bgettimeofday\b|\bclock_gettime\b|\bstd::c(out|err)\b)");
   for (const Source& source : all_sources()) {
     if (!is_pure(source.file)) continue;
     for (const std::string& include : source.includes) {
@@ -96,7 +101,8 @@ TEST(Architecture, CoresKnowNoDdsClockThreadOrLog) {
       });
       EXPECT_FALSE(is_refused) << source.file << " includes " << include;
     }
-    for (const std::string& line : source.code) EXPECT_FALSE(std::regex_search(line, clock_or_chance)) << source.file << ": " << line;
+    for (const std::string& line : source.code)
+      EXPECT_FALSE(std::regex_search(line, clock_or_chance)) << source.file << ": " << line;
   }
 }
 
@@ -107,24 +113,31 @@ Strings allowed_rooms(const std::string& file) {
   if (begins_with(file, "common/grid/")) return {"common/geometry/", "common/time/", "common/config/"};
   if (begins_with(file, "common/config/")) return {};
   if (begins_with(file, "common/process/")) return {"common/time/", "common/config/"};
-  if (begins_with(file, "common/scenario/")) return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/", "common/config/"};
+  if (begins_with(file, "common/scenario/"))
+    return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/", "common/config/"};
   if (begins_with(file, "common/bus/")) return {"common/config/", "common/time/"};
-  if (begins_with(file, "common/wire/")) return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/"};
+  if (begins_with(file, "common/wire/"))
+    return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/"};
   if (begins_with(file, "common/")) return {"common/"};
-  const Strings for_cores{"common/geometry/", "common/grid/", "common/kinematics/", "common/time/", "common/config/", "common/scenario/"};
-  if (begins_with(file, "tools/referee/")) return begins_with(file, "tools/referee/core/") ? for_cores : Strings{"common/"};
+  const Strings for_cores{"common/geometry/", "common/grid/",   "common/kinematics/",
+                          "common/time/",     "common/config/", "common/scenario/"};
+  if (begins_with(file, "tools/referee/"))
+    return begins_with(file, "tools/referee/core/") ? for_cores : Strings{"common/"};
   const std::string core = core_of(file);
   if (!core.empty()) {
     Strings rooms = for_cores;
     if (core != "services/obstacle-tracker/core/") rooms.push_back("services/obstacle-tracker/core/track.hpp");
     return rooms;
   }
-  // `aisle drive` runs the lock-step simulator and draws its runs as the referee draws real ones; it judges nothing with either.
-  if (begins_with(file, "tools/aisle/")) return {"common/", "services/", "tools/lockstep/", "tools/tracking/", "tools/referee/core/", "tools/referee/report/"};
+  // `aisle drive` runs the lock-step simulator and draws its runs as the referee draws real ones; it judges nothing
+  // with either.
+  if (begins_with(file, "tools/aisle/"))
+    return {"common/",         "services/",           "tools/lockstep/",
+            "tools/tracking/", "tools/referee/core/", "tools/referee/report/"};
   // `aisle track --scenario` lets the lock-step simulator drive the vehicles whose scans it makes.
   if (begins_with(file, "tools/tracking/")) return {"common/", "services/", "tools/lockstep/"};
   if (begins_with(file, "tools/")) return {"common/", "services/"};
-  return {"common/", "services/obstacle-tracker/core/track.hpp"};   // a service; its own folder comes with it
+  return {"common/", "services/obstacle-tracker/core/track.hpp"};  // a service; its own folder comes with it
 }
 
 TEST(Architecture, IncludesPointOneWay) {

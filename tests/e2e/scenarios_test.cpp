@@ -22,9 +22,12 @@ TEST(Scenarios, CrossingIsDriven) {
   EXPECT_GT(run.report["least_clearance_m"].get<double>(), 0.0);
 }
 
-/// In reverse order of start; the map comes when all others wait for it, a local planner when its goal was given long ago.
+/// In reverse order of start; the map comes when all others wait for it, a local planner when its goal was given long
+/// ago.
 TEST(Scenarios, CrossingIsDrivenWhoeverComesLate) {
-  const DemoRun run = run_demo("crossing-late", {"crossing", "--seed", "2", "--reversed", "--delay", "map@3", "--delay", "local-planner-agv-2@8"}, 150.0);
+  const DemoRun run = run_demo(
+      "crossing-late",
+      {"crossing", "--seed", "2", "--reversed", "--delay", "map@3", "--delay", "local-planner-agv-2@8"}, 150.0);
   expect_passed(run);
   expect_clean(run);
   EXPECT_EQ(run.report["contacts"], 0);
@@ -57,17 +60,21 @@ TEST(Scenarios, AroundTheCornerAPersonThatTheOtherVehicleSeesIsAvoided) {
   expect_passed(run);
   expect_clean(run);
   EXPECT_EQ(run.report["contacts"], 0);
-  EXPECT_GE(run.report["least_clearance_vehicle_person_m"].get<double>(), run.report["person_clearance_asked_m"].get<double>());
+  EXPECT_GE(run.report["least_clearance_vehicle_person_m"].get<double>(),
+            run.report["person_clearance_asked_m"].get<double>());
   EXPECT_GT(run.report["person_clearance_asked_m"].get<double>(), 0.0);
 }
 
 /// The same run, but for one line: what agv-2 sees does not reach the tracker.
 TEST(Scenarios, AroundTheCornerAPersonIsMetTooLateWithoutFusion) {
   const std::string config = configuration_with("only_scans_of: \"\"", "only_scans_of: agv-1");
-  const DemoRun run = run_demo("around-the-corner-alone", {"around-the-corner", "--seed", "1", "--config", config}, 100.0);
+  const DemoRun run =
+      run_demo("around-the-corner-alone", {"around-the-corner", "--seed", "1", "--config", config}, 100.0);
   ASSERT_TRUE(run.report.is_object()) << run.output;
   EXPECT_EQ(run.code, 1) << run.output;
-  EXPECT_LT(run.report["least_clearance_vehicle_person_m"].get<double>(), run.report["person_clearance_asked_m"].get<double>()) << run.output;
+  EXPECT_LT(run.report["least_clearance_vehicle_person_m"].get<double>(),
+            run.report["person_clearance_asked_m"].get<double>())
+      << run.output;
   EXPECT_EQ(run.report["passed"], false);
 }
 

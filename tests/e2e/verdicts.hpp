@@ -17,10 +17,11 @@ inline void expect_passed(const DemoRun& run) {
   EXPECT_GT(run.report["distance_m"].get<double>(), 1.0);
 }
 
-/// An assertion of Debian's Fast DDS 2.9.1 that fails when a peer's lease is looked at in the moment in which it leaves; seen on
-/// machines with far more work than cores. The restart policy is what helps, here as in production.
+/// An assertion of Debian's Fast DDS 2.9.1 that fails when a peer's lease is looked at in the moment in which it
+/// leaves; seen on machines with far more work than cores. The restart policy is what helps, here as in production.
 inline bool is_fault_of_the_middleware(const nlohmann::json& death) {
-  return death["ending"] == "signal 6" && death["last_words"].get<std::string>().find("check_remote_participant_liveliness") != std::string::npos;
+  return death["ending"] == "signal 6" &&
+         death["last_words"].get<std::string>().find("check_remote_participant_liveliness") != std::string::npos;
 }
 
 /// Besides: everything that was started ran to the end and stopped when asked.

@@ -44,9 +44,11 @@ class Watchdog : public ::testing::Test {
     fs::remove_all(settings_.out);
     fs::create_directories(settings_.out / "state");
     listen();
-    for (const demo::Process& process : demo::processes_of(scenario::read_scenario(settings_.scenario_file), settings_)) {
+    for (const demo::Process& process :
+         demo::processes_of(scenario::read_scenario(settings_.scenario_file), settings_)) {
       if (process.is_referee) continue;
-      auto child = std::make_unique<demo::Child>(process, fs::path(AISLE_BIN_DIR) / process.program, settings_.out / (process.instance + ".log"), false);
+      auto child = std::make_unique<demo::Child>(process, fs::path(AISLE_BIN_DIR) / process.program,
+                                                 settings_.out / (process.instance + ".log"), false);
       if (process.instance == std::string("local-planner-") + kVehicle) local_planner_ = child.get();
       children_.push_back(std::move(child));
     }
@@ -60,14 +62,16 @@ class Watchdog : public ::testing::Test {
     bus_ = std::make_unique<bus::Bus>(site);
     bus_->on<topics::WorldObstacle>([this](const aisle::WorldObstacle& s, const bus::SampleInfo& info) {
       if (info.kind != bus::SampleKind::kData || s.obstacle_id().to_string() != kVehicle) return;
-      way_.push_back({info.arrived, s.base_in_map().x_m(), s.base_in_map().y_m(), std::hypot(s.velocity_x_mps(), s.velocity_y_mps())});
+      way_.push_back({info.arrived, s.base_in_map().x_m(), s.base_in_map().y_m(),
+                      std::hypot(s.velocity_x_mps(), s.velocity_y_mps())});
     });
     bus_->on<topics::VehicleState>([this](const aisle::VehicleState& s, const bus::SampleInfo& info) {
       if (info.kind != bus::SampleKind::kData || s.agv_id().to_string() != kVehicle || !killed_at_ || held_at_) return;
       if (s.hold() != HoldReason::HOLD_NONE) held_at_ = info.arrived;
     });
     bus_->on<topics::VehicleInfo>([this](const aisle::VehicleInfo& s, const bus::SampleInfo& info) {
-      if (info.kind == bus::SampleKind::kData && s.agv_id().to_string() == kVehicle) deceleration_mps2_ = s.max_deceleration_mps2();
+      if (info.kind == bus::SampleKind::kData && s.agv_id().to_string() == kVehicle)
+        deceleration_mps2_ = s.max_deceleration_mps2();
     });
   }
 
@@ -98,16 +102,20 @@ class Watchdog : public ::testing::Test {
   std::optional<Clock::time_point> held_at_;
 };
 
-double seconds_between(Clock::time_point a, Clock::time_point b) { return std::chrono::duration<double>(b - a).count(); }
+double seconds_between(Clock::time_point a, Clock::time_point b) {
+  return std::chrono::duration<double>(b - a).count();
+}
 
 TEST_F(Watchdog, StopsAVehicleWhoseLocalPlannerIsKilled) {
   ASSERT_NE(local_planner_, nullptr);
-  ASSERT_TRUE(wait_until([this] { return cruises(); }, std::chrono::seconds(60))) << "the vehicle never drove at a steady 0.5 m/s";
+  ASSERT_TRUE(wait_until([this] { return cruises(); }, std::chrono::seconds(60)))
+      << "the vehicle never drove at a steady 0.5 m/s";
   local_planner_->send(SIGKILL);
   killed_at_ = Clock::now();
   const std::size_t at_kill = way_.size() - 1;
   const double speed_mps = way_[at_kill].speed_mps;
-  ASSERT_TRUE(wait_until([this] { return held_at_ && way_.back().speed_mps < 1e-3; }, std::chrono::seconds(10))) << "it never came to a stand";
+  ASSERT_TRUE(wait_until([this] { return held_at_ && way_.back().speed_mps < 1e-3; }, std::chrono::seconds(10)))
+      << "it never came to a stand";
 
   double way_m = 0.0;
   std::size_t stood = at_kill;
@@ -118,7 +126,8 @@ TEST_F(Watchdog, StopsAVehicleWhoseLocalPlannerIsKilled) {
   const double braking_m = speed_mps * speed_mps / (2.0 * deceleration_mps2_);
   std::printf("from %.2f m/s to a stand in %.3f m (allowed %.3f m), HOLD after %.0f ms\n", speed_mps, way_m,
               1.05 * (speed_mps * 0.25 + braking_m), 1e3 * seconds_between(*killed_at_, *held_at_));
-  EXPECT_LE(way_m, 1.05 * (speed_mps * 0.25 + braking_m)) << "from " << speed_mps << " m/s at " << deceleration_mps2_ << " m/s2";
+  EXPECT_LE(way_m, 1.05 * (speed_mps * 0.25 + braking_m))
+      << "from " << speed_mps << " m/s at " << deceleration_mps2_ << " m/s2";
   EXPECT_GE(way_m, 0.9 * braking_m) << "faster than the vehicle can brake: the test measures something else";
   ASSERT_LT(stood, way_.size());
   EXPECT_LE(seconds_between(*killed_at_, way_[stood].arrived), 1.05 * (0.25 + speed_mps / deceleration_mps2_) + 0.02);

@@ -14,9 +14,9 @@ namespace aisle::e2e {
 namespace {
 
 namespace fs = std::filesystem;
+using test_support::ChildProcess;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using test_support::ChildProcess;
 
 constexpr std::chrono::seconds kLimit{10};
 constexpr int kBadInput = 2;
@@ -59,8 +59,13 @@ struct Program {
   std::vector<std::string> arguments;
 };
 std::vector<Program> services() {
-  return {{"aisle-map", {}}, {"aisle-global-planner", {}}, {"aisle-obstacle-tracker", {}}, {"aisle-local-planner", {"--agv", "agv-1"}},
-          {"aisle-fake-vehicle", {"--agv", "agv-1"}}, {"aisle-fake-world", {}}, {"aisle-dispatcher", {}}};
+  return {{"aisle-map", {}},
+          {"aisle-global-planner", {}},
+          {"aisle-obstacle-tracker", {}},
+          {"aisle-local-planner", {"--agv", "agv-1"}},
+          {"aisle-fake-vehicle", {"--agv", "agv-1"}},
+          {"aisle-fake-world", {}},
+          {"aisle-dispatcher", {}}};
 }
 
 std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
@@ -107,9 +112,13 @@ TEST_F(WrongInputs, AMissingVehicleIdIsNamed) {
 }
 
 TEST_F(WrongInputs, AScenarioThatIsNotThereIsNamed) {
-  for (const Program& program : std::vector<Program>{{"aisle-map", {}}, {"aisle-fake-world", {}}, {"aisle-dispatcher", {}}, {"aisle-referee", {}},
+  for (const Program& program : std::vector<Program>{{"aisle-map", {}},
+                                                     {"aisle-fake-world", {}},
+                                                     {"aisle-dispatcher", {}},
+                                                     {"aisle-referee", {}},
                                                      {"aisle-fake-vehicle", {"--agv", "agv-1"}}}) {
-    const Answer answer = ask(program.name, with(program.arguments, {"--interface", "127.0.0.1", "--scenario", path("none.yaml")}));
+    const Answer answer =
+        ask(program.name, with(program.arguments, {"--interface", "127.0.0.1", "--scenario", path("none.yaml")}));
     EXPECT_EQ(answer.code, kBadInput) << program.name << ": " << answer.text;
     EXPECT_THAT(answer.text, HasSubstr("none.yaml")) << program.name;
   }
@@ -117,9 +126,13 @@ TEST_F(WrongInputs, AScenarioThatIsNotThereIsNamed) {
 
 TEST_F(WrongInputs, ABadScenarioIsNamedWithItsLine) {
   write("bad.yaml", "map: hall.txt\nvehicles:\n  - {id: agv-1, start: [2.0, 1.5, 0.0], max_sped_mps: 1.0}\n");
-  for (const Program& program : std::vector<Program>{{"aisle-map", {}}, {"aisle-fake-world", {}}, {"aisle-dispatcher", {}}, {"aisle-referee", {}},
+  for (const Program& program : std::vector<Program>{{"aisle-map", {}},
+                                                     {"aisle-fake-world", {}},
+                                                     {"aisle-dispatcher", {}},
+                                                     {"aisle-referee", {}},
                                                      {"aisle-fake-vehicle", {"--agv", "agv-1"}}}) {
-    const Answer answer = ask(program.name, with(program.arguments, {"--interface", "127.0.0.1", "--scenario", path("bad.yaml")}));
+    const Answer answer =
+        ask(program.name, with(program.arguments, {"--interface", "127.0.0.1", "--scenario", path("bad.yaml")}));
     EXPECT_EQ(answer.code, kBadInput) << program.name << ": " << answer.text;
     EXPECT_THAT(answer.text, HasSubstr("bad.yaml:3")) << program.name;
     EXPECT_THAT(answer.text, HasSubstr("max_speed_mps")) << program.name;
@@ -139,7 +152,8 @@ TEST_F(WrongInputs, AMapThatIsNotThereIsNamed) {
 }
 
 TEST_F(WrongInputs, AVehicleThatTheScenarioDoesNotHaveIsNamed) {
-  const Answer answer = ask("aisle-fake-vehicle", {"--interface", "127.0.0.1", "--agv", "agv-9", "--scenario", path("good.yaml")});
+  const Answer answer =
+      ask("aisle-fake-vehicle", {"--interface", "127.0.0.1", "--agv", "agv-9", "--scenario", path("good.yaml")});
   EXPECT_EQ(answer.code, kBadInput) << answer.text;
   EXPECT_THAT(answer.text, HasSubstr("agv-9"));
   EXPECT_THAT(answer.text, HasSubstr("agv-1"));

@@ -18,7 +18,9 @@ inline grid::OccupancyGrid grid_from_text(const std::vector<std::string>& lines,
     if (static_cast<int>(line.size()) != width) throw std::invalid_argument("lines of unequal length");
     for (int x = 0; x < width; ++x) {
       const char c = line[static_cast<std::size_t>(x)];
-      grid.set({x, y}, c == '#' ? grid::Occupancy::kOccupied : c == '?' ? grid::Occupancy::kUnknown : grid::Occupancy::kFree);
+      grid.set({x, y}, c == '#'   ? grid::Occupancy::kOccupied
+                       : c == '?' ? grid::Occupancy::kUnknown
+                                  : grid::Occupancy::kFree);
     }
   }
   return grid;
@@ -29,7 +31,8 @@ inline geometry::Point2 find_letter(const std::vector<std::string>& lines, char 
   for (std::size_t row = 0; row < lines.size(); ++row) {
     const std::size_t x = lines[row].find(letter);
     if (x == std::string::npos) continue;
-    return {(static_cast<double>(x) + 0.5) * resolution_m, (static_cast<double>(lines.size() - 1 - row) + 0.5) * resolution_m};
+    return {(static_cast<double>(x) + 0.5) * resolution_m,
+            (static_cast<double>(lines.size() - 1 - row) + 0.5) * resolution_m};
   }
   throw std::invalid_argument(std::string("no letter ") + letter);
 }

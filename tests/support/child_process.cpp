@@ -26,8 +26,9 @@ bool append(int fd, std::string& text) {
   return count != 0;
 }
 
-[[noreturn]] void become(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment, int out, int err) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);   // no orphan when the test dies first
+[[noreturn]] void become(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment,
+                         int out, int err) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // no orphan when the test dies first
   for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
@@ -41,7 +42,8 @@ bool append(int fd, std::string& text) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment) {
+ChildProcess::ChildProcess(const std::vector<std::string>& command,
+                           const std::map<std::string, std::string>& environment) {
   int out[2];
   int err[2];
   if (pipe2(out, O_CLOEXEC) != 0 || pipe2(err, O_CLOEXEC) != 0) std::abort();
@@ -67,14 +69,16 @@ void ChildProcess::signal(int number) { kill(pid_, number); }
 
 bool ChildProcess::has_ended() {
   int status = 0;
-  if (!code_ && waitpid(pid_, &status, WNOHANG) == pid_) code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  if (!code_ && waitpid(pid_, &status, WNOHANG) == pid_)
+    code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return code_.has_value();
 }
 
 bool ChildProcess::read_some(milliseconds limit) {
-  pollfd fds[2] = {{out_fd_, POLLIN, 0}, {err_fd_, POLLIN, 0}};   // a negative fd is skipped
+  pollfd fds[2] = {{out_fd_, POLLIN, 0}, {err_fd_, POLLIN, 0}};  // a negative fd is skipped
   if (out_fd_ < 0 && err_fd_ < 0) return false;
-  if (poll(fds, 2, static_cast<int>(std::max<milliseconds::rep>(limit.count(), 0))) <= 0) return true;   // a negative limit would be for ever
+  if (poll(fds, 2, static_cast<int>(std::max<milliseconds::rep>(limit.count(), 0))) <= 0)
+    return true;  // a negative limit would be for ever
   if (fds[0].revents != 0 && !append(out_fd_, out_)) close(std::exchange(out_fd_, -1));
   if (fds[1].revents != 0 && !append(err_fd_, err_)) close(std::exchange(err_fd_, -1));
   return true;
@@ -86,7 +90,8 @@ std::optional<int> ChildProcess::wait(milliseconds limit) {
     const auto left = std::chrono::duration_cast<milliseconds>(end - Clock::now());
     if (!read_some(std::min(left, milliseconds(100)))) {
       int status = 0;
-      if (!code_ && waitpid(pid_, &status, 0) == pid_) code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+      if (!code_ && waitpid(pid_, &status, 0) == pid_)
+        code_ = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
       return code_;
     }
   }

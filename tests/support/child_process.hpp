@@ -13,7 +13,8 @@ namespace aisle::test_support {
 class ChildProcess {
  public:
   /// `environment` is added to the test's own. Aborts the test program when it cannot be started.
-  explicit ChildProcess(const std::vector<std::string>& command, const std::map<std::string, std::string>& environment = {});
+  explicit ChildProcess(const std::vector<std::string>& command,
+                        const std::map<std::string, std::string>& environment = {});
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
@@ -22,7 +23,8 @@ class ChildProcess {
   void signal(int number);
   /// Reads output until the process ends, at most `limit`. Exit code, 128 + signal, or nothing when it still runs.
   std::optional<int> wait(std::chrono::milliseconds limit);
-  /// Reads output until stdout or stderr holds `text`. False when it does not within `limit` or the process ended without.
+  /// Reads output until stdout or stderr holds `text`. False when it does not within `limit` or the process ended
+  /// without.
   bool wait_for_output(const std::string& text, std::chrono::milliseconds limit);
   const std::string& out() const { return out_; }
   const std::string& err() const { return err_; }

@@ -100,12 +100,15 @@ std::string place_of(const bus::Settings& settings) {
   return text;
 }
 
-std::string unique_id(const std::string& prefix) { return prefix + "-" + std::to_string(process::wall_clock_ns() / 1000); }
+std::string unique_id(const std::string& prefix) {
+  return prefix + "-" + std::to_string(process::wall_clock_ns() / 1000);
+}
 
 std::vector<std::string> protect_negative_numbers(int argc, const char* const* argv) {
   std::vector<std::string> arguments(argv, argv + argc);
   for (std::string& argument : arguments) {
-    const bool is_number = argument.size() > 1 && argument[0] == '-' && (std::isdigit(static_cast<unsigned char>(argument[1])) || argument[1] == '.');
+    const bool is_number = argument.size() > 1 && argument[0] == '-' &&
+                           (std::isdigit(static_cast<unsigned char>(argument[1])) || argument[1] == '.');
     if (is_number) argument.insert(argument.begin(), ' ');
   }
   return arguments;

@@ -23,13 +23,14 @@ struct Cli {
 
 using Seconds = std::chrono::duration<double>;
 
-/// A verb with --help and --json below `parent`. Its arguments are read into values that must live until it has run; what a value
-/// holds at first is its default. (The parser's headers take seconds to compile, so only cli.cpp and main.cpp include them.)
+/// A verb with --help and --json below `parent`. Its arguments are read into values that must live until it has run;
+/// what a value holds at first is its default. (The parser's headers take seconds to compile, so only cli.cpp and
+/// main.cpp include them.)
 class Verb {
  public:
   Verb(CLI::App& parent, Cli& cli, const std::string& name, const std::string& purpose);
 
-  Verb& argument(const std::string& name, std::string& value, const std::string& help);   // by its place; must be given
+  Verb& argument(const std::string& name, std::string& value, const std::string& help);  // by its place; must be given
   Verb& flag(const std::string& name, bool& value, const std::string& help);
   Verb& option(const std::string& name, std::string& value, const std::string& help);
   Verb& option(const std::string& name, double& value, double low, double high, const std::string& help);
@@ -44,8 +45,8 @@ class Verb {
   Cli& cli_;
 };
 
-/// Joins the site under `name`, as a super client behind a discovery server. Incompatible QoS and foreign types on topics that the
-/// verb uses become warnings on stderr. @throws config::BadEnvironment
+/// Joins the site under `name`, as a super client behind a discovery server. Incompatible QoS and foreign types on
+/// topics that the verb uses become warnings on stderr. @throws config::BadEnvironment
 std::unique_ptr<bus::Bus> join(const Cli& cli, const std::string& name);
 
 /// Runs the loop until `done` (asked after each event), for at most `limit` or until a signal. True when done.

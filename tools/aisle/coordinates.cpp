@@ -12,7 +12,7 @@ namespace aisle::cli {
 namespace {
 
 constexpr double kFarthestM = 1e6;
-constexpr double kLargest_m = 100.0;   // of a vehicle
+constexpr double kLargest_m = 100.0;  // of a vehicle
 
 std::vector<double> split_numbers(const std::string& what, const std::string& text, const std::string& example) {
   const auto fail = [&](const std::string& why) {
@@ -38,16 +38,20 @@ TypedPose parse_pose(const std::string& what, const std::string& text) {
   const std::string example = "4.5,12 or 4.5,12,1.57 (x and y in metres, yaw in radians)";
   const std::vector<double> numbers = split_numbers(what, text, example);
   if (numbers.size() != 2 && numbers.size() != 3) {
-    throw config::BadInput(what + ": '" + text + "' has " + std::to_string(numbers.size()) + " numbers; write e.g. " + example);
+    throw config::BadInput(what + ": '" + text + "' has " + std::to_string(numbers.size()) + " numbers; write e.g. " +
+                           example);
   }
   const bool has_yaw = numbers.size() == 3;
   return {{numbers[0], numbers[1], has_yaw ? geometry::wrap(numbers[2]) : 0.0}, has_yaw};
 }
 
 geometry::Footprint parse_footprint(const std::string& what, const std::string& text) {
-  const std::string example = "2.4,1.1 or 2.4,1.1,0.4 (length, width and how far the middle lies ahead of the vehicle's frame, in metres)";
+  const std::string example =
+      "2.4,1.1 or 2.4,1.1,0.4 (length, width and how far the middle lies ahead of the vehicle's frame, in metres)";
   const std::vector<double> numbers = split_numbers(what, text, example);
-  const auto fail = [&](const std::string& why) { throw config::BadInput(what + ": '" + text + "' " + why + "; write e.g. " + example); };
+  const auto fail = [&](const std::string& why) {
+    throw config::BadInput(what + ": '" + text + "' " + why + "; write e.g. " + example);
+  };
   if (numbers.size() != 2 && numbers.size() != 3) fail("has " + std::to_string(numbers.size()) + " numbers");
   if (numbers[0] <= 0.0 || numbers[1] <= 0.0) fail("has a length or width that is not above 0");
   for (const double number : numbers) {
@@ -56,11 +60,12 @@ geometry::Footprint parse_footprint(const std::string& what, const std::string& 
   return geometry::rectangle(numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0);
 }
 
-std::vector<double> parse_numbers(const std::string& what, const std::string& text, std::size_t count, const std::string& example) {
+std::vector<double> parse_numbers(const std::string& what, const std::string& text, std::size_t count,
+                                  const std::string& example) {
   std::vector<double> numbers = split_numbers(what, text, example);
   if (numbers.size() != count) {
-    throw config::BadInput(what + ": '" + text + "' has " + std::to_string(numbers.size()) + " numbers, not " + std::to_string(count) +
-                           "; write e.g. " + example);
+    throw config::BadInput(what + ": '" + text + "' has " + std::to_string(numbers.size()) + " numbers, not " +
+                           std::to_string(count) + "; write e.g. " + example);
   }
   return numbers;
 }

@@ -21,6 +21,7 @@ TypedPose parse_pose(const std::string& what, const std::string& text);
 geometry::Footprint parse_footprint(const std::string& what, const std::string& text);
 
 /// "a,b,...": exactly `count` finite numbers within 1e6. @throws config::BadInput
-std::vector<double> parse_numbers(const std::string& what, const std::string& text, std::size_t count, const std::string& example);
+std::vector<double> parse_numbers(const std::string& what, const std::string& text, std::size_t count,
+                                  const std::string& example);
 
 }  // namespace aisle::cli

@@ -32,12 +32,15 @@ constexpr Seconds kScan{1.0};
 class Examination {
  public:
   explicit Examination(const Cli& cli) : bus_(join(cli, "aisle-doctor")) {
-    bus_->on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) { take(sample, info); });
+    bus_->on<topics::ServiceHealth>(
+        [this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) { take(sample, info); });
     bus_->on<topics::VehicleState>([this](const aisle::VehicleState& sample, const bus::SampleInfo& info) {
       if (info.kind == bus::SampleKind::kData) vehicles_.take(sample);
     });
   }
-  void look(Seconds time) { run_until(*bus_, time, [] { return false; }); }
+  void look(Seconds time) {
+    run_until(*bus_, time, [] { return false; });
+  }
 
   std::size_t participants() const { return bus_->participants().size(); }
   std::size_t services() const { return health_.size(); }
@@ -45,7 +48,9 @@ class Examination {
   std::vector<Problem> problems(const bus::Settings& settings) const {
     std::vector<bus::Endpoint> others = bus_->endpoints();
     const std::string& own_name = bus_->settings().participant_name;
-    others.erase(std::remove_if(others.begin(), others.end(), [&](const bus::Endpoint& end) { return end.participant == own_name; }), others.end());
+    others.erase(std::remove_if(others.begin(), others.end(),
+                                [&](const bus::Endpoint& end) { return end.participant == own_name; }),
+                 others.end());
     std::vector<Problem> all = judge_endpoints(settings, others);
     for (const service::Finding& finding : findings_) all.push_back({about(finding.kind), finding.text});
     for (Problem& problem : judge_services(health_, gone_)) all.push_back(std::move(problem));
@@ -56,9 +61,12 @@ class Examination {
  private:
   static std::string about(service::Finding::Kind kind) {
     switch (kind) {
-      case service::Finding::Kind::kClockSkew: return "clock";
-      case service::Finding::Kind::kOtherIdlVersion: return "version";
-      default: return "service";
+      case service::Finding::Kind::kClockSkew:
+        return "clock";
+      case service::Finding::Kind::kOtherIdlVersion:
+        return "version";
+      default:
+        return "service";
     }
   }
   void take(const aisle::ServiceHealth& sample, const bus::SampleInfo& info) {
@@ -83,7 +91,8 @@ class Examination {
                                    sample.software_version().to_string(),
                                    sample.wall_clock_ns(),
                                    sample.state() == ServiceState::SERVICE_STOPPING};
-    for (service::Finding& finding : peers_.take(peer, process::monotonic_now(), process::wall_clock_ns())) findings_.push_back(std::move(finding));
+    for (service::Finding& finding : peers_.take(peer, process::monotonic_now(), process::wall_clock_ns()))
+      findings_.push_back(std::move(finding));
   }
 
   service::PeerWatch peers_{"", 0, service::kIdlVersion};
@@ -117,20 +126,24 @@ std::set<int> scan_domains(const Cli& cli) {
 int doctor(const Cli& cli, double wait_s) {
   std::vector<Problem> problems = judge_network(cli.settings, probe_interfaces());
   if (cli.settings.shared_memory) {
-    for (Problem& problem : judge_shared_memory(cli.settings, probe_shared_memory())) problems.push_back(std::move(problem));
+    for (Problem& problem : judge_shared_memory(cli.settings, probe_shared_memory()))
+      problems.push_back(std::move(problem));
   }
   Examination examination(cli);
   examination.look(Seconds(wait_s));
   const std::set<int> other_domains =
       examination.participants() == 0 && cli.settings.discovery_server.empty() ? scan_domains(cli) : std::set<int>{};
-  for (Problem& problem : judge_discovery(cli.settings, examination.participants(), other_domains)) problems.push_back(std::move(problem));
+  for (Problem& problem : judge_discovery(cli.settings, examination.participants(), other_domains))
+    problems.push_back(std::move(problem));
   for (Problem& problem : examination.problems(cli.settings)) problems.push_back(std::move(problem));
-  const bool is_well = std::all_of(problems.begin(), problems.end(), [](const Problem& problem) { return problem.is_past; });
-  const std::string seen = fmt::format("{} other processes, {} services, {} vehicles", examination.participants(), examination.services(),
-                                       examination.vehicles());
+  const bool is_well =
+      std::all_of(problems.begin(), problems.end(), [](const Problem& problem) { return problem.is_past; });
+  const std::string seen = fmt::format("{} other processes, {} services, {} vehicles", examination.participants(),
+                                       examination.services(), examination.vehicles());
   if (cli.json) {
     Json list = Json::array();
-    for (const Problem& problem : problems) list.push_back({{"about", problem.about}, {"text", problem.text}, {"past", problem.is_past}});
+    for (const Problem& problem : problems)
+      list.push_back({{"about", problem.about}, {"text", problem.text}, {"past", problem.is_past}});
     std::printf("%s\n", write_json(Json{{"place", place_of(cli.settings)},
                                         {"participants", examination.participants()},
                                         {"services", examination.services()},
@@ -139,7 +152,9 @@ int doctor(const Cli& cli, double wait_s) {
                             .c_str());
   } else {
     std::printf("looked in %s for %g s: %s\n", place_of(cli.settings).c_str(), wait_s, seen.c_str());
-    for (const Problem& problem : problems) std::printf("%s%s: %s\n", problem.is_past ? "note: " : "", problem.about.c_str(), printable(problem.text).c_str());
+    for (const Problem& problem : problems)
+      std::printf("%s%s: %s\n", problem.is_past ? "note: " : "", problem.about.c_str(),
+                  printable(problem.text).c_str());
     if (is_well) std::printf("nothing wrong\n");
   }
   return is_well ? process::kDone : process::kNegative;

@@ -13,7 +13,7 @@ using local_planner::Phase;
 
 namespace {
 
-constexpr double kMovingMps = 0.06;       // what is known of a vehicle that touches: it moved, or it stood
+constexpr double kMovingMps = 0.06;  // what is known of a vehicle that touches: it moved, or it stood
 
 }  // namespace
 
@@ -24,9 +24,10 @@ DrivePicture::DrivePicture(const lockstep::Setup& setup) : setup_(setup) {
     referee::VehicleRow& row = report_.vehicles[vehicle.id];
     row.agv_id = vehicle.id;
     const geometry::Footprint footprint = vehicle.footprint();
-    row.shape = footprint.is_disc() ? referee::Shape{footprint.radius_m, 0.0, 0.0} : referee::Shape{0.0, footprint.length_m, footprint.width_m};
+    row.shape = footprint.is_disc() ? referee::Shape{footprint.radius_m, 0.0, 0.0}
+                                    : referee::Shape{0.0, footprint.length_m, footprint.width_m};
   }
-  report_.people_give_way = false;      // who walks into a vehicle that stands is not held against it
+  report_.people_give_way = false;  // who walks into a vehicle that stands is not held against it
 }
 
 lockstep::Watch DrivePicture::watch() {
@@ -37,10 +38,11 @@ void DrivePicture::look(const lockstep::Snapshot& now) {
   report_.duration_s = now.t_s;
   for (std::size_t i = 0; i < now.vehicles.size(); ++i) {
     const local_planner::Output& output = now.outputs[i];
-    const geometry::Pose2 outline_in_map = geometry::body_of(setup_.scenario.vehicles[i].footprint(), now.vehicles[i]).base_in_map;
+    const geometry::Pose2 outline_in_map =
+        geometry::body_of(setup_.scenario.vehicles[i].footprint(), now.vehicles[i]).base_in_map;
     const referee::Standing standing = output.phase == Phase::kWaiting ? referee::Standing::kWaits
-                                       : output.phase == Phase::kHeld ? referee::Standing::kHolds
-                                                                      : referee::Standing::kNone;
+                                       : output.phase == Phase::kHeld  ? referee::Standing::kHolds
+                                                                       : referee::Standing::kNone;
     referee::VehicleRow& row = report_.vehicles[setup_.scenario.vehicles[i].id];
     row.drive.drove(now.t_s, outline_in_map, output.twist.linear_mps, true, standing);
     if (now.plans[i] != nullptr) look_at_plan(now.t_s, *now.plans[i], row);
@@ -102,8 +104,12 @@ void DrivePicture::add_contacts(const lockstep::Result& result, referee::RunRepo
     return report.vehicles.count(other) > 0 ? PairClass::kVehicleVehicle : PairClass::kVehiclePerson;
   };
   for (const lockstep::Touch& touch : result.touches) {
-    if (touch.begins) report.contacts.push_back({pair_of(touch.other), touch.vehicle, touch.other, touch.t_s, touch.t_s, touch.at_in_map, 0.0, 0.0, 0.0});
-    const auto latest = std::find_if(report.contacts.rbegin(), report.contacts.rend(), [&](const referee::Contact& c) { return c.a == touch.vehicle && c.b == touch.other; });
+    if (touch.begins)
+      report.contacts.push_back(
+          {pair_of(touch.other), touch.vehicle, touch.other, touch.t_s, touch.t_s, touch.at_in_map, 0.0, 0.0, 0.0});
+    const auto latest = std::find_if(report.contacts.rbegin(), report.contacts.rend(), [&](const referee::Contact& c) {
+      return c.a == touch.vehicle && c.b == touch.other;
+    });
     if (touch.is_moving && latest != report.contacts.rend()) latest->vehicle_speed_mps = kMovingMps;
   }
 }
@@ -111,7 +117,8 @@ void DrivePicture::add_contacts(const lockstep::Result& result, referee::RunRepo
 std::string DrivePicture::svg(const lockstep::Result& result) const {
   referee::RunReport report = report_;
   report.goals_expected = result.goals_assigned;
-  for (std::size_t i = 0; i < result.replanned.size(); ++i) report.vehicles[setup_.scenario.vehicles[i].id].replans = result.replanned[i];
+  for (std::size_t i = 0; i < result.replanned.size(); ++i)
+    report.vehicles[setup_.scenario.vehicles[i].id].replans = result.replanned[i];
   add_goals(result, report);
   add_edits(report);
   add_contacts(result, report);

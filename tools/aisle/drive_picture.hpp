@@ -26,7 +26,7 @@ class DrivePicture {
 
   const lockstep::Setup& setup_;
   referee::RunReport report_;
-  std::map<std::string, std::uint64_t> latest_plans_;      // ids, of each vehicle
+  std::map<std::string, std::uint64_t> latest_plans_;  // ids, of each vehicle
 };
 
 }  // namespace aisle::cli

@@ -18,15 +18,18 @@ void add_point(aisle::MapEdit& edit, double x_m, double y_m) {
 }
 
 void set_rectangle(const std::string& typed, aisle::MapEdit& edit) {
-  const std::vector<double> numbers = parse_numbers("--rect", typed, 4, "--rect 1,2,4.5,3 (two opposite corners in metres)");
-  if (numbers[0] == numbers[2] || numbers[1] == numbers[3]) throw config::BadInput("--rect: '" + typed + "' has no area");
+  const std::vector<double> numbers =
+      parse_numbers("--rect", typed, 4, "--rect 1,2,4.5,3 (two opposite corners in metres)");
+  if (numbers[0] == numbers[2] || numbers[1] == numbers[3])
+    throw config::BadInput("--rect: '" + typed + "' has no area");
   edit.shape(EditShape::SHAPE_RECTANGLE);
   add_point(edit, numbers[0], numbers[1]);
   add_point(edit, numbers[2], numbers[3]);
 }
 
 void set_disc(const std::string& typed, aisle::MapEdit& edit) {
-  const std::vector<double> numbers = parse_numbers("--disc", typed, 3, "--disc 4,2.5,0.6 (centre and radius in metres)");
+  const std::vector<double> numbers =
+      parse_numbers("--disc", typed, 3, "--disc 4,2.5,0.6 (centre and radius in metres)");
   if (numbers[2] <= 0.0) throw config::BadInput("--disc: the radius of '" + typed + "' must be above 0");
   edit.shape(EditShape::SHAPE_DISC);
   add_point(edit, numbers[0], numbers[1]);
@@ -35,12 +38,13 @@ void set_disc(const std::string& typed, aisle::MapEdit& edit) {
 
 void set_polygon(const std::vector<std::string>& typed, aisle::MapEdit& edit) {
   if (typed.size() < 3 || typed.size() > kMostCorners) {
-    throw config::BadInput("--polygon: " + std::to_string(typed.size()) + " corners; give 3 to " + std::to_string(kMostCorners) +
-                           ", e.g. --polygon 0,0 4,0 2,3");
+    throw config::BadInput("--polygon: " + std::to_string(typed.size()) + " corners; give 3 to " +
+                           std::to_string(kMostCorners) + ", e.g. --polygon 0,0 4,0 2,3");
   }
   edit.shape(EditShape::SHAPE_POLYGON);
   for (const std::string& corner : typed) {
-    const std::vector<double> numbers = parse_numbers("--polygon", corner, 2, "--polygon 0,0 4,0 2,3 (corners in metres)");
+    const std::vector<double> numbers =
+        parse_numbers("--polygon", corner, 2, "--polygon 0,0 4,0 2,3 (corners in metres)");
     add_point(edit, numbers[0], numbers[1]);
   }
 }
@@ -49,7 +53,8 @@ void set_polygon(const std::vector<std::string>& typed, aisle::MapEdit& edit) {
 
 void set_shape(const TypedShape& typed, aisle::MapEdit& edit) {
   const int given = (typed.rectangle.empty() ? 0 : 1) + (typed.disc.empty() ? 0 : 1) + (typed.polygon.empty() ? 0 : 1);
-  if (given != 1) throw config::BadInput("give one shape: --rect x1,y1,x2,y2 or --disc x,y,radius or --polygon x,y x,y x,y ...");
+  if (given != 1)
+    throw config::BadInput("give one shape: --rect x1,y1,x2,y2 or --disc x,y,radius or --polygon x,y x,y x,y ...");
   if (!typed.rectangle.empty()) return set_rectangle(typed.rectangle, edit);
   if (!typed.disc.empty()) return set_disc(typed.disc, edit);
   set_polygon(typed.polygon, edit);

@@ -21,7 +21,8 @@ std::string text_of_result(const aisle::MapEditResult& result) {
   const std::string id = result.edit_id().to_string();
   switch (result.outcome()) {
     case EditOutcome::EDIT_APPLIED:
-      return fmt::format("applied: {} cells changed, the map is at revision {} now (edit {})", result.changed_cells(), result.revision(), id);
+      return fmt::format("applied: {} cells changed, the map is at revision {} now (edit {})", result.changed_cells(),
+                         result.revision(), id);
     case EditOutcome::EDIT_ALREADY_APPLIED:
       return fmt::format("was applied before, in revision {} (edit {})", result.revision(), id);
     default:
@@ -32,7 +33,9 @@ std::string text_of_result(const aisle::MapEditResult& result) {
 }  // namespace
 
 EditTalk::EditTalk(bus::Bus& bus)
-    : bus_(bus), writer_(bus.writer<topics::MapEdit>()), stamper_("aisle", static_cast<std::uint64_t>(process::wall_clock_ns()) / 1000) {
+    : bus_(bus),
+      writer_(bus.writer<topics::MapEdit>()),
+      stamper_("aisle", static_cast<std::uint64_t>(process::wall_clock_ns()) / 1000) {
   bus_.on<topics::MapInfo>([this](const aisle::MapInfo& sample, const bus::SampleInfo& info) {
     if (info.kind == bus::SampleKind::kData && map_id_.empty()) map_id_ = sample.map_id().to_string();
   });
@@ -62,13 +65,15 @@ std::optional<aisle::MapEditResult> EditTalk::send(aisle::MapEdit edit, Seconds 
 aisle::MapEditResult EditTalk::apply(aisle::MapEdit edit, const std::string& map_id, double timeout_s) {
   const std::string to = map_id.empty() ? find_map(Seconds(timeout_s)) : map_id;
   if (to.empty()) {
-    throw config::BadEnvironment("no map seen in " + place_of(bus_.settings()) + "; is aisle-map running? aisle doctor looks for the cause");
+    throw config::BadEnvironment("no map seen in " + place_of(bus_.settings()) +
+                                 "; is aisle-map running? aisle doctor looks for the cause");
   }
   edit.map_id(to);
   const std::optional<aisle::MapEditResult> result = send(edit, Seconds(timeout_s));
   if (!result) {
-    throw config::BadEnvironment(fmt::format("aisle-map did not answer within {:g} s; repeat with --id {} to be sure that it is applied once",
-                                             timeout_s, edit.edit_id().to_string()));
+    throw config::BadEnvironment(
+        fmt::format("aisle-map did not answer within {:g} s; repeat with --id {} to be sure that it is applied once",
+                    timeout_s, edit.edit_id().to_string()));
   }
   return *result;
 }

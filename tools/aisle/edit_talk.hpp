@@ -16,8 +16,9 @@ class EditTalk {
   /// On a bus that must outlive it.
   explicit EditTalk(bus::Bus& bus);
 
-  /// Sends it to the map with this id, or to the one that is seen when `map_id` is empty. The edit is repeated, and applied once,
-  /// until its result comes. @throws config::BadEnvironment when there is no map, or no answer, within `timeout_s` each
+  /// Sends it to the map with this id, or to the one that is seen when `map_id` is empty. The edit is repeated, and
+  /// applied once, until its result comes. @throws config::BadEnvironment when there is no map, or no answer, within
+  /// `timeout_s` each
   aisle::MapEditResult apply(aisle::MapEdit edit, const std::string& map_id, double timeout_s);
 
  private:

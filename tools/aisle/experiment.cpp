@@ -126,12 +126,15 @@ void add_experiment_local(CLI::App& parent, Cli& cli) {
 
 void add_experiment_tracking(CLI::App& parent, Cli& cli) {
   auto orders = std::make_shared<ExperimentOrders>();
-  Verb(parent, cli, "tracking", "the obstacle tracker and a baseline on recorded people; what several vehicles see; ghosts in an empty place")
+  Verb(parent, cli, "tracking",
+       "the obstacle tracker and a baseline on recorded people; what several vehicles see; ghosts in an empty place")
       .option("--page", orders->page, "the page whose section is written anew; pictures go to experiments/ beside it")
-      .option("--empty-place", orders->empty_place, "scenario whose people and hidden blocks are left out to count ghosts")
+      .option("--empty-place", orders->empty_place,
+              "scenario whose people and hidden blocks are left out to count ghosts")
       .option("--seconds", orders->longest_s, 10.0, 1e6, "of each recording, at most")
       .option("--empty-seconds", orders->empty_s, 1.0, 1e6, "in the empty place, at least")
-      .option("--detour-seeds", orders->detour_seeds, 0, 1000, "drives of each family with prediction and without; 0: none")
+      .option("--detour-seeds", orders->detour_seeds, 0, 1000,
+              "drives of each family with prediction and without; 0: none")
       .runs([orders] { return run_tracking(*orders); });
 }
 

@@ -36,7 +36,8 @@ int fleet(const Cli& cli, const FleetOptions& options) {
   }
   while (is_live && !is_interrupted()) {
     run_until(*bus, kRefresh, [] { return false; });
-    std::printf("\x1b[H\x1b[J%s\n%s\n", place_of(cli.settings).c_str(), text_of_fleet(view.snapshot(process::monotonic_now())).c_str());
+    std::printf("\x1b[H\x1b[J%s\n%s\n", place_of(cli.settings).c_str(),
+                text_of_fleet(view.snapshot(process::monotonic_now())).c_str());
     std::fflush(stdout);
   }
   if (view.has_vehicles()) return process::kDone;

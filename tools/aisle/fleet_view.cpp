@@ -67,7 +67,9 @@ void FleetView::take(const aisle::Goal& sample) {
   vehicles_[sample.agv_id().to_string()].goal_id = sample.cancelled() ? "" : sample.goal_id().to_string();
 }
 
-void FleetView::take(const aisle::ServiceHealth& sample) { services_[sample.instance_id().to_string()] = to_json(sample); }
+void FleetView::take(const aisle::ServiceHealth& sample) {
+  services_[sample.instance_id().to_string()] = to_json(sample);
+}
 
 void FleetView::lose_navigation(const std::string& agv_id) {
   const auto vehicle = vehicles_.find(agv_id);
@@ -116,17 +118,21 @@ Json FleetView::snapshot(time::Stamp now) const {
 }
 
 std::string text_of_fleet(const Json& snapshot) {
-  std::vector<std::vector<std::string>> vehicles{{"VEHICLE", "PHASE", "REASON", "GOAL", "LEFT m", "SPEED m/s", "X m", "Y m", "HOLD"}};
+  std::vector<std::vector<std::string>> vehicles{
+      {"VEHICLE", "PHASE", "REASON", "GOAL", "LEFT m", "SPEED m/s", "X m", "Y m", "HOLD"}};
   for (const Json& row : snapshot["vehicles"]) {
     const Json pose = row.value("base_in_map", Json::object());
-    vehicles.push_back({row["agv_id"], row.contains("phase") ? word(row, "phase") : "no local planner", word(row, "reason"),
-                        word(row, "goal_id"), number(row, "distance_left_m", "{:.1f}"), number(row, "speed_mps", "{:.2f}"),
-                        number(pose, "x_m", "{:.2f}"), number(pose, "y_m", "{:.2f}"), row["online"] ? word(row, "hold") : "offline"});
+    vehicles.push_back({row["agv_id"], row.contains("phase") ? word(row, "phase") : "no local planner",
+                        word(row, "reason"), word(row, "goal_id"), number(row, "distance_left_m", "{:.1f}"),
+                        number(row, "speed_mps", "{:.2f}"), number(pose, "x_m", "{:.2f}"),
+                        number(pose, "y_m", "{:.2f}"), row["online"] ? word(row, "hold") : "offline"});
   }
-  std::vector<std::vector<std::string>> services{{"SERVICE", "STATE", "WAITS FOR", "HOST", "CPU %", "MB", "LAST ERROR"}};
+  std::vector<std::vector<std::string>> services{
+      {"SERVICE", "STATE", "WAITS FOR", "HOST", "CPU %", "MB", "LAST ERROR"}};
   for (const Json& row : snapshot["services"]) {
-    services.push_back({row["instance_id"], row["state"], word(row, "waits_for"), word(row, "host"), number(row, "cpu_percent", "{:.1f}"),
-                        number(row, "resident_mb", "{:.1f}"), word(row, "last_error")});
+    services.push_back({row["instance_id"], row["state"], word(row, "waits_for"), word(row, "host"),
+                        number(row, "cpu_percent", "{:.1f}"), number(row, "resident_mb", "{:.1f}"),
+                        word(row, "last_error")});
   }
   return text_of_table(vehicles) + "\n" + text_of_table(services);
 }

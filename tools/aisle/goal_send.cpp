@@ -50,9 +50,10 @@ class Progress {
  public:
   void show(const aisle::NavigationStatus& status) {
     const std::string phase = name_of(status.phase());
-    const std::string reason = status.reason() == NavigationReason::REASON_NONE ? "" : " (" + name_of(status.reason()) + ")";
-    const std::string line = fmt::format("{} {}{}, {:.1f} m and {:.0f} s left", printable(status.agv_id().to_string()), phase, reason,
-                                         status.distance_left_m(), status.time_left_s());
+    const std::string reason =
+        status.reason() == NavigationReason::REASON_NONE ? "" : " (" + name_of(status.reason()) + ")";
+    const std::string line = fmt::format("{} {}{}, {:.1f} m and {:.0f} s left", printable(status.agv_id().to_string()),
+                                         phase, reason, status.distance_left_m(), status.time_left_s());
     if (is_terminal_) {
       std::fprintf(stderr, "\r\x1b[K%s", line.c_str());
       is_open_ = true;
@@ -71,9 +72,13 @@ class Progress {
   std::string last_;
 };
 
-int report_sent(const Cli& cli, const aisle::Goal& goal, const std::string& result, const std::string& text, int code, double length_m = -1.0) {
+int report_sent(const Cli& cli, const aisle::Goal& goal, const std::string& result, const std::string& text, int code,
+                double length_m = -1.0) {
   if (cli.json) {
-    Json json{{"agv_id", goal.agv_id().to_string()}, {"goal_id", goal.goal_id().to_string()}, {"result", result}, {"text", text}};
+    Json json{{"agv_id", goal.agv_id().to_string()},
+              {"goal_id", goal.goal_id().to_string()},
+              {"result", result},
+              {"text", text}};
     if (length_m >= 0.0) json["length_m"] = length_m;
     std::printf("%s\n", write_json(json).c_str());
   } else {
@@ -84,17 +89,20 @@ int report_sent(const Cli& cli, const aisle::Goal& goal, const std::string& resu
 
 int report_no_answer(const Cli& cli, const GoalTalk& talk, const aisle::Goal& goal, double waited_s) {
   const bool nobody = !talk.is_read_by_anybody();
-  return report_sent(cli, goal, "no_answer",
-                fmt::format("no plan for the goal within {:g} s: {}", waited_s,
-                            nobody ? "nobody reads goals; is aisle-global-planner running?"
-                                   : "aisle-global-planner does not answer; see aisle fleet for what it waits for"),
-                process::kEnvironment);
+  return report_sent(
+      cli, goal, "no_answer",
+      fmt::format("no plan for the goal within {:g} s: {}", waited_s,
+                  nobody ? "nobody reads goals; is aisle-global-planner running?"
+                         : "aisle-global-planner does not answer; see aisle fleet for what it waits for"),
+      process::kEnvironment);
 }
 
 int follow(const Cli& cli, GoalTalk& talk, const aisle::Goal& goal, Seconds limit) {
   const std::string goal_id = goal.goal_id().to_string();
   const std::string agv_id = goal.agv_id().to_string();
-  const auto is_over = [](NavigationPhase phase) { return phase == NavigationPhase::PHASE_ARRIVED || phase == NavigationPhase::PHASE_FAILED; };
+  const auto is_over = [](NavigationPhase phase) {
+    return phase == NavigationPhase::PHASE_ARRIVED || phase == NavigationPhase::PHASE_FAILED;
+  };
   std::string replaced_by;
   bool is_over_now = false;
   {
@@ -108,14 +116,19 @@ int follow(const Cli& cli, GoalTalk& talk, const aisle::Goal& goal, Seconds limi
       return is_over(talk.navigation()->phase());
     });
   }
-  if (!replaced_by.empty()) return report_sent(cli, goal, "replaced", agv_id + " has another goal now: " + replaced_by, process::kNegative);
+  if (!replaced_by.empty())
+    return report_sent(cli, goal, "replaced", agv_id + " has another goal now: " + replaced_by, process::kNegative);
   if (!is_over_now) {
     const std::string why = is_interrupted() ? "interrupted" : fmt::format("not there after {:g} s", limit.count());
-    return report_sent(cli, goal, "not_arrived", why + "; " + agv_id + " keeps the goal, aisle goal cancel drops it", process::kNegative);
+    return report_sent(cli, goal, "not_arrived", why + "; " + agv_id + " keeps the goal, aisle goal cancel drops it",
+                       process::kNegative);
   }
   const aisle::NavigationStatus& status = *talk.navigation();
-  if (status.phase() == NavigationPhase::PHASE_ARRIVED) return report_sent(cli, goal, "arrived", agv_id + " arrived", process::kDone);
-  return report_sent(cli, goal, "failed", agv_id + " failed (" + name_of(status.reason()) + "): " + status.detail().to_string(), process::kNegative);
+  if (status.phase() == NavigationPhase::PHASE_ARRIVED)
+    return report_sent(cli, goal, "arrived", agv_id + " arrived", process::kDone);
+  return report_sent(cli, goal, "failed",
+                     agv_id + " failed (" + name_of(status.reason()) + "): " + status.detail().to_string(),
+                     process::kNegative);
 }
 
 int send(const Cli& cli, const SendOptions& options) {
@@ -129,9 +142,12 @@ int send(const Cli& cli, const SendOptions& options) {
   const aisle::Plan plan = *talk.plan();
   if (plan.outcome() != PlanOutcome::PLAN_FOUND) {
     const std::string outcome = name_of(plan.outcome());
-    return report_sent(cli, goal, outcome, options.agv_id + " cannot go there: " + outcome + ": " + plan.detail().to_string(), process::kNegative);
+    return report_sent(cli, goal, outcome,
+                       options.agv_id + " cannot go there: " + outcome + ": " + plan.detail().to_string(),
+                       process::kNegative);
   }
-  const std::string text = fmt::format("{} goes {:.1f} m to {}, goal {}", options.agv_id, plan.length_m(), options.pose, goal_id);
+  const std::string text =
+      fmt::format("{} goes {:.1f} m to {}, goal {}", options.agv_id, plan.length_m(), options.pose, goal_id);
   if (!options.wait) return report_sent(cli, goal, "planned", text, process::kDone, plan.length_m());
   if (!cli.json) std::printf("%s\n", printable(text).c_str());
   std::fflush(stdout);

@@ -29,9 +29,10 @@ GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
   bus_->on<topics::VehicleState>([this, is_data](const aisle::VehicleState& sample, const bus::SampleInfo& info) {
     if (is_data(info)) vehicles_.insert(sample.agv_id().to_string());
   });
-  bus_->on<topics::NavigationStatus>([this, is_data](const aisle::NavigationStatus& sample, const bus::SampleInfo& info) {
-    if (is_data(info) && sample.agv_id().to_string() == agv_id_) navigation_ = sample;
-  });
+  bus_->on<topics::NavigationStatus>(
+      [this, is_data](const aisle::NavigationStatus& sample, const bus::SampleInfo& info) {
+        if (is_data(info) && sample.agv_id().to_string() == agv_id_) navigation_ = sample;
+      });
   bus_->on<topics::Plan>([this, is_data](const aisle::Plan& sample, const bus::SampleInfo& info) {
     if (is_data(info) && sample.agv_id().to_string() == agv_id_) plan_ = sample;
   });
@@ -43,7 +44,8 @@ GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
 void GoalTalk::require_vehicle() {
   if (run_until(*bus_, kUntilVehiclesAreSeen, [this] { return vehicles_.count(agv_id_) > 0; })) return;
   if (vehicles_.empty()) {
-    throw config::BadEnvironment("no vehicle seen in " + place_of(cli_.settings) + "; aisle doctor looks for the cause");
+    throw config::BadEnvironment("no vehicle seen in " + place_of(cli_.settings) +
+                                 "; aisle doctor looks for the cause");
   }
   const std::vector<std::string> seen(vehicles_.begin(), vehicles_.end());
   std::string names;

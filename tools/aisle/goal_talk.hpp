@@ -11,13 +11,14 @@
 
 namespace aisle::cli {
 
-/// Speaks with the planners about one vehicle's goal: repeats what it says twice a second until heard, and keeps the newest answers.
+/// Speaks with the planners about one vehicle's goal: repeats what it says twice a second until heard, and keeps the
+/// newest answers.
 class GoalTalk {
  public:
   GoalTalk(const Cli& cli, const std::string& agv_id);
 
-  /// Waits until the vehicle was seen. @throws config::BadInput with the vehicles seen instead, config::BadEnvironment when there
-  /// are none
+  /// Waits until the vehicle was seen. @throws config::BadInput with the vehicles seen instead, config::BadEnvironment
+  /// when there are none
   void require_vehicle();
   /// Runs the loop as run_until(), and says `goal` at once and every 500 ms meanwhile.
   bool say_until(aisle::Goal goal, Seconds limit, const std::function<bool()>& done);
@@ -39,7 +40,7 @@ class GoalTalk {
   std::set<std::string> vehicles_;
   std::optional<aisle::Plan> plan_;
   std::optional<aisle::NavigationStatus> navigation_;
-  std::optional<aisle::Goal> goal_;   // of others
+  std::optional<aisle::Goal> goal_;  // of others
 };
 
 }  // namespace aisle::cli

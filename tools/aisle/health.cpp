@@ -18,14 +18,16 @@
 namespace aisle::cli {
 namespace {
 
-constexpr double kLease_s = 3.0;   // a service speaks once a second; silent for as long as this, it hangs or is gone
+constexpr double kLease_s = 3.0;  // a service speaks once a second; silent for as long as this, it hangs or is gone
 
 std::string text_of_absence(const Cli& cli, const std::string& instance_id, const std::set<std::string>& seen) {
   const std::string nearest = config::nearest_name(instance_id, {seen.begin(), seen.end()});
-  return "no service '" + instance_id + "' seen in " + place_of(cli.settings) + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+  return "no service '" + instance_id + "' seen in " + place_of(cli.settings) +
+         (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
-void print_word(const std::string& instance_id, ServiceState state, const std::string& waits_for, const std::string& last_error) {
+void print_word(const std::string& instance_id, ServiceState state, const std::string& waits_for,
+                const std::string& last_error) {
   const std::string word = instance_id + ": " + name_of(state) + (waits_for.empty() ? "" : ", waits for " + waits_for) +
                            (last_error.empty() ? "" : ", last error: " + last_error);
   std::printf("%s\n", printable(word).c_str());
@@ -41,7 +43,8 @@ int heard_health(const Cli& cli, const std::string& instance_id, double timeout_
     if (id != instance_id) return;
     newest = info.kind == bus::SampleKind::kData ? std::optional<aisle::ServiceHealth>(sample) : std::nullopt;
   });
-  const bool is_ready = run_until(*bus, Seconds(timeout_s), [&] { return newest && newest->state() == ServiceState::SERVICE_READY; });
+  const bool is_ready =
+      run_until(*bus, Seconds(timeout_s), [&] { return newest && newest->state() == ServiceState::SERVICE_READY; });
   if (cli.json) {
     std::printf("%s\n", newest ? write_json(to_json(*newest)).c_str() : "null");
   } else if (!newest) {
@@ -55,7 +58,8 @@ int heard_health(const Cli& cli, const std::string& instance_id, double timeout_
 int kept_health(const Cli& cli, const std::string& instance_id, const std::string& file) {
   const std::optional<service::HealthNote> note = service::recall_health(file);
   if (!note || note->instance_id != instance_id) {
-    std::fprintf(stderr, "%s is not a health file of '%s'; is that service running with --health-file?\n", file.c_str(), instance_id.c_str());
+    std::fprintf(stderr, "%s is not a health file of '%s'; is that service running with --health-file?\n", file.c_str(),
+                 instance_id.c_str());
     return process::kNegative;
   }
   const double age_s = 1e-9 * static_cast<double>(process::wall_clock_ns() - note->wall_clock_ns);

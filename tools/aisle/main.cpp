@@ -55,9 +55,12 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
 int main(int argc, char** argv) {
   return aisle::process::run_guarded("aisle", [&]() -> int {
     aisle::process::stop_on_signals();
-    std::signal(SIGPIPE, SIG_DFL);   // end quietly when the reader of a pipe does
+    std::signal(SIGPIPE, SIG_DFL);  // end quietly when the reader of a pipe does
     aisle::cli::Cli cli;
-    CLI::App app("Looks at a fleet of AGVs and gives it orders.\nExit codes: 0 done, 1 the answer is no, 2 bad input, 3 environment.", "aisle");
+    CLI::App app(
+        "Looks at a fleet of AGVs and gives it orders.\nExit codes: 0 done, 1 the answer is no, 2 bad input, 3 "
+        "environment.",
+        "aisle");
     app.set_version_flag("--version", std::string("aisle ") + aisle::process::software_version());
     app.require_subcommand(1);
     aisle::service::add_site_options(app, cli.settings);
@@ -67,7 +70,8 @@ int main(int argc, char** argv) {
     for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
     if (const std::optional<int> code = aisle::service::parse_arguments(app, argc, pointers.data())) return *code;
     const int code = cli.action();
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw aisle::config::BadEnvironment("stdout cannot be written; is the disk full?");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw aisle::config::BadEnvironment("stdout cannot be written; is the disk full?");
     return code;
   });
 }

@@ -41,11 +41,13 @@ void add_edit_verb(CLI::App& parent, Cli& cli, const char* name, const char* pur
 }  // namespace
 
 void add_map_block(CLI::App& parent, Cli& cli) {
-  add_edit_verb(parent, cli, "block", "close an area for all vehicles; exit code 1 when it is refused", EditAction::EDIT_BLOCK);
+  add_edit_verb(parent, cli, "block", "close an area for all vehicles; exit code 1 when it is refused",
+                EditAction::EDIT_BLOCK);
 }
 
 void add_map_unblock(CLI::App& parent, Cli& cli) {
-  add_edit_verb(parent, cli, "unblock", "open an area that was closed; exit code 1 when it is refused", EditAction::EDIT_UNBLOCK);
+  add_edit_verb(parent, cli, "unblock", "open an area that was closed; exit code 1 when it is refused",
+                EditAction::EDIT_UNBLOCK);
 }
 
 }  // namespace aisle::cli

@@ -32,7 +32,8 @@ int show_map(const Cli& cli, double timeout_s) {
     if (sample_info.kind == bus::SampleKind::kData) maps[sample.map_id().to_string()] = sample;
   });
   if (!run_until(*bus, Seconds(timeout_s), [&] { return !maps.empty(); })) {
-    throw config::BadEnvironment("no map seen in " + place_of(cli.settings) + "; is aisle-map running? aisle doctor looks for the cause");
+    throw config::BadEnvironment("no map seen in " + place_of(cli.settings) +
+                                 "; is aisle-map running? aisle doctor looks for the cause");
   }
   for (const auto& [id, sample] : maps) {
     const Json json = without_tile_hashes(sample);

@@ -1,4 +1,5 @@
-// aisle map overlay, aisle map accept: what stands on the site that the map does not show, and a person's word that it is of the map.
+// aisle map overlay, aisle map accept: what stands on the site that the map does not show, and a person's word that it
+// is of the map.
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -19,15 +20,17 @@
 namespace aisle::cli {
 namespace {
 
-constexpr int kListen_s = 2;      // a standing track is said twice a second
+constexpr int kListen_s = 2;  // a standing track is said twice a second
 
 /// Hears the tracker: the newest sample of each live track, moving ones too.
 class TrackBook {
  public:
   explicit TrackBook(bus::Bus& bus) {
     bus.on<topics::Track>([this](const aisle::Track& sample, const bus::SampleInfo& info) {
-      if (info.kind == bus::SampleKind::kData) tracks_[sample.track_id()] = sample;
-      else tracks_.erase(sample.track_id());
+      if (info.kind == bus::SampleKind::kData)
+        tracks_[sample.track_id()] = sample;
+      else
+        tracks_.erase(sample.track_id());
     });
     bus.on<topics::TrackingStatus>([this](const aisle::TrackingStatus&, const bus::SampleInfo& info) {
       if (info.kind == bus::SampleKind::kData) has_tracker_ = true;
@@ -53,7 +56,8 @@ class TrackBook {
 
 void require_tracker(const Cli& cli, const TrackBook& book) {
   if (book.has_tracker()) return;
-  throw config::BadEnvironment("no obstacle tracker heard in " + place_of(cli.settings) + "; is aisle-obstacle-tracker running, and does a vehicle scan?");
+  throw config::BadEnvironment("no obstacle tracker heard in " + place_of(cli.settings) +
+                               "; is aisle-obstacle-tracker running, and does a vehicle scan?");
 }
 
 int show_overlay(const Cli& cli, double wait_s) {
@@ -66,18 +70,23 @@ int show_overlay(const Cli& cli, double wait_s) {
   std::vector<std::vector<std::string>> rows{{"TRACK", "X_M", "Y_M", "RADIUS_M", "KNOWN_FOR_S", "UNSEEN_S"}};
   for (const aisle::Track& track : book.standing()) {
     json.push_back(to_json(track));
-    rows.push_back({std::to_string(track.track_id()), fmt::format("{:.2f}", track.position_in_map().x_m()), fmt::format("{:.2f}", track.position_in_map().y_m()),
-                    fmt::format("{:.2f}", track.radius_m()), fmt::format("{:.0f}", track.age_s()), fmt::format("{:.0f}", track.unseen_s())});
+    rows.push_back({std::to_string(track.track_id()), fmt::format("{:.2f}", track.position_in_map().x_m()),
+                    fmt::format("{:.2f}", track.position_in_map().y_m()), fmt::format("{:.2f}", track.radius_m()),
+                    fmt::format("{:.0f}", track.age_s()), fmt::format("{:.0f}", track.unseen_s())});
   }
-  if (cli.json) std::printf("%s\n", write_json(json).c_str());
-  else if (json.empty()) std::printf("nothing stands that the map does not show\n");
-  else std::printf("%s", text_of_table(rows).c_str());
+  if (cli.json)
+    std::printf("%s\n", write_json(json).c_str());
+  else if (json.empty())
+    std::printf("nothing stands that the map does not show\n");
+  else
+    std::printf("%s", text_of_table(rows).c_str());
   return process::kDone;
 }
 
 std::uint64_t track_id_of(const std::string& text) {
   const bool is_number = !text.empty() && text.size() < 20 && text.find_first_not_of("0123456789") == std::string::npos;
-  if (!is_number) throw config::BadInput("'" + text + "' is not the id of a track, a number; aisle map overlay lists them");
+  if (!is_number)
+    throw config::BadInput("'" + text + "' is not the id of a track, a number; aisle map overlay lists them");
   return std::stoull(text);
 }
 
@@ -111,7 +120,8 @@ int accept_track(const Cli& cli, const AcceptOptions& options) {
   require_tracker(cli, book);
   const aisle::Track* track = book.find(id);
   if (track == nullptr) return refuse(fmt::format("no track {} is there; aisle map overlay lists what stands", id));
-  if (!track->is_static()) return refuse(fmt::format("track {} has not stood for 3 s: only what stands becomes part of the map", id));
+  if (!track->is_static())
+    return refuse(fmt::format("track {} has not stood for 3 s: only what stands becomes part of the map", id));
   return print_result(cli, EditTalk(*bus).apply(edit_from(*track), options.map_id, options.timeout_s));
 }
 
@@ -126,7 +136,8 @@ void add_map_overlay(CLI::App& parent, Cli& cli) {
 
 void add_map_accept(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<AcceptOptions>();
-  Verb(parent, cli, "accept", "block in the map what a standing track covers; exit code 1 when it moves, is gone, or is refused")
+  Verb(parent, cli, "accept",
+       "block in the map what a standing track covers; exit code 1 when it moves, is gone, or is refused")
       .argument("TRACK", options->track, "id of the track, from aisle map overlay")
       .option("--map", options->map_id, "id of the map; the one that is seen when not given")
       .option("--timeout", options->timeout_s, 0.1, 1e6, "give up after so many seconds")

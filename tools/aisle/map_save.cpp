@@ -24,9 +24,11 @@ struct SaveOptions {
 };
 
 void check_name(const std::filesystem::path& file) {
-  if (file.extension() != ".yaml") throw config::BadInput(file.string() + ": the name must end in .yaml; the cells go to a .pgm beside it");
+  if (file.extension() != ".yaml")
+    throw config::BadInput(file.string() + ": the name must end in .yaml; the cells go to a .pgm beside it");
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  if (!std::filesystem::is_directory(folder)) throw config::BadInput(folder.string() + ": no such folder; make it first");
+  if (!std::filesystem::is_directory(folder))
+    throw config::BadInput(folder.string() + ": no such folder; make it first");
 }
 
 int save(const Cli& cli, const SaveOptions& options) {
@@ -37,8 +39,9 @@ int save(const Cli& cli, const SaveOptions& options) {
   client_options.with_clearance = false;
   service::MapClient map(*bus, unique_id("aisle-map-save"), client_options);
   if (!run_until(*bus, Seconds(options.timeout_s), [&] { return map.has_map() && map.is_complete(); })) {
-    throw config::BadEnvironment(fmt::format("no whole map within {:g} s in {}; is aisle-map running? aisle doctor looks for the cause",
-                                             options.timeout_s, place_of(cli.settings)));
+    throw config::BadEnvironment(
+        fmt::format("no whole map within {:g} s in {}; is aisle-map running? aisle doctor looks for the cause",
+                    options.timeout_s, place_of(cli.settings)));
   }
   try {
     grid::write_ros_map(map.grid(), options.file);
@@ -46,9 +49,12 @@ int save(const Cli& cli, const SaveOptions& options) {
     throw config::BadEnvironment(std::string(error.what()) + "; check free space and permissions");
   }
   if (cli.json) {
-    std::printf("%s\n", write_json(Json{{"file", options.file}, {"map_id", map.map_id()}, {"revision", map.revision()}}).c_str());
+    std::printf(
+        "%s\n",
+        write_json(Json{{"file", options.file}, {"map_id", map.map_id()}, {"revision", map.revision()}}).c_str());
   } else {
-    std::printf("%s: map '%s' at revision %llu\n", options.file.c_str(), map.map_id().c_str(), static_cast<unsigned long long>(map.revision()));
+    std::printf("%s: map '%s' at revision %llu\n", options.file.c_str(), map.map_id().c_str(),
+                static_cast<unsigned long long>(map.revision()));
   }
   return process::kDone;
 }

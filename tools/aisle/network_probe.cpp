@@ -13,7 +13,7 @@
 namespace aisle::cli {
 namespace {
 
-constexpr const char* kGroup = "239.255.0.1";   // the one that RTPS discovery uses
+constexpr const char* kGroup = "239.255.0.1";  // the one that RTPS discovery uses
 constexpr int kPatienceMs = 300;
 
 class Socket {
@@ -39,8 +39,10 @@ bool multicast_works(in_addr address) {
   ip_mreq membership{};
   inet_pton(AF_INET, kGroup, &membership.imr_multiaddr);
   membership.imr_interface = address;
-  const unsigned char nowhere = 0;   // hops
-  if (!socket.set(IP_ADD_MEMBERSHIP, membership) || !socket.set(IP_MULTICAST_IF, address) || !socket.set(IP_MULTICAST_TTL, nowhere)) return false;
+  const unsigned char nowhere = 0;  // hops
+  if (!socket.set(IP_ADD_MEMBERSHIP, membership) || !socket.set(IP_MULTICAST_IF, address) ||
+      !socket.set(IP_MULTICAST_TTL, nowhere))
+    return false;
   sockaddr_in here{};
   here.sin_family = AF_INET;
   here.sin_addr.s_addr = htonl(INADDR_ANY);

@@ -11,7 +11,8 @@ constexpr std::chrono::milliseconds kRewrite{200};
 
 }  // namespace
 
-ProgressLine::ProgressLine() : is_terminal_(isatty(STDERR_FILENO) == 1), next_(std::chrono::steady_clock::now() + kPatience) {}
+ProgressLine::ProgressLine()
+    : is_terminal_(isatty(STDERR_FILENO) == 1), next_(std::chrono::steady_clock::now() + kPatience) {}
 
 ProgressLine::~ProgressLine() { clear(); }
 

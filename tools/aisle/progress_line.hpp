@@ -4,7 +4,8 @@
 
 namespace aisle::cli {
 
-/// What a person sees on stderr of what takes longer than kPatience: a line that is written anew on a terminal, one every kPause elsewhere.
+/// What a person sees on stderr of what takes longer than kPatience: a line that is written anew on a terminal, one
+/// every kPause elsewhere.
 class ProgressLine {
  public:
   ProgressLine();

@@ -18,7 +18,9 @@ class Rate {
   double hz() const;
   double mean_gap_ms() const;
   double longest_gap_ms() const { return time::seconds(longest_gap_) * 1e3; }
-  double mean_bytes() const { return samples_ == 0 ? 0.0 : static_cast<double>(bytes_) / static_cast<double>(samples_); }
+  double mean_bytes() const {
+    return samples_ == 0 ? 0.0 : static_cast<double>(bytes_) / static_cast<double>(samples_);
+  }
   double bytes_per_s() const { return hz() * mean_bytes(); }
 
  private:

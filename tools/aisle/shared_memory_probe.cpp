@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_of_fast_dds(const std::string& name) {
-  return name.rfind("fastrtps_", 0) == 0 || name.rfind("fastdds_", 0) == 0 || name.rfind("sem.fastrtps_", 0) == 0 || name.rfind("sem.fastdds_", 0) == 0;
+  return name.rfind("fastrtps_", 0) == 0 || name.rfind("fastdds_", 0) == 0 || name.rfind("sem.fastrtps_", 0) == 0 ||
+         name.rfind("sem.fastdds_", 0) == 0;
 }
 
 /// Files in `folder` that live processes have mapped, as far as we may look into them.
@@ -29,7 +30,8 @@ std::set<std::string> find_mapped(const fs::path& folder) {
     std::ifstream maps(process.path() / "maps");
     for (std::string line; std::getline(maps, line);) {
       const std::size_t begin = line.find('/');
-      if (begin != std::string::npos && line.compare(begin, folder.string().size(), folder.string()) == 0) mapped.insert(line.substr(begin));
+      if (begin != std::string::npos && line.compare(begin, folder.string().size(), folder.string()) == 0)
+        mapped.insert(line.substr(begin));
     }
   }
   return mapped;
@@ -57,8 +59,10 @@ SharedMemory probe_shared_memory(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename();
     // Lock files (…_el, …_sl) and semaphores are not mapped by whoever holds them; they go with their segment.
-    const bool is_segment = name.rfind("sem.", 0) != 0 && name.find("_el") == std::string::npos && name.find("_sl") == std::string::npos;
-    if (!is_of_fast_dds(name) || !is_segment || mapped.count(entry.path().string()) > 0 || !is_ours(entry.path())) continue;
+    const bool is_segment =
+        name.rfind("sem.", 0) != 0 && name.find("_el") == std::string::npos && name.find("_sl") == std::string::npos;
+    if (!is_of_fast_dds(name) || !is_segment || mapped.count(entry.path().string()) > 0 || !is_ours(entry.path()))
+      continue;
     std::error_code gone;
     const std::uintmax_t bytes = entry.file_size(gone);
     if (gone) continue;

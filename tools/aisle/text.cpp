@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
-
 namespace aisle::cli {
 namespace {
 
@@ -42,18 +41,22 @@ std::string on_one_line(const Json& value, Length length) {
   if (value.is_array()) return list_on_one_line(value, length);
   if (!value.is_object()) return scalar(value);
   std::string text = "{";
-  for (const auto& [key, member] : value.items()) text += (text.size() == 1 ? "" : ", ") + printable(key) + ": " + on_one_line(member, length);
+  for (const auto& [key, member] : value.items())
+    text += (text.size() == 1 ? "" : ", ") + printable(key) + ": " + on_one_line(member, length);
   return text + "}";
 }
 
 /// Rows of letters, drawn one below the other.
-bool is_picture(const std::string& key, const Json& value) { return key == "picture" && value.is_array() && !value.empty() && value.front().is_string(); }
+bool is_picture(const std::string& key, const Json& value) {
+  return key == "picture" && value.is_array() && !value.empty() && value.front().is_string();
+}
 
 void add_lines(const Json& object, Length length, const std::string& indent, std::string& out) {
   for (const auto& [key, value] : object.items()) {
     if (is_picture(key, value)) {
       out += indent + key + ":\n";
-      for (const Json& row : value) out += indent + "  |" + (row.is_string() ? printable(row.get<std::string>()) : "") + "|\n";
+      for (const Json& row : value)
+        out += indent + "  |" + (row.is_string() ? printable(row.get<std::string>()) : "") + "|\n";
       continue;
     }
     const std::string line = indent + printable(key) + ": " + on_one_line(value, length);
@@ -94,12 +97,14 @@ std::string text_of_table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
-    for (std::size_t column = 0; column < row.size(); ++column) widths[column] = std::max(widths[column], printable(row[column]).size());
+    for (std::size_t column = 0; column < row.size(); ++column)
+      widths[column] = std::max(widths[column], printable(row[column]).size());
   }
   std::string out;
   for (const std::vector<std::string>& row : rows) {
     std::string line;
-    for (std::size_t column = 0; column < row.size(); ++column) line += fmt::format("{:<{}}  ", printable(row[column]), widths[column]);
+    for (std::size_t column = 0; column < row.size(); ++column)
+      line += fmt::format("{:<{}}  ", printable(row[column]), widths[column]);
     line.erase(line.find_last_not_of(' ') + 1);
     out += line + "\n";
   }

@@ -8,8 +8,9 @@ namespace aisle::cli {
 /// How much of a sample a person wants to see.
 enum class Length { kShort, kFull };
 
-/// A sample as indented `field: value` lines; small structures on one line, long lists cut after a few elements with the number of
-/// all (unless kFull). Control characters are shown as \xNN, so what comes over the wire cannot steer the terminal.
+/// A sample as indented `field: value` lines; small structures on one line, long lists cut after a few elements with
+/// the number of all (unless kFull). Control characters are shown as \xNN, so what comes over the wire cannot steer the
+/// terminal.
 std::string text_of_sample(const nlohmann::ordered_json& sample, Length length);
 
 /// Columns of equal width, two spaces apart; the first row is the heading.

@@ -14,7 +14,7 @@ namespace {
 struct EchoOptions {
   std::string topic;
   std::string key;
-  int count{0};        // 0: without end
+  int count{0};  // 0: without end
   bool once{false};
   bool full{false};
   double timeout_s{0.0};
@@ -56,8 +56,8 @@ int echo(const Cli& cli, const EchoOptions& options) {
   run_until(*bus, std::min(limit, kUntilHint), [&] { return done() || printed > 0; });
   if (printed == 0 && !is_interrupted()) {
     std::fprintf(stderr, "no sample on '%s'%s yet; %d writers seen in %s\n", topic.name.c_str(),
-                 options.key.empty() ? "" : (" with key '" + printable(options.key) + "'").c_str(), bus->matched_writers(topic.name),
-                 place_of(cli.settings).c_str());
+                 options.key.empty() ? "" : (" with key '" + printable(options.key) + "'").c_str(),
+                 bus->matched_writers(topic.name), place_of(cli.settings).c_str());
   }
   run_until(*bus, limit > kUntilHint && printed == 0 ? limit - kUntilHint : limit, done);
   return done() || (wanted == 0 && printed > 0) ? process::kDone : process::kNegative;

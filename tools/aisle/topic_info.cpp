@@ -24,7 +24,8 @@ int show_topic(const Cli& cli, const std::string& name, double wait_s) {
                     {"type", endpoint.type},
                     {"qos", text_of(endpoint.qos, History::kNotAnnounced)}});
   }
-  Json report{{"topic", topic.name}, {"type", topic.type}, {"key", topic.key}, {"qos", text_of(topic.qos)}, {"why", topic.why}};
+  Json report{
+      {"topic", topic.name}, {"type", topic.type}, {"key", topic.key}, {"qos", text_of(topic.qos)}, {"why", topic.why}};
   if (cli.json) {
     report["endpoints"] = std::move(ends);
     std::printf("%s\n", write_json(report).c_str());

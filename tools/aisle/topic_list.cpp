@@ -31,7 +31,12 @@ Json rows_as_json(const std::map<std::string, Ends>& ends, const std::set<std::s
                     {"readers", counts.readers}});
   }
   for (const std::string& name : foreign) {
-    rows.push_back({{"topic", name}, {"type", ""}, {"key", ""}, {"qos", "not of Aisle"}, {"writers", ends.at(name).writers}, {"readers", ends.at(name).readers}});
+    rows.push_back({{"topic", name},
+                    {"type", ""},
+                    {"key", ""},
+                    {"qos", "not of Aisle"},
+                    {"writers", ends.at(name).writers},
+                    {"readers", ends.at(name).readers}});
   }
   return rows;
 }
@@ -57,7 +62,8 @@ int list(const Cli& cli, double wait_s) {
     table.push_back({row["topic"], row["writers"].dump(), row["readers"].dump(), row["type"], row["key"], row["qos"]});
   }
   std::printf("%s", text_of_table(table).c_str());
-  if (ends.empty()) std::fprintf(stderr, "nobody seen in %s; aisle doctor looks for the cause\n", place_of(cli.settings).c_str());
+  if (ends.empty())
+    std::fprintf(stderr, "nobody seen in %s; aisle doctor looks for the cause\n", place_of(cli.settings).c_str());
   return process::kDone;
 }
 

@@ -43,14 +43,18 @@ Rates measure(const Cli& cli, const RateOptions& options) {
 }
 
 int print_rates(const Cli& cli, const RateOptions& options, const std::vector<std::string>& heading,
-          const std::function<std::vector<std::string>(const Rate&)>& cells) {
+                const std::function<std::vector<std::string>(const Rate&)>& cells) {
   const Rates rates = measure(cli, options);
   if (cli.json) {
     for (const auto& [key, rate] : rates) {
-      const Json row{{"topic", options.topic},           {"key", key},
-                     {"samples", rate.samples()},        {"hz", rate.hz()},
-                     {"mean_gap_ms", rate.mean_gap_ms()}, {"longest_gap_ms", rate.longest_gap_ms()},
-                     {"mean_bytes", rate.mean_bytes()},  {"bytes_per_s", rate.bytes_per_s()}};
+      const Json row{{"topic", options.topic},
+                     {"key", key},
+                     {"samples", rate.samples()},
+                     {"hz", rate.hz()},
+                     {"mean_gap_ms", rate.mean_gap_ms()},
+                     {"longest_gap_ms", rate.longest_gap_ms()},
+                     {"mean_bytes", rate.mean_bytes()},
+                     {"bytes_per_s", rate.bytes_per_s()}};
       std::printf("%s\n", write_json(row).c_str());
     }
   } else if (!rates.empty()) {
@@ -74,12 +78,14 @@ int print_hz(const Cli& cli, const RateOptions& options) {
 
 int print_bw(const Cli& cli, const RateOptions& options) {
   return print_rates(cli, options, {"KEY", "KB/S", "MEAN BYTES", "HZ", "SAMPLES"}, [](const Rate& rate) {
-    return std::vector<std::string>{fmt::format("{:.2f}", rate.bytes_per_s() / 1e3), fmt::format("{:.0f}", rate.mean_bytes()),
-                                    fmt::format("{:.2f}", rate.hz()), std::to_string(rate.samples())};
+    return std::vector<std::string>{fmt::format("{:.2f}", rate.bytes_per_s() / 1e3),
+                                    fmt::format("{:.0f}", rate.mean_bytes()), fmt::format("{:.2f}", rate.hz()),
+                                    std::to_string(rate.samples())};
   });
 }
 
-void add_rate_verb(CLI::App& parent, Cli& cli, const char* name, const char* purpose, int (*run)(const Cli&, const RateOptions&)) {
+void add_rate_verb(CLI::App& parent, Cli& cli, const char* name, const char* purpose,
+                   int (*run)(const Cli&, const RateOptions&)) {
   auto options = std::make_shared<RateOptions>();
   Verb(parent, cli, name, purpose)
       .argument("topic", options->topic, "name, e.g. velocity_command")
@@ -90,8 +96,12 @@ void add_rate_verb(CLI::App& parent, Cli& cli, const char* name, const char* pur
 
 }  // namespace
 
-void add_topic_hz(CLI::App& parent, Cli& cli) { add_rate_verb(parent, cli, "hz", "samples per second, and gaps, by instance", &print_hz); }
+void add_topic_hz(CLI::App& parent, Cli& cli) {
+  add_rate_verb(parent, cli, "hz", "samples per second, and gaps, by instance", &print_hz);
+}
 
-void add_topic_bw(CLI::App& parent, Cli& cli) { add_rate_verb(parent, cli, "bw", "serialized bytes per second, by instance", &print_bw); }
+void add_topic_bw(CLI::App& parent, Cli& cli) {
+  add_rate_verb(parent, cli, "bw", "serialized bytes per second, by instance", &print_bw);
+}
 
 }  // namespace aisle::cli

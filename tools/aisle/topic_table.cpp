@@ -37,7 +37,8 @@ void subscribe(bus::Bus& bus, std::function<void(const Received&)> handler) {
     const Json key = only_key(to_json(sample), Topic::kKey);
     Received received;
     received.info = info;
-    for (const auto& member : key.items()) received.key += (received.key.empty() ? "" : "/") + text_of_key(member.value());
+    for (const auto& member : key.items())
+      received.key += (received.key.empty() ? "" : "/") + text_of_key(member.value());
     received.bytes = bus::serialized_bytes(Topic::kName, &sample);
     const bool is_data = info.kind == bus::SampleKind::kData;
     received.to_json = [&] { return is_data ? to_json(sample) : key; };

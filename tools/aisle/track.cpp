@@ -1,4 +1,5 @@
-// aisle track: the tracker's core and a baseline on simulated scans of recorded or scripted people, judged against the truth.
+// aisle track: the tracker's core and a baseline on simulated scans of recorded or scripted people, judged against the
+// truth.
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -45,9 +46,10 @@ std::unique_ptr<tracking::Scene> scene_of(const Options& options) {
     return tracking::driven_scenario(options.scenario, options.vehicles, static_cast<std::uint64_t>(options.seed),
                                      options.empty ? tracking::Cast::kVehiclesOnly : tracking::Cast::kAll);
   }
-  if (options.empty) throw config::BadInput("--empty is for --scenario: recorded people are all there is to see in --pedestrians");
-  return tracking::recorded_people(options.pedestrians, options.vehicles > 0 ? options.vehicles : kUsualVehicles, options.drive,
-                                   options.frames_per_s);
+  if (options.empty)
+    throw config::BadInput("--empty is for --scenario: recorded people are all there is to see in --pedestrians");
+  return tracking::recorded_people(options.pedestrians, options.vehicles > 0 ? options.vehicles : kUsualVehicles,
+                                   options.drive, options.frames_per_s);
 }
 
 Json json_of(const tracking::Row& row) {
@@ -72,13 +74,13 @@ void print(const Cli& cli, const std::vector<tracking::Row>& rows) {
     std::printf("%s\n", write_json(all).c_str());
     return;
   }
-  std::printf("%-18s %6s %7s %6s %9s %10s %10s %9s %9s %11s %11s %11s\n", "tracker", "MOTA", "MOTP m", "IDF1", "switches", "fragments", "speed m/s", "latency",
-              "coverage", "false/min", "scan ms p50", "scan ms p99");
+  std::printf("%-18s %6s %7s %6s %9s %10s %10s %9s %9s %11s %11s %11s\n", "tracker", "MOTA", "MOTP m", "IDF1",
+              "switches", "fragments", "speed m/s", "latency", "coverage", "false/min", "scan ms p50", "scan ms p99");
   for (const tracking::Row& row : rows) {
     const tracking::Score& score = row.score;
-    std::printf("%-18s %6.3f %7.3f %6.3f %9d %10d %10.3f %9.2f %9.3f %11.2f %11.3f %11.3f\n", row.tracker.c_str(), score.mota, score.motp_m, score.idf1,
-                score.id_switches, score.fragments, score.velocity_rms_mps, score.latency_scans, row.coverage, score.false_tracks_per_min, row.scan_ms_p50,
-                row.scan_ms_p99);
+    std::printf("%-18s %6.3f %7.3f %6.3f %9d %10d %10.3f %9.2f %9.3f %11.2f %11.3f %11.3f\n", row.tracker.c_str(),
+                score.mota, score.motp_m, score.idf1, score.id_switches, score.fragments, score.velocity_rms_mps,
+                score.latency_scans, row.coverage, score.false_tracks_per_min, row.scan_ms_p50, row.scan_ms_p99);
   }
 }
 
@@ -89,7 +91,8 @@ std::vector<std::unique_ptr<tracking::Contestant>> contestants_of(const std::str
     if (name == kAll || name == filter.name) contestants.push_back(tracking::make_aisle(filter.name));
   }
   if (contestants.empty()) {
-    throw config::BadInput("--tracker: '" + name + "' is unknown; there are " + obstacle_tracker::filter_names() + ", and " + kAll);
+    throw config::BadInput("--tracker: '" + name + "' is unknown; there are " + obstacle_tracker::filter_names() +
+                           ", and " + kAll);
   }
   contestants.push_back(tracking::make_nearest_neighbour());
   return contestants;
@@ -102,8 +105,9 @@ int track(const Cli& cli, const Options& options) {
   tracking::Sensing sensing = options.sensing;
   sensing.yaw_noise_rad = options.yaw_noise_deg * geometry::kPi / 180.0;
   tracking::Picture picture(scene->walls(), 0, 0.0, kDrawn_s);
-  const std::vector<tracking::Row> rows = tracking::run_trial(*scene, sensing, static_cast<std::uint64_t>(options.seed), contestants, options.seconds,
-                                                              [&](const tracking::Glance& now) { picture.look(now); });
+  const std::vector<tracking::Row> rows =
+      tracking::run_trial(*scene, sensing, static_cast<std::uint64_t>(options.seed), contestants, options.seconds,
+                          [&](const tracking::Glance& now) { picture.look(now); });
   if (!options.svg.empty()) write_output_file(options.svg, picture.svg());
   print(cli, rows);
   return process::kDone;
@@ -117,13 +121,16 @@ void add_track(CLI::App& parent, Cli& cli) {
       .option("--pedestrians", options->pedestrians, "recorded people: rows of 'frame id x y'")
       .option("--frames-per-second", options->frames_per_s, 0.1, 1000.0, "of that recording")
       .option("--scenario", options->scenario, "a scenario file, driven in lock-step")
-      .option("--tracker", options->tracker, "by its filter: " + obstacle_tracker::filter_names() + ", or all in the same run")
-      .option("--vehicles", options->vehicles, 0, 64, "how many have eyes (0: all of a scenario, two among recorded people)")
+      .option("--tracker", options->tracker,
+              "by its filter: " + obstacle_tracker::filter_names() + ", or all in the same run")
+      .option("--vehicles", options->vehicles, 0, 64,
+              "how many have eyes (0: all of a scenario, two among recorded people)")
       .flag("--drive", options->drive, "the vehicles among recorded people drive, not stand")
       .flag("--empty", options->empty, "the scenario without its people and hidden blocks: every track is a ghost")
       .option("--seed", options->seed, 0, 1'000'000'000, "of the noise")
       .option("--seconds", options->seconds, 1.0, 1e6, "at most")
-      .option("--pose-noise", options->sensing.pose_noise_m, 0.0, 1.0, "m, standard deviation of a vehicle's position, each axis")
+      .option("--pose-noise", options->sensing.pose_noise_m, 0.0, 1.0,
+              "m, standard deviation of a vehicle's position, each axis")
       .option("--yaw-noise", options->yaw_noise_deg, 0.0, 30.0, "degrees, of its heading")
       .option("--range-noise", options->sensing.range_noise_m, 0.0, 1.0, "m, of a range")
       .option("--svg", options->svg, "file for a picture of the first minute")

@@ -1,6 +1,7 @@
 #include "tools/demo/child.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <fmt/format.h>
 #include <fstream>
 #include <system_error>
 #include <vector>
@@ -38,7 +38,8 @@ constexpr int kCannotExec = 127;
 
 std::string Ending::text() const { return fmt::format("{} {}", by_signal ? "signal" : "exit code", code); }
 
-Child::Child(const Process& process, const std::filesystem::path& program, const std::filesystem::path& log, bool pipe_stdout) {
+Child::Child(const Process& process, const std::filesystem::path& program, const std::filesystem::path& log,
+             bool pipe_stdout) {
   const int log_fd = open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (log_fd < 0) fail("cannot write " + log.string());
   int pipe_fds[2] = {-1, -1};

@@ -1,9 +1,10 @@
 #pragma once
+#include <sys/types.h>
+
 #include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <sys/types.h>
 
 #include "tools/demo/fleet.hpp"
 
@@ -17,11 +18,14 @@ struct Ending {
   std::string text() const;  // "exit code 2", "signal 9"
 };
 
-/// A process that we started, and end by its id. It dies with us, and does not hear our terminal's Ctrl-C: we stop it in order.
+/// A process that we started, and end by its id. It dies with us, and does not hear our terminal's Ctrl-C: we stop it
+/// in order.
 class Child {
  public:
-  /// stderr (and stdout, unless it is piped to us) goes to `log`, appended. @throws std::system_error when it cannot be started
-  Child(const Process& process, const std::filesystem::path& program, const std::filesystem::path& log, bool pipe_stdout);
+  /// stderr (and stdout, unless it is piped to us) goes to `log`, appended. @throws std::system_error when it cannot be
+  /// started
+  Child(const Process& process, const std::filesystem::path& program, const std::filesystem::path& log,
+        bool pipe_stdout);
   ~Child();
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;

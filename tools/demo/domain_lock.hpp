@@ -4,12 +4,14 @@
 
 namespace aisle::demo {
 
-/// Keeps a DDS domain of this host for one run: a locked file in the temporary folder, which the kernel frees with the process.
+/// Keeps a DDS domain of this host for one run: a locked file in the temporary folder, which the kernel frees with the
+/// process.
 class DomainLock {
  public:
   /// `wanted` in 0..230: that one. @throws config::BadEnvironment when another run has it
   static DomainLock take(int wanted);
-  /// A free one within 100..200, first the one that follows from `process_id`. @throws config::BadEnvironment when all are taken
+  /// A free one within 100..200, first the one that follows from `process_id`. @throws config::BadEnvironment when all
+  /// are taken
   static DomainLock take_any(int process_id);
 
   DomainLock(DomainLock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)), domain_(other.domain_) {}

@@ -1,8 +1,9 @@
 #include "tools/demo/fleet.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
 #include <utility>
 
 #include "common/config/nearest_name.hpp"
@@ -18,11 +19,13 @@ Process service(const std::string& name, const std::string& agv_id, Arguments ar
   Process process;
   process.instance = agv_id.empty() ? name : name + "-" + agv_id;
   process.program = "aisle-" + name;
-  process.arguments = {"--domain", std::to_string(settings.domain), "--interface", "127.0.0.1", "--instance", process.instance};
+  process.arguments = {"--domain",      std::to_string(settings.domain), "--interface", "127.0.0.1", "--instance",
+                       process.instance};
   if (!agv_id.empty()) arguments.insert(arguments.end(), {"--agv", agv_id});
   const fs::path config = settings.config_folder / (name + ".yaml");
   const bool takes_config = name != "map";  // its file names a map, and so does the scenario
-  if (takes_config && !settings.config_folder.empty() && fs::is_regular_file(config)) arguments.insert(arguments.end(), {"--config", config.string()});
+  if (takes_config && !settings.config_folder.empty() && fs::is_regular_file(config))
+    arguments.insert(arguments.end(), {"--config", config.string()});
   process.arguments.insert(process.arguments.end(), arguments.begin(), arguments.end());
   return process;
 }
@@ -52,15 +55,19 @@ std::vector<Process> processes_of(const scenario::Scenario& scenario, const RunS
   all.push_back(service("map", "", {"--scenario", file, "--journal", kept("map.sqlite")}, settings));
   all.push_back(service("global-planner", "", {}, settings));
   all.push_back(service("obstacle-tracker", "", {}, settings));
-  all.push_back(service("fake-world", "", {"--scenario", file, "--seed", seed, "--state-file", kept("fake-world.state")}, settings));
+  all.push_back(service("fake-world", "",
+                        {"--scenario", file, "--seed", seed, "--state-file", kept("fake-world.state")}, settings));
   for (const scenario::Vehicle& vehicle : scenario.vehicles) {
-    all.push_back(service("fake-vehicle", vehicle.id,
-                          {"--scenario", file, "--seed", seed, "--state-file", kept("fake-vehicle-" + vehicle.id + ".state")}, settings));
+    all.push_back(service(
+        "fake-vehicle", vehicle.id,
+        {"--scenario", file, "--seed", seed, "--state-file", kept("fake-vehicle-" + vehicle.id + ".state")}, settings));
     all.push_back(service("local-planner", vehicle.id, {}, settings));
   }
   all.push_back(service("dispatcher", "", {"--scenario", file, "--state-file", kept("dispatcher.state")}, settings));
-  Process referee = service("referee", "", {"--scenario", file, "--seed", seed, "--out", settings.out.string(), "--progress-json",
-                                            "--duration", fmt::format("{:.1f}", settings.timeout_s)}, settings);
+  Process referee = service("referee", "",
+                            {"--scenario", file, "--seed", seed, "--out", settings.out.string(), "--progress-json",
+                             "--duration", fmt::format("{:.1f}", settings.timeout_s)},
+                            settings);
   referee.is_referee = true;
   all.insert(all.begin(), std::move(referee));  // sees all from the start
   if (settings.reversed) std::reverse(all.begin() + 1, all.end());
@@ -79,7 +86,8 @@ fs::path find_scenario(const std::string& name, const fs::path& program_folder) 
   }
   const std::string near = config::nearest_name(name, known);
   throw config::BadInput(fmt::format("no scenario '{}'{}; there are: {}; or give the path of a file", name,
-                                     near.empty() ? "" : ", did you mean '" + near + "'", known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
+                                     near.empty() ? "" : ", did you mean '" + near + "'",
+                                     known.empty() ? "none" : fmt::format("{}", fmt::join(known, ", "))));
 }
 
 }  // namespace aisle::demo

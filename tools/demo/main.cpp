@@ -1,10 +1,10 @@
 // aisle-demo: drives a scenario with all its processes on this machine, judged by the referee.
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
-#include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -44,11 +44,17 @@ struct Options {
     app.add_option("SCENARIO", scenario, "name in deploy/scenarios, or a file")->capture_default_str();
     app.add_option("--seed", seed, "default: the scenario's");
     app.add_option("--out", out, "folder for the report, pictures and logs; default: out/<scenario>");
-    app.add_option("--config", config, "folder with the services' configuration, <service>.yaml; default: deploy/config of the scenario's tree")->check(CLI::ExistingDirectory);
+    app.add_option(
+           "--config", config,
+           "folder with the services' configuration, <service>.yaml; default: deploy/config of the scenario's tree")
+        ->check(CLI::ExistingDirectory);
     app.add_option("--domain", domain, "DDS domain; default: a free one from 100 to 200")->check(CLI::Range(0, 230));
-    app.add_option("--kill", kills, "SERVICE@SECONDS[:RESTART_AFTER_S]: kill -9, then restart (after 1 s); may be repeated")->take_all();
+    app.add_option("--kill", kills,
+                   "SERVICE@SECONDS[:RESTART_AFTER_S]: kill -9, then restart (after 1 s); may be repeated")
+        ->take_all();
     app.add_option("--delay", delays, "SERVICE@SECONDS: starts only then; may be repeated")->take_all();
-    app.add_option("--timeout", timeout_s, "seconds until the run is given up; default: the scenario's duration")->check(CLI::Range(1.0, 86400.0));
+    app.add_option("--timeout", timeout_s, "seconds until the run is given up; default: the scenario's duration")
+        ->check(CLI::Range(1.0, 86400.0));
     app.add_flag("--reversed", reversed, "start the processes in reverse order");
   }
 };
@@ -62,10 +68,13 @@ void prepare(const fs::path& out) {
   fs::remove_all(out / "state", error);
   fs::create_directories(out / "logs", error);
   if (!error) fs::create_directories(out / "state", error);
-  if (error) throw config::BadEnvironment(fmt::format("--out {}: {}; choose a folder that can be written", out.string(), error.message()));
+  if (error)
+    throw config::BadEnvironment(
+        fmt::format("--out {}: {}; choose a folder that can be written", out.string(), error.message()));
 }
 
-std::vector<demo::Process> ordered_processes(const scenario::Scenario& scenario, const demo::RunSettings& settings, const Options& options) {
+std::vector<demo::Process> ordered_processes(const scenario::Scenario& scenario, const demo::RunSettings& settings,
+                                             const Options& options) {
   std::vector<demo::Process> processes = demo::processes_of(scenario, settings);
   std::vector<std::string> instances;
   for (const demo::Process& process : processes) instances.push_back(process.instance);
@@ -83,7 +92,10 @@ std::vector<demo::Process> ordered_processes(const scenario::Scenario& scenario,
 void write_outcome(const demo::RunOutcome& outcome, const fs::path& out) {
   nlohmann::ordered_json deaths = nlohmann::ordered_json::array();
   for (const demo::Death& death : outcome.deaths) {
-    deaths.push_back({{"instance", death.instance}, {"ending", death.ending}, {"while_stopping", death.while_stopping}, {"last_words", death.last_words}});
+    deaths.push_back({{"instance", death.instance},
+                      {"ending", death.ending},
+                      {"while_stopping", death.while_stopping},
+                      {"last_words", death.last_words}});
   }
   const nlohmann::ordered_json json{{"processes", outcome.processes},
                                     {"kills", outcome.kills},
@@ -101,25 +113,31 @@ int drive(const Options& options) {
   const scenario::Scenario scenario = scenario::read_scenario(settings.scenario_file);
   const fs::path deploy = settings.scenario_file.parent_path().parent_path();
   settings.config_folder = options.config.empty() ? deploy / "config" : fs::absolute(options.config);
-  settings.out = fs::absolute(options.out.empty() ? fs::path("out") / settings.scenario_file.stem() : fs::path(options.out));
+  settings.out =
+      fs::absolute(options.out.empty() ? fs::path("out") / settings.scenario_file.stem() : fs::path(options.out));
   settings.seed = options.seed.value_or(scenario.seed);
   settings.timeout_s = options.timeout_s.value_or(scenario.duration_s);
   settings.reversed = options.reversed;
   std::vector<demo::KillOrder> kills;
   for (const std::string& text : options.kills) kills.push_back(demo::parse_kill(text));
-  const demo::DomainLock lock = options.domain ? demo::DomainLock::take(*options.domain) : demo::DomainLock::take_any(getpid());
+  const demo::DomainLock lock =
+      options.domain ? demo::DomainLock::take(*options.domain) : demo::DomainLock::take_any(getpid());
   settings.domain = lock.domain();
   std::vector<demo::Process> processes = ordered_processes(scenario, settings, options);
   prepare(settings.out);
 
   demo::Progress progress(isatty(STDOUT_FILENO) == 1);
-  progress.say(fmt::format("{}: {} vehicles, seed {}, {} processes on domain {}, logs in {}", scenario.name, scenario.vehicles.size(), settings.seed,
-                           processes.size(), settings.domain, (settings.out / "logs").string()));
-  demo::Supervisor supervisor(std::move(processes), std::move(kills), program_folder(), settings.out / "logs", progress);
+  progress.say(fmt::format("{}: {} vehicles, seed {}, {} processes on domain {}, logs in {}", scenario.name,
+                           scenario.vehicles.size(), settings.seed, processes.size(), settings.domain,
+                           (settings.out / "logs").string()));
+  demo::Supervisor supervisor(std::move(processes), std::move(kills), program_folder(), settings.out / "logs",
+                              progress);
   const demo::RunOutcome outcome = supervisor.run(process::stop_on_signals(), settings.timeout_s + 15.0);
   write_outcome(outcome, settings.out);
-  progress.say(fmt::format("\n  {} of {} services stopped cleanly (slowest {:.2f} s), {} killed and {} died during the run", outcome.stopped_cleanly,
-                           outcome.stopped_cleanly + outcome.stopped_uncleanly, outcome.slowest_stop_s, outcome.kills, outcome.unexpected_deaths));
+  progress.say(
+      fmt::format("\n  {} of {} services stopped cleanly (slowest {:.2f} s), {} killed and {} died during the run",
+                  outcome.stopped_cleanly, outcome.stopped_cleanly + outcome.stopped_uncleanly, outcome.slowest_stop_s,
+                  outcome.kills, outcome.unexpected_deaths));
   progress.say(fmt::format("  report.json, fleet.svg, speeds.svg in {}", settings.out.string()));
   return outcome.referee_code;
 }

@@ -1,9 +1,10 @@
 #include "tools/demo/orders.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
 #include <string_view>
 
 #include "common/config/nearest_name.hpp"
@@ -18,7 +19,8 @@ double seconds_of(std::string_view digits, const std::string& text, const char* 
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size() || !(value >= 0.0 && value <= kLongest_s)) {
-    throw config::BadInput(fmt::format("'{}' in '{}' is no number of seconds from 0 to {:.0f}; the form is {}", digits, text, kLongest_s, form));
+    throw config::BadInput(fmt::format("'{}' in '{}' is no number of seconds from 0 to {:.0f}; the form is {}", digits,
+                                       text, kLongest_s, form));
   }
   return value;
 }
@@ -40,7 +42,8 @@ KillOrder parse_kill(const std::string& text) {
 DelayOrder parse_delay(const std::string& text) {
   constexpr const char* kForm = "SERVICE@SECONDS";
   const std::size_t at = text.find('@');
-  if (at == std::string::npos || at == 0) throw config::BadInput(fmt::format("--delay {}: the form is {}", text, kForm));
+  if (at == std::string::npos || at == 0)
+    throw config::BadInput(fmt::format("--delay {}: the form is {}", text, kForm));
   return {text.substr(0, at), seconds_of(std::string_view(text).substr(at + 1), text, kForm)};
 }
 
@@ -51,8 +54,8 @@ bool means(const std::string& service, const std::string& instance) {
 void require_known(const std::string& service, const std::vector<std::string>& instances) {
   if (std::any_of(instances.begin(), instances.end(), [&](const std::string& i) { return means(service, i); })) return;
   const std::string near = config::nearest_name(service, instances);
-  throw config::BadInput(fmt::format("no process '{}' in this run{}; there are {}", service, near.empty() ? "" : ", did you mean '" + near + "'",
-                                     fmt::join(instances, ", ")));
+  throw config::BadInput(fmt::format("no process '{}' in this run{}; there are {}", service,
+                                     near.empty() ? "" : ", did you mean '" + near + "'", fmt::join(instances, ", ")));
 }
 
 }  // namespace aisle::demo

@@ -23,7 +23,8 @@ struct DelayOrder {
 /// "SERVICE@SECONDS". @throws config::BadInput
 DelayOrder parse_delay(const std::string& text);
 
-/// Whether `instance` is meant by `service`: itself, or one of that service ("local-planner" means "local-planner-agv-1").
+/// Whether `instance` is meant by `service`: itself, or one of that service ("local-planner" means
+/// "local-planner-agv-1").
 bool means(const std::string& service, const std::string& instance);
 
 /// @throws config::BadInput when no instance is meant, with the nearest name

@@ -1,7 +1,8 @@
 #include "tools/demo/progress.hpp"
 
-#include <cstdio>
 #include <fmt/format.h>
+
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace aisle::demo {
@@ -27,8 +28,9 @@ void Progress::referee_line(const std::string& line) {
   const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (json.is_discarded()) return;
   const std::string text =
-      fmt::format("{:6.0f} s  {} of {} goals reached, {} given, {} vehicles, {} contacts", json.value("t_s", 0.0), json.value("goals_reached", 0),
-                  json.value("goals_expected", 0), json.value("goals_assigned", 0), json.value("vehicles", 0), json.value("contacts", 0));
+      fmt::format("{:6.0f} s  {} of {} goals reached, {} given, {} vehicles, {} contacts", json.value("t_s", 0.0),
+                  json.value("goals_reached", 0), json.value("goals_expected", 0), json.value("goals_assigned", 0),
+                  json.value("vehicles", 0), json.value("contacts", 0));
   if (is_terminal_) {
     clear_line();
     fmt::print("{}", text);

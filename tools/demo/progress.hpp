@@ -3,8 +3,8 @@
 
 namespace aisle::demo {
 
-/// What a person sees while a run goes on: one line that is rewritten on a terminal, one every kEvery lines of the referee
-/// elsewhere; and events on lines of their own.
+/// What a person sees while a run goes on: one line that is rewritten on a terminal, one every kEvery lines of the
+/// referee elsewhere; and events on lines of their own.
 class Progress {
  public:
   explicit Progress(bool is_terminal);

@@ -1,12 +1,12 @@
 #include "tools/demo/supervisor.hpp"
 
+#include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
-#include <fmt/format.h>
 #include <utility>
 
 namespace aisle::demo {
@@ -18,8 +18,8 @@ constexpr double kRefereeStop_s = 10.0;  // it writes the report
 
 }  // namespace
 
-Supervisor::Supervisor(std::vector<Process> processes, std::vector<KillOrder> kills, std::filesystem::path program_folder,
-                       std::filesystem::path log_folder, Progress& progress)
+Supervisor::Supervisor(std::vector<Process> processes, std::vector<KillOrder> kills,
+                       std::filesystem::path program_folder, std::filesystem::path log_folder, Progress& progress)
     : kills_(std::move(kills)),
       program_folder_(std::move(program_folder)),
       log_folder_(std::move(log_folder)),
@@ -34,9 +34,13 @@ Supervisor::Supervisor(std::vector<Process> processes, std::vector<KillOrder> ki
   outcome_.processes = static_cast<int>(slots_.size());
 }
 
-double Supervisor::now_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(); }
+double Supervisor::now_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+}
 
-std::filesystem::path Supervisor::log_of(const Process& process) const { return log_folder_ / (process.instance + ".log"); }
+std::filesystem::path Supervisor::log_of(const Process& process) const {
+  return log_folder_ / (process.instance + ".log");
+}
 
 RunOutcome Supervisor::run(const std::atomic<bool>& stop, double limit_s) {
   double asked_referee_s = -1.0;
@@ -64,7 +68,8 @@ void Supervisor::start_due() {
     if (slot.child || slot.start_at_s < 0.0 || now_s() < slot.start_at_s) continue;
     slot.start_at_s = -1.0;
     slot.killed_by_us = false;
-    slot.child = std::make_unique<Child>(slot.process, program_folder_ / slot.process.program, log_of(slot.process), slot.process.is_referee);
+    slot.child = std::make_unique<Child>(slot.process, program_folder_ / slot.process.program, log_of(slot.process),
+                                         slot.process.is_referee);
   }
 }
 
@@ -76,7 +81,8 @@ void Supervisor::kill_due() {
     }
     for (Slot& slot : slots_) {
       if (!means(order->service, slot.process.instance) || !slot.child) continue;
-      progress_.say(fmt::format("{:.1f} s: kill -9 {}, back in {:.1f} s", now_s(), slot.process.instance, order->restart_after_s));
+      progress_.say(fmt::format("{:.1f} s: kill -9 {}, back in {:.1f} s", now_s(), slot.process.instance,
+                                order->restart_after_s));
       slot.killed_by_us = true;
       slot.child->send(SIGKILL);
       slot.child.reset();  // reaps it
@@ -126,7 +132,8 @@ void Supervisor::wait_for_output() {
     if (slot.process.is_referee && slot.child) watched.fd = slot.child->stdout_fd();
   }
   poll(&watched, watched.fd >= 0 ? 1 : 0, kTick_ms);
-  if ((watched.revents & POLLHUP) != 0 && (watched.revents & POLLIN) == 0) usleep(kTick_ms * 1000);  // closed, not reaped yet
+  if ((watched.revents & POLLHUP) != 0 && (watched.revents & POLLIN) == 0)
+    usleep(kTick_ms * 1000);  // closed, not reaped yet
 }
 
 /// Hands the referee's whole lines to the progress.
@@ -165,7 +172,8 @@ void Supervisor::stop_all() {
       } else {
         ++outcome_.stopped_uncleanly;
         outcome_.deaths.push_back({slot.process.instance, ending->text(), last_line(log_of(slot.process)), true});
-        progress_.say(fmt::format("{} stopped with {}: {}", slot.process.instance, ending->text(), outcome_.deaths.back().last_words));
+        progress_.say(fmt::format("{} stopped with {}: {}", slot.process.instance, ending->text(),
+                                  outcome_.deaths.back().last_words));
       }
       slot.child.reset();
     }
@@ -174,8 +182,10 @@ void Supervisor::stop_all() {
   for (Slot& slot : slots_) {
     if (!slot.child) continue;
     ++outcome_.stopped_uncleanly;
-    outcome_.deaths.push_back({slot.process.instance, fmt::format("killed after {:.0f} s", kStop_s), last_line(log_of(slot.process)), true});
-    progress_.say(fmt::format("{} did not stop within {:.0f} s, is killed: {}", slot.process.instance, kStop_s, outcome_.deaths.back().last_words));
+    outcome_.deaths.push_back(
+        {slot.process.instance, fmt::format("killed after {:.0f} s", kStop_s), last_line(log_of(slot.process)), true});
+    progress_.say(fmt::format("{} did not stop within {:.0f} s, is killed: {}", slot.process.instance, kStop_s,
+                              outcome_.deaths.back().last_words));
     slot.child.reset();
   }
 }

@@ -26,18 +26,18 @@ struct RunOutcome {
   int processes{0};
   int kills{0};
   int unexpected_deaths{0};
-  int stopped_cleanly{0};   // within kStop_s after SIGTERM, exit code 0
+  int stopped_cleanly{0};  // within kStop_s after SIGTERM, exit code 0
   int stopped_uncleanly{0};
   double slowest_stop_s{0.0};
   std::vector<Death> deaths;
 };
 
-/// Runs the processes of one fleet: starts them in order, kills and restarts as ordered, restarts once what dies by itself,
-/// and stops all when the referee has ended.
+/// Runs the processes of one fleet: starts them in order, kills and restarts as ordered, restarts once what dies by
+/// itself, and stops all when the referee has ended.
 class Supervisor {
  public:
-  Supervisor(std::vector<Process> processes, std::vector<KillOrder> kills, std::filesystem::path program_folder, std::filesystem::path log_folder,
-             Progress& progress);
+  Supervisor(std::vector<Process> processes, std::vector<KillOrder> kills, std::filesystem::path program_folder,
+             std::filesystem::path log_folder, Progress& progress);
 
   /// Until the referee ends, `stop` becomes true (then the referee is asked to end), or `limit_s` have passed.
   RunOutcome run(const std::atomic<bool>& stop, double limit_s);
@@ -47,8 +47,8 @@ class Supervisor {
  private:
   struct Slot {
     Process process;
-    std::unique_ptr<Child> child;   // null: not running
-    double start_at_s{0.0};         // while not running: when it starts; less than 0: never
+    std::unique_ptr<Child> child;  // null: not running
+    double start_at_s{0.0};        // while not running: when it starts; less than 0: never
     int own_deaths{0};
     bool killed_by_us{false};
   };
@@ -64,7 +64,7 @@ class Supervisor {
   void stop_all();
 
   std::vector<Slot> slots_;
-  std::vector<KillOrder> kills_;    // those still to come
+  std::vector<KillOrder> kills_;  // those still to come
   std::filesystem::path program_folder_;
   std::filesystem::path log_folder_;
   Progress& progress_;

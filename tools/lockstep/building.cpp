@@ -24,7 +24,10 @@ void fill(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1,
 }  // namespace
 
 grid::OccupancyGrid hall(double width_m, double height_m, double resolution_m) {
-  grid::OccupancyGrid grid(grid::Geometry{static_cast<int>(std::lround(width_m / resolution_m)), static_cast<int>(std::lround(height_m / resolution_m)), resolution_m, {0.0, 0.0}});
+  grid::OccupancyGrid grid(grid::Geometry{static_cast<int>(std::lround(width_m / resolution_m)),
+                                          static_cast<int>(std::lround(height_m / resolution_m)),
+                                          resolution_m,
+                                          {0.0, 0.0}});
   const auto& g = grid.geometry();
   for (int y = 0; y < g.height; ++y)
     for (int x = 0; x < g.width; ++x)
@@ -32,8 +35,12 @@ grid::OccupancyGrid hall(double width_m, double height_m, double resolution_m) {
   return grid;
 }
 
-void block(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1) { fill(grid, x0, y0, x1, y1, grid::Occupancy::kOccupied); }
-void carve(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1) { fill(grid, x0, y0, x1, y1, grid::Occupancy::kFree); }
+void block(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1) {
+  fill(grid, x0, y0, x1, y1, grid::Occupancy::kOccupied);
+}
+void carve(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1) {
+  fill(grid, x0, y0, x1, y1, grid::Occupancy::kFree);
+}
 
 void add_vehicle(Setup& setup, int number, Pose2 start, std::vector<Pose2> goals, double radius_m) {
   scenario::Vehicle vehicle;
@@ -58,12 +65,16 @@ void add_mover(Setup& setup, double speed_mps, double start_s, bool courteous, s
   setup.scenario.movers.push_back(mover);
 }
 
-Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, double room_m, const std::vector<Pose2>& away_from, double away_m) {
+Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, double room_m, const std::vector<Pose2>& away_from,
+                double away_m) {
   const auto& g = clearance.geometry();
   for (;;) {
-    const Pose2 pose{dice.between(0.5, g.width * g.resolution_m - 0.5), dice.between(0.5, g.height * g.resolution_m - 0.5), dice.between(-3.1, 3.1)};
+    const Pose2 pose{dice.between(0.5, g.width * g.resolution_m - 0.5),
+                     dice.between(0.5, g.height * g.resolution_m - 0.5), dice.between(-3.1, 3.1)};
     if (clearance.clearance_m(pose.position()) < room_m) continue;
-    if (std::all_of(away_from.begin(), away_from.end(), [&](const Pose2& p) { return geometry::distance(p.position(), pose.position()) > away_m; })) return pose;
+    if (std::all_of(away_from.begin(), away_from.end(),
+                    [&](const Pose2& p) { return geometry::distance(p.position(), pose.position()) > away_m; }))
+      return pose;
   }
 }
 

@@ -26,12 +26,15 @@ void block(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1
 /// Frees them.
 void carve(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1);
 
-void add_vehicle(Setup& setup, int number, geometry::Pose2 start, std::vector<geometry::Pose2> goals, double radius_m = 0.35);
-/// Courteous people walk to and fro, the others once: who turns round on the spot, right beside a vehicle, cannot be foreseen.
+void add_vehicle(Setup& setup, int number, geometry::Pose2 start, std::vector<geometry::Pose2> goals,
+                 double radius_m = 0.35);
+/// Courteous people walk to and fro, the others once: who turns round on the spot, right beside a vehicle, cannot be
+/// foreseen.
 void add_mover(Setup& setup, double speed_mps, double start_s, bool courteous, std::vector<geometry::Point2> waypoints);
 
 /// A free point, `room_m` from walls and away from the points given.
-geometry::Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, double room_m, const std::vector<geometry::Pose2>& away_from, double away_m);
+geometry::Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, double room_m,
+                          const std::vector<geometry::Pose2>& away_from, double away_m);
 /// Vehicles anywhere, with goals anywhere.
 void add_fleet(Setup& setup, Dice& dice, int count, int goals, double radius_m, double room_m, double away_m);
 

@@ -38,8 +38,12 @@ Setup warehouse(Dice& dice) {
   for (int i = 0; i < 4; ++i) {
     const double speed = dice.between(0.8, 1.4);
     const double x = 2.0 + 13.0 * dice.below(3) + dice.between(-0.6, 0.6);
-    if (i > 0) add_mover(setup, speed, 0.0, true, {{x, dice.between(1.0, 4.0)}, {x, dice.between(18.0, 24.0)}});
-    else add_mover(setup, speed, 0.0, true, {{dice.between(1.0, 5.0), 6.5 + dice.between(-1.0, 1.0)}, {dice.between(30.0, 39.0), 6.5 + dice.between(-1.0, 1.0)}});
+    if (i > 0)
+      add_mover(setup, speed, 0.0, true, {{x, dice.between(1.0, 4.0)}, {x, dice.between(18.0, 24.0)}});
+    else
+      add_mover(setup, speed, 0.0, true,
+                {{dice.between(1.0, 5.0), 6.5 + dice.between(-1.0, 1.0)},
+                 {dice.between(30.0, 39.0), 6.5 + dice.between(-1.0, 1.0)}});
   }
   scenario::Block pallet;
   pallet.id = "pallet";
@@ -51,7 +55,8 @@ Setup warehouse(Dice& dice) {
   // Nobody is sent to where it is blocked, nor starts on the pallet.
   const auto clear = [&](Pose2& pose) {
     const bool in_edit = pose.x > ex - 0.8 && pose.x < ex + 1.8 && pose.y > ey - 0.8 && pose.y < ey + 3.8;
-    if (in_edit || geometry::distance(pose.position(), pallet.center_in_map.position()) < 1.3) pose = {2.0, pose.y, 0.0};
+    if (in_edit || geometry::distance(pose.position(), pallet.center_in_map.position()) < 1.3)
+      pose = {2.0, pose.y, 0.0};
   };
   for (scenario::Mission& mission : setup.scenario.missions)
     for (Pose2& goal : mission.goals_in_map) clear(goal);
@@ -193,11 +198,15 @@ void refuse_starts_that_touch(const Setup& setup, const std::filesystem::path& f
   for (const scenario::Vehicle& vehicle : vehicles) {
     const Pose2 start = scenario::varied_start(vehicle, setup.scenario.start_jitter_m, setup.seed);
     bodies.push_back(geometry::body_of(vehicle.footprint(), start));
-    const std::string where = fmt::format("{}: {} starts at ({:.2f}, {:.2f})", file.string(), vehicle.id, start.x, start.y);
-    if (!setup.grid.geometry().contains(setup.grid.geometry().cell_at(start.position()))) throw config::BadInput(where + ", outside the map");
-    if (gap_to_walls_m(setup.grid, bodies.back(), 0.1) <= 0.0) throw config::BadInput(where + ", where its outline is in a wall or leaves the map");
+    const std::string where =
+        fmt::format("{}: {} starts at ({:.2f}, {:.2f})", file.string(), vehicle.id, start.x, start.y);
+    if (!setup.grid.geometry().contains(setup.grid.geometry().cell_at(start.position())))
+      throw config::BadInput(where + ", outside the map");
+    if (gap_to_walls_m(setup.grid, bodies.back(), 0.1) <= 0.0)
+      throw config::BadInput(where + ", where its outline is in a wall or leaves the map");
     for (std::size_t i = 0; i + 1 < bodies.size(); ++i)
-      if (geometry::separation_m(bodies[i], bodies.back()) <= 0.0) throw config::BadInput(where + ", where its outline touches that of " + vehicles[i].id);
+      if (geometry::separation_m(bodies[i], bodies.back()) <= 0.0)
+        throw config::BadInput(where + ", where its outline touches that of " + vehicles[i].id);
   }
 }
 
@@ -208,7 +217,8 @@ Setup read_setup(const std::filesystem::path& scenario_file, std::uint64_t seed)
   setup.scenario = scenario::read_scenario(scenario_file);
   setup.seed = seed;
   setup.grid = grid::read_map_file(setup.scenario.map_file, setup.scenario.map_options);
-  for (const scenario::Recording& recording : setup.scenario.recordings) setup.people.push_back(fake_world::read_recording(recording));
+  for (const scenario::Recording& recording : setup.scenario.recordings)
+    setup.people.push_back(fake_world::read_recording(recording));
   refuse_starts_that_touch(setup, scenario_file);
   return setup;
 }
@@ -223,14 +233,16 @@ namespace {
 
 std::string names_like(const std::string& family) {
   const std::string nearest = config::nearest_name(family, families());
-  return fmt::format("{}there are {}", nearest.empty() ? "" : "did you mean '" + nearest + "'? ", fmt::join(families(), ", "));
+  return fmt::format("{}there are {}", nearest.empty() ? "" : "did you mean '" + nearest + "'? ",
+                     fmt::join(families(), ", "));
 }
 
 }  // namespace
 
 Setup make_setup(const std::string& family, std::uint64_t seed) {
   const auto maker = makers().find(family);
-  if (maker == makers().end()) throw config::BadInput(fmt::format("no scenario family '{}'; {}", family, names_like(family)));
+  if (maker == makers().end())
+    throw config::BadInput(fmt::format("no scenario family '{}'; {}", family, names_like(family)));
   Dice dice(seed);
   Setup setup = maker->second(dice);
   setup.scenario.name = family;
@@ -242,7 +254,8 @@ Setup named_setup(const std::string& name_or_file, std::uint64_t seed) {
   if (makers().count(name_or_file) > 0) return make_setup(name_or_file, seed);
   const std::filesystem::path file(name_or_file);
   if (file.has_extension() || file.has_parent_path() || std::filesystem::exists(file)) return read_setup(file, seed);
-  throw config::BadInput(fmt::format("'{}' is neither a scenario file nor a family; {}", name_or_file, names_like(name_or_file)));
+  throw config::BadInput(
+      fmt::format("'{}' is neither a scenario file nor a family; {}", name_or_file, names_like(name_or_file)));
 }
 
 }  // namespace aisle::lockstep

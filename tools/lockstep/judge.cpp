@@ -10,10 +10,10 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kTouchM = 0.001;        // a simulated vehicle is stopped just before it overlaps
+constexpr double kTouchM = 0.001;  // a simulated vehicle is stopped just before it overlaps
 constexpr double kApartM = 0.02;
-constexpr double kNearM = 0.3;           // contacts with walls are looked for from here on
-constexpr double kLookM = 2.0;           // the least clearance is not looked for beyond
+constexpr double kNearM = 0.3;  // contacts with walls are looked for from here on
+constexpr double kLookM = 2.0;  // the least clearance is not looked for beyond
 
 }  // namespace
 
@@ -29,7 +29,11 @@ double gap_to_walls_m(const grid::OccupancyGrid& walls, const geometry::Body& bo
       if (walls.is_free({x, y})) continue;
       const Point2 center = g.center_in_map({x, y});
       if (!is_disc) {
-        least = std::min(least, geometry::separation_m(body, {geometry::Body::Shape::kRectangle, {center.x, center.y, 0.0}, 0.0, g.resolution_m, g.resolution_m}));
+        least = std::min(
+            least,
+            geometry::separation_m(
+                body,
+                {geometry::Body::Shape::kRectangle, {center.x, center.y, 0.0}, 0.0, g.resolution_m, g.resolution_m}));
         continue;
       }
       const Point2 d = p - center;
@@ -39,7 +43,8 @@ double gap_to_walls_m(const grid::OccupancyGrid& walls, const geometry::Body& bo
   return is_disc ? least - body.radius_m : least;
 }
 
-void Judge::pair(const Vehicle& vehicle, const std::string& other, double gap_m, Result& result, std::vector<Touch>& touches) {
+void Judge::pair(const Vehicle& vehicle, const std::string& other, double gap_m, Result& result,
+                 std::vector<Touch>& touches) {
   if (vehicle.is_moving && gap_m < kLookM) result.least_clearance_m = std::min(result.least_clearance_m, gap_m);
   const std::string key = vehicle.id + " " + other;
   if (gap_m > kApartM) {
@@ -51,14 +56,17 @@ void Judge::pair(const Vehicle& vehicle, const std::string& other, double gap_m,
   const bool begins_moving = vehicle.is_moving && moving_.insert(key).second;
   if (begins) ++result.contacts;
   if (begins_moving) ++result.contacts_moving_vehicle;
-  if (begins || begins_moving) touches.push_back({0.0, vehicle.id, other, vehicle.body.base_in_map.position(), begins, vehicle.is_moving});
+  if (begins || begins_moving)
+    touches.push_back({0.0, vehicle.id, other, vehicle.body.base_in_map.position(), begins, vehicle.is_moving});
 }
 
-std::vector<Touch> Judge::look(const std::vector<Vehicle>& vehicles, const std::vector<Thing>& things, const grid::OccupancyGrid& walls,
-                               const grid::ClearanceField& clearance, Result& result) {
+std::vector<Touch> Judge::look(const std::vector<Vehicle>& vehicles, const std::vector<Thing>& things,
+                               const grid::OccupancyGrid& walls, const grid::ClearanceField& clearance,
+                               Result& result) {
   std::vector<Touch> touches;
   for (const Vehicle& a : vehicles) {
-    const double at_least_m = clearance.clearance_m(a.body.base_in_map.position()) - geometry::reach_m(a.body) - walls.geometry().resolution_m;
+    const double at_least_m = clearance.clearance_m(a.body.base_in_map.position()) - geometry::reach_m(a.body) -
+                              walls.geometry().resolution_m;
     const double asked_m = std::max(kNearM, a.is_moving ? std::min(result.least_clearance_m, kLookM) : 0.0);
     const double gap_m = at_least_m < asked_m ? gap_to_walls_m(walls, a.body, asked_m) : asked_m;
     if (gap_m < asked_m) pair(a, "wall", gap_m, result, touches);

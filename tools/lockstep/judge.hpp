@@ -12,7 +12,8 @@ namespace aisle::lockstep {
 /// From an outline to the nearest square of the map that is not free, at most `look_m`; 0: they touch. Exact.
 double gap_to_walls_m(const grid::OccupancyGrid& walls, const geometry::Body& body, double look_m);
 
-/// Counts contacts of vehicles (discs or rectangles) with walls, things and each other, each from its beginning until they are 2 cm apart.
+/// Counts contacts of vehicles (discs or rectangles) with walls, things and each other, each from its beginning until
+/// they are 2 cm apart.
 class Judge {
  public:
   struct Vehicle {
@@ -25,11 +26,12 @@ class Judge {
     geometry::Body body;
   };
   /// Returns each new contact, and each that a vehicle in motion makes worse.
-  std::vector<Touch> look(const std::vector<Vehicle>& vehicles, const std::vector<Thing>& things, const grid::OccupancyGrid& walls,
-                          const grid::ClearanceField& clearance, Result& result);
+  std::vector<Touch> look(const std::vector<Vehicle>& vehicles, const std::vector<Thing>& things,
+                          const grid::OccupancyGrid& walls, const grid::ClearanceField& clearance, Result& result);
 
  private:
-  void pair(const Vehicle& vehicle, const std::string& other, double gap_m, Result& result, std::vector<Touch>& touches);
+  void pair(const Vehicle& vehicle, const std::string& other, double gap_m, Result& result,
+            std::vector<Touch>& touches);
   std::set<std::string> touching_, moving_;
 };
 

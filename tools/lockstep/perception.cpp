@@ -18,10 +18,12 @@ Body body_of(const Sensor& sensor) { return geometry::body_of(sensor.footprint, 
 
 obstacle_tracker::KnownVehicle known_vehicle(const Sensor& s, time::Stamp now) {
   const geometry::Footprint& f = s.footprint;
-  return {s.agv_id, !f.is_disc(), geometry::reach_m(f), f.length_m, f.width_m, s.believed_in_map, s.twist, now, f.ahead_m};
+  return {s.agv_id, !f.is_disc(), geometry::reach_m(f), f.length_m, f.width_m, s.believed_in_map, s.twist,
+          now,      f.ahead_m};
 }
 
-bool is_in_sight(const Sensor& sensor, const fake_world::Thing& thing, const grid::OccupancyGrid& walls, double range_m) {
+bool is_in_sight(const Sensor& sensor, const fake_world::Thing& thing, const grid::OccupancyGrid& walls,
+                 double range_m) {
   const Point2 from = sensor.base_in_map.position();
   const Point2 to = thing.body.base_in_map.position();
   const double d = geometry::distance(from, to);
@@ -54,7 +56,8 @@ void ScanPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& wo
       sent_.erase(id);
       outbox_.forget(id);
     }
-    for (const obstacle_tracker::Track& track : outbox_.due(tracker_.tracks(now), result.seen, now)) sent_[track.id] = {track, now};
+    for (const obstacle_tracker::Track& track : outbox_.due(tracker_.tracks(now), result.seen, now))
+      sent_[track.id] = {track, now};
   }
   tracks_.clear();
   for (const auto& [id, seen] : sent_) tracks_.push_back(seen);
@@ -66,7 +69,9 @@ void TruthPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& w
   std::normal_distribution<double> noise(0.0, 1.0);
   for (auto& [id, memory] : memory_) memory.lost_s += kPeriodS;
   for (const fake_world::Thing& thing : world.things) {
-    if (std::none_of(sensors.begin(), sensors.end(), [&](const Sensor& s) { return is_in_sight(s, thing, world.walls, range_m_); })) continue;
+    if (std::none_of(sensors.begin(), sensors.end(),
+                     [&](const Sensor& s) { return is_in_sight(s, thing, world.walls, range_m_); }))
+      continue;
     Memory& memory = memory_[thing.id];
     if (memory.id == 0) memory.id = next_id_++, memory.velocity = 0.5 * thing.velocity_in_map;
     memory.seen_s += kPeriodS;

@@ -18,7 +18,7 @@ namespace aisle::lockstep {
 /// The sensors of one vehicle, as the tracker knows it.
 struct Sensor {
   std::string agv_id;
-  geometry::Pose2 base_in_map;                  // true
+  geometry::Pose2 base_in_map;  // true
   geometry::Pose2 believed_in_map;
   geometry::Twist2 twist;
   geometry::Footprint footprint;
@@ -50,7 +50,8 @@ class ScanPerceiver final : public Perceiver {
  public:
   /// `only_scans_of`: the one vehicle that is heard; empty: all.
   /// kHeldStill: every track where it is, with velocity 0; what driving without prediction is like.
-  ScanPerceiver(const fake_vehicle::LidarParameters& lidar, std::string only_scans_of, std::uint64_t seed, Told told = Told::kAsTracked)
+  ScanPerceiver(const fake_vehicle::LidarParameters& lidar, std::string only_scans_of, std::uint64_t seed,
+                Told told = Told::kAsTracked)
       : lidar_(lidar), only_scans_of_(std::move(only_scans_of)), random_(seed), told_(told) {}
   void look(const std::vector<Sensor>& sensors, const TrueWorld& world, time::Stamp now) override;
 
@@ -64,7 +65,8 @@ class ScanPerceiver final : public Perceiver {
   std::map<std::uint64_t, local_planner::SeenTrack> sent_;
 };
 
-/// The truth of what is in range and not behind walls, with noise, known a quarter of a second after it came into sight.
+/// The truth of what is in range and not behind walls, with noise, known a quarter of a second after it came into
+/// sight.
 class TruthPerceiver final : public Perceiver {
  public:
   TruthPerceiver(double range_m, std::uint64_t seed) : range_m_(range_m), random_(seed) {}

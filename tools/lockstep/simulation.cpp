@@ -26,9 +26,9 @@ using local_planner::Output;
 using local_planner::Phase;
 
 constexpr double kDt = 0.02;
-constexpr int kSlowEvery = 5;                   // scans, status and traces come at 10 Hz
-constexpr int kAskEvery = 50;                   // a second
-constexpr int kTracksAfter = 2;                 // cycles from the scans to their tracks
+constexpr int kSlowEvery = 5;    // scans, status and traces come at 10 Hz
+constexpr int kAskEvery = 50;    // a second
+constexpr int kTracksAfter = 2;  // cycles from the scans to their tracks
 constexpr double kClockAtStartS = 100.0;
 constexpr const char* kContact = "CONTACT";
 constexpr const char* kGoalMissed = "goal missed";
@@ -50,18 +50,18 @@ struct Agv {
   fake_vehicle::Parameters parameters;
   fake_vehicle::SimulatedVehicle body;
   local_planner::LocalPlanner core;
-  std::vector<Pose2> goals_in_map;              // of all missions, in order
+  std::vector<Pose2> goals_in_map;  // of all missions, in order
   std::vector<bool> heading_matters;
   std::size_t goal{0};
   int replans{0};
   local_planner::Inputs inputs;
   Output output;
-  local_planner::Peer announced;                // as its last status said
+  local_planner::Peer announced;  // as its last status said
   double last_turn{0.0};
   double last_mps{0.0};
   double last_mps2{0.0};
   double done_s{0.0};
-  bool moved{false};                            // before this cycle; a vehicle that touches something stands at once
+  bool moved{false};  // before this cycle; a vehicle that touches something stands at once
   bool is_done() const { return goal >= goals_in_map.size(); }
 };
 
@@ -101,7 +101,9 @@ class Run {
     }
     for (const Agv& agv : agvs_) result_.done_s.push_back(agv.is_done() ? agv.done_s : -1.0);
     for (const Agv& agv : agvs_)
-      if (!agv.is_done()) note(agv, std::string(kGoalMissed) + ": " + name(agv.output.phase) + ", " + name(agv.output.reason) + " " + agv.output.detail);
+      if (!agv.is_done())
+        note(agv, std::string(kGoalMissed) + ": " + name(agv.output.phase) + ", " + name(agv.output.reason) + " " +
+                      agv.output.detail);
     result_.step_us_mean = cycles_ > 0 ? total_us_ / static_cast<double>(cycles_) : 0.0;
     return result_;
   }
@@ -117,7 +119,8 @@ class Run {
   void note(const Agv& agv, const std::string& text) {
     char line[400];
     const Pose2& base = agv.body.base_in_map();
-    std::snprintf(line, sizeof line, "%s (%.2f, %.2f, %.2f) %s", agv.id.c_str(), base.x, base.y, base.yaw, text.c_str());
+    std::snprintf(line, sizeof line, "%s (%.2f, %.2f, %.2f) %s", agv.id.c_str(), base.x, base.y, base.yaw,
+                  text.c_str());
     note(line);
   }
 
@@ -130,17 +133,30 @@ class Run {
     parameters.limits.max_speed_mps = vehicle.max_speed_mps;
     parameters.limits.model = vehicle.kinematic_model();
     parameters.limits.axle = vehicle.axle;
-    const local_planner::Variant& variant = setup_.own_variant ? *setup_.own_variant : *local_planner::find_variant(setup_.local);
+    const local_planner::Variant& variant =
+        setup_.own_variant ? *setup_.own_variant : *local_planner::find_variant(setup_.local);
     local_planner::Settings settings = setup_.settings;
     if (setup_.paper_limits) {
       const local_planner::PaperLimits& paper = variant.paper;
-      parameters.limits = {paper.max_speed_mps, 0.0, paper.max_turn_radps, paper.max_acceleration_mps2, paper.max_deceleration_mps2, paper.max_turn_acceleration_radps2,
-                           vehicle.kinematic_model(), vehicle.axle};
+      parameters.limits = {paper.max_speed_mps,         0.0,
+                           paper.max_turn_radps,        paper.max_acceleration_mps2,
+                           paper.max_deceleration_mps2, paper.max_turn_acceleration_radps2,
+                           vehicle.kinematic_model(),   vehicle.axle};
       settings.dwa.horizon_s = paper.horizon_s;
       settings.comfort_mps2 = std::min(settings.comfort_mps2, paper.max_deceleration_mps2);
     }
     const Pose2 start = scenario::varied_start(vehicle, setup_.scenario.start_jitter_m, setup_.seed);
-    Agv agv{vehicle.id, parameters, fake_vehicle::SimulatedVehicle(parameters, start), local_planner::LocalPlanner(settings, variant), {}, {}, 0, 0, {}, {}, {}};
+    Agv agv{vehicle.id,
+            parameters,
+            fake_vehicle::SimulatedVehicle(parameters, start),
+            local_planner::LocalPlanner(settings, variant),
+            {},
+            {},
+            0,
+            0,
+            {},
+            {},
+            {}};
     for (const scenario::Mission& mission : setup_.scenario.missions)
       for (int loop = 0; mission.vehicle == vehicle.id && loop < mission.loops; ++loop)
         for (const Pose2& goal : mission.goals_in_map) {
@@ -211,7 +227,9 @@ class Run {
         if (w * agv.last_turn < 0.0) ++result_.turn_sign_changes;
         agv.last_turn = w;
       }
-      agv.inputs.state.set({fake_vehicle::with_noise(agv.body.base_in_map(), agv.parameters, random_), agv.body.twist(), agv.body.steering_rad()}, now());
+      agv.inputs.state.set({fake_vehicle::with_noise(agv.body.base_in_map(), agv.parameters, random_), agv.body.twist(),
+                            agv.body.steering_rad()},
+                           now());
       agv.announced.state = *agv.inputs.state.any();
       agv.announced.state_arrived = now();
       agv.inputs.clearance = &clearance_;
@@ -221,7 +239,9 @@ class Run {
 
   void look() {
     std::vector<Sensor> sensors;
-    for (const Agv& a : agvs_) sensors.push_back({a.id, a.body.base_in_map(), a.inputs.state.any()->base_in_map, a.body.twist(), a.parameters.footprint()});
+    for (const Agv& a : agvs_)
+      sensors.push_back(
+          {a.id, a.body.base_in_map(), a.inputs.state.any()->base_in_map, a.body.twist(), a.parameters.footprint()});
     perceiver_->look(sensors, {grid_, clearance_, world_.things()}, now());
   }
 
@@ -265,7 +285,8 @@ class Run {
       plan.id = made->plan_id;
       plan.goal_id = made->goal.id;
       plan.map_revision = made->map_revision;
-      plan.outcome = made->outcome == global_planner::FleetOutcome::kFound ? local_planner::Plan::Outcome::kFound : local_planner::Plan::Outcome::kNotFound;
+      plan.outcome = made->outcome == global_planner::FleetOutcome::kFound ? local_planner::Plan::Outcome::kFound
+                                                                           : local_planner::Plan::Outcome::kNotFound;
       plan.detail = made->detail;
       plan.goal_in_map = made->goal.pose_in_map;
       plan.position_tolerance_m = made->goal.position_tolerance_m;
@@ -290,9 +311,11 @@ class Run {
     agv.body.command(agv.output.twist, now());
     for (const auto& event : agv.output.events) note(agv, event.text);
     const bool changed = agv.output.phase != agv.announced.phase || agv.output.reason != agv.announced.reason;
-    if (changed) note(agv, std::string(name(agv.output.phase)) + ", " + name(agv.output.reason) + " " + agv.output.detail);
+    if (changed)
+      note(agv, std::string(name(agv.output.phase)) + ", " + name(agv.output.reason) + " " + agv.output.detail);
     if (changed || tick_ % kSlowEvery == 0) announce(agv);
-    if (agv.output.phase == Phase::kArrived && !agv.is_done() && agv.inputs.plan->goal_id == agv.id + "-" + std::to_string(agv.goal + 1)) {
+    if (agv.output.phase == Phase::kArrived && !agv.is_done() &&
+        agv.inputs.plan->goal_id == agv.id + "-" + std::to_string(agv.goal + 1)) {
       ++result_.goals_reached;
       ++agv.goal;
       agv.done_s = t_;
@@ -382,8 +405,12 @@ class Run {
 
 }  // namespace
 
-bool is_verdict(const std::string& line) { return line.find(kContact) != std::string::npos || line.find(kGoalMissed) != std::string::npos; }
+bool is_verdict(const std::string& line) {
+  return line.find(kContact) != std::string::npos || line.find(kGoalMissed) != std::string::npos;
+}
 
-Result run(const Setup& setup, const Watch& watch, const std::function<bool(double t_s)>& goes_on) { return Run(setup, watch).all(goes_on); }
+Result run(const Setup& setup, const Watch& watch, const std::function<bool(double t_s)>& goes_on) {
+  return Run(setup, watch).all(goes_on);
+}
 
 }  // namespace aisle::lockstep

@@ -9,8 +9,9 @@
 namespace aisle::lockstep {
 
 const std::vector<std::string>& suite_families() {
-  static const std::vector<std::string> names{"static-clutter", "hidden-blocks", "person-crossing", "person-oncoming", "overtaking",
-                                              "door",           "corridor",      "crowd",           "two-vehicles",    "four-vehicles"};
+  static const std::vector<std::string> names{"static-clutter", "hidden-blocks", "person-crossing", "person-oncoming",
+                                              "overtaking",     "door",          "corridor",        "crowd",
+                                              "two-vehicles",   "four-vehicles"};
   return names;
 }
 
@@ -22,12 +23,14 @@ Result run_in_time(Setup setup, const std::string& local) {
   for (std::size_t i = 0; i < alone_s.size(); ++i)
     if (result.done_s[i] > kFreeRuns * alone_s[i]) {
       --result.goals_reached;
-      result.log.push_back(setup.scenario.vehicles[i].id + " is too late: " + std::to_string(result.done_s[i]) + " s, alone " + std::to_string(alone_s[i]));
+      result.log.push_back(setup.scenario.vehicles[i].id + " is too late: " + std::to_string(result.done_s[i]) +
+                           " s, alone " + std::to_string(alone_s[i]));
     }
   return result;
 }
 
-SuiteRow run_family(const std::string& family, const std::string& local, std::uint64_t first, int seeds, const std::function<bool()>& is_stopped) {
+SuiteRow run_family(const std::string& family, const std::string& local, std::uint64_t first, int seeds,
+                    const std::function<bool()>& is_stopped) {
   SuiteRow row{family, {}, {}};
   for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(seeds); ++seed) {
     if (is_stopped && is_stopped()) break;

@@ -16,7 +16,7 @@ const std::vector<std::string>& suite_families();
 struct SuiteRow {
   std::string family;
   Totals totals;
-  std::vector<std::string> bad;         // seeds with a goal missed or a contact of a moving vehicle, and what happened last
+  std::vector<std::string> bad;  // seeds with a goal missed or a contact of a moving vehicle, and what happened last
 };
 
 /// A goal that takes longer than this, times what the vehicle would need alone at full speed, is missed.
@@ -26,6 +26,7 @@ inline constexpr double kFreeRuns = 5.0;
 Result run_in_time(Setup setup, const std::string& local);
 
 /// Seeds from `first` on. `is_stopped` is asked before each run.
-SuiteRow run_family(const std::string& family, const std::string& local, std::uint64_t first, int seeds, const std::function<bool()>& is_stopped = {});
+SuiteRow run_family(const std::string& family, const std::string& local, std::uint64_t first, int seeds,
+                    const std::function<bool()>& is_stopped = {});
 
 }  // namespace aisle::lockstep

@@ -19,7 +19,7 @@ using geometry::Pose2;
 
 constexpr double kCellM = 0.1;
 constexpr double kRadiusM = 0.35;
-constexpr double kSpareM = 0.15;          // beside the vehicle, on the way that there must be
+constexpr double kSpareM = 0.15;  // beside the vehicle, on the way that there must be
 constexpr double kMostS = 1000.0;
 
 /// Metres from each vehicle's start to its goal; infinite where there is no way.
@@ -29,10 +29,12 @@ std::vector<double> ways_m(const Setup& setup, const grid::OccupancyGrid& grid, 
   std::vector<double> lengths;
   for (std::size_t i = 0; i < setup.scenario.vehicles.size(); ++i) {
     const scenario::Vehicle& vehicle = setup.scenario.vehicles[i];
-    global_planner::Problem problem{clearance, vehicle.start_in_map.position(), setup.scenario.missions[i].goals_in_map.front().position()};
+    global_planner::Problem problem{clearance, vehicle.start_in_map.position(),
+                                    setup.scenario.missions[i].goals_in_map.front().position()};
     problem.radius_m = vehicle.radius_m + spare_m;
     const global_planner::Plan plan = planner->plan(problem, [] { return false; });
-    lengths.push_back(plan.outcome == global_planner::Outcome::kFound ? plan.length_m : std::numeric_limits<double>::infinity());
+    lengths.push_back(plan.outcome == global_planner::Outcome::kFound ? plan.length_m
+                                                                      : std::numeric_limits<double>::infinity());
   }
   return lengths;
 }
@@ -41,7 +43,8 @@ std::vector<double> ways_m(const Setup& setup, const grid::OccupancyGrid& grid, 
 bool is_passable(const Setup& setup) {
   grid::OccupancyGrid all = setup.grid;
   for (const scenario::Block& b : setup.scenario.blocks)
-    block(all, b.center_in_map.x - 0.5 * b.length_m, b.center_in_map.y - 0.5 * b.width_m, b.center_in_map.x + 0.5 * b.length_m, b.center_in_map.y + 0.5 * b.width_m);
+    block(all, b.center_in_map.x - 0.5 * b.length_m, b.center_in_map.y - 0.5 * b.width_m,
+          b.center_in_map.x + 0.5 * b.length_m, b.center_in_map.y + 0.5 * b.width_m);
   const std::vector<double> lengths = ways_m(setup, all, kSpareM);
   return std::all_of(lengths.begin(), lengths.end(), [](double m) { return std::isfinite(m); });
 }
@@ -89,7 +92,8 @@ Setup clutter(Dice& dice, int vehicles) {
       const double lane = 14.0 / (0.5 * vehicles + 1.0) * (1 + i / 2);
       const Pose2 left{1.5, lane + dice.between(-1.0, 1.0), dice.between(-3.1, 3.1)};
       const Pose2 right{18.5, lane + dice.between(-1.0, 1.0), dice.between(-3.1, 3.1)};
-      add_vehicle(setup, i + 1, from_left ? left : right, {from_left ? Pose2{18.5, 13.0 - lane + 1.5, 0.0} : Pose2{1.5, 13.0 - lane, 0.0}});
+      add_vehicle(setup, i + 1, from_left ? left : right,
+                  {from_left ? Pose2{18.5, 13.0 - lane + 1.5, 0.0} : Pose2{1.5, 13.0 - lane, 0.0}});
     }
     return setup;
   });
@@ -130,7 +134,8 @@ Setup junction(Dice& dice) {
   return setup;
 }
 
-/// Who is first seen in the middle of the hall has come from its edge, as fast as they walked then: people do not appear from nothing.
+/// Who is first seen in the middle of the hall has come from its edge, as fast as they walked then: people do not
+/// appear from nothing.
 fake_world::RecordedPerson walking_in(const fake_world::RecordedPerson& person, const grid::Geometry& hall) {
   constexpr double kFromWallM = 0.3;
   std::vector<fake_world::RecordedPerson::Row> rows = person.rows();
@@ -139,8 +144,11 @@ fake_world::RecordedPerson walking_in(const fake_world::RecordedPerson& person, 
   if (later.t_s - first.t_s < 0.1) return person;
   const Point2 velocity = (1.0 / (later.t_s - first.t_s)) * (later.in_map - first.in_map);
   if (geometry::norm(velocity) < 0.3) return person;
-  const auto since = [](double at_m, double mps, double length_m) { return mps > 0.0 ? (at_m - kFromWallM) / mps : mps < 0.0 ? (at_m - length_m + kFromWallM) / mps : 1e9; };
-  const double walked_s = std::min(since(first.in_map.x, velocity.x, hall.width * hall.resolution_m), since(first.in_map.y, velocity.y, hall.height * hall.resolution_m));
+  const auto since = [](double at_m, double mps, double length_m) {
+    return mps > 0.0 ? (at_m - kFromWallM) / mps : mps < 0.0 ? (at_m - length_m + kFromWallM) / mps : 1e9;
+  };
+  const double walked_s = std::min(since(first.in_map.x, velocity.x, hall.width * hall.resolution_m),
+                                   since(first.in_map.y, velocity.y, hall.height * hall.resolution_m));
   if (walked_s <= 0.0) return person;
   rows.insert(rows.begin(), {first.t_s - walked_s, first.in_map - walked_s * velocity});
   return {person.id(), std::move(rows)};
@@ -162,7 +170,8 @@ Setup static_clutter(Dice& dice) {
     Setup setup;
     setup.grid = hall(20.0, 14.0, kCellM);
     throw_boxes(setup.grid, dice, 18, 3.0, 15.5, 0.2, 12.5);
-    add_vehicle(setup, 1, {1.5, dice.between(1.5, 12.5), dice.between(-3.1, 3.1)}, {{18.5, dice.between(1.5, 12.5), 0.0}});
+    add_vehicle(setup, 1, {1.5, dice.between(1.5, 12.5), dice.between(-3.1, 3.1)},
+                {{18.5, dice.between(1.5, 12.5), 0.0}});
     return setup;
   });
 }
@@ -173,7 +182,8 @@ Setup hidden_blocks(Dice& dice) {
     setup.grid = hall(20.0, 10.0, kCellM);
     throw_boxes(setup.grid, dice, 5, 3.0, 15.0, 0.2, 8.5);
     for (int i = 0; i < 5; ++i) hide_box(setup, dice, {dice.between(4.0, 16.0), dice.between(1.0, 9.0)}, 0.4, 0.9);
-    add_vehicle(setup, 1, {1.5, dice.between(1.5, 8.5), dice.between(-3.1, 3.1)}, {{18.5, dice.between(1.5, 8.5), 0.0}});
+    add_vehicle(setup, 1, {1.5, dice.between(1.5, 8.5), dice.between(-3.1, 3.1)},
+                {{18.5, dice.between(1.5, 8.5), 0.0}});
     return setup;
   });
 }
@@ -186,7 +196,8 @@ Setup person_crossing(Dice& dice) {
     const bool up = dice.below(2) == 0;
     const double x = dice.between(4.0, 16.0);
     const double y0 = up ? 0.6 : 9.4;
-    add_mover(setup, dice.between(0.7, 1.5), courteous ? 0.0 : dice.between(0.0, 14.0), courteous, {{x, y0}, {x + dice.between(-1.0, 1.0), 10.0 - y0}});
+    add_mover(setup, dice.between(0.7, 1.5), courteous ? 0.0 : dice.between(0.0, 14.0), courteous,
+              {{x, y0}, {x + dice.between(-1.0, 1.0), 10.0 - y0}});
   }
   add_vehicle(setup, 1, {1.5, dice.between(3.0, 7.0), dice.between(-3.1, 3.1)}, {{18.5, dice.between(3.0, 7.0), 0.0}});
   return setup;
@@ -198,7 +209,8 @@ Setup person_oncoming(Dice& dice) {
   const int people = 1 + dice.below(2);
   for (int i = 0; i < people; ++i) {
     const auto side = [&] { return kCellM + dice.between(0.4, width - 0.4); };
-    add_mover(setup, dice.between(0.7, 1.4), 6.0 * i + dice.between(0.0, 5.0), dice.below(2) == 0, {{23.2, side()}, {0.8, side()}});
+    add_mover(setup, dice.between(0.7, 1.4), 6.0 * i + dice.between(0.0, 5.0), dice.below(2) == 0,
+              {{23.2, side()}, {0.8, side()}});
   }
   const double middle = kCellM + 0.5 * width;
   add_vehicle(setup, 1, {1.6, middle + dice.between(-0.4, 0.4), dice.between(-0.5, 0.5)}, {{21.5, middle, 0.0}});
@@ -223,7 +235,11 @@ Setup door(Dice& dice) {
   block(setup.grid, 8.0, 0.0, 8.3, 10.0);
   carve(setup.grid, 7.9, y, 8.4, y + wide);
   const double middle = y + 0.5 * wide;
-  add_mover(setup, dice.between(0.7, 1.3), 0.0, true, {{dice.between(12.0, 15.0), dice.between(1.0, 9.0)}, {9.3, middle}, {7.0, middle}, {dice.between(2.0, 5.0), dice.between(1.0, 9.0)}});
+  add_mover(setup, dice.between(0.7, 1.3), 0.0, true,
+            {{dice.between(12.0, 15.0), dice.between(1.0, 9.0)},
+             {9.3, middle},
+             {7.0, middle},
+             {dice.between(2.0, 5.0), dice.between(1.0, 9.0)}});
   add_vehicle(setup, 1, {1.5, dice.between(1.5, 8.5), dice.between(-3.1, 3.1)}, {{14.5, dice.between(1.5, 8.5), 0.0}});
   return setup;
 }
@@ -241,7 +257,9 @@ Setup corridor(Dice& dice) {
     carve(setup.grid, 0.5, y0 - half, bend + half, y0 + half);
     carve(setup.grid, bend - half, 2.0 - half, bend + half, 8.0 + half);
     carve(setup.grid, bend - half, y1 - half, 17.5, y1 + half);
-    if (half > 0.9) hide_box(setup, dice, {dice.between(4.0, bend - 2.0), y0 + (dice.below(2) == 0 ? half - 0.2 : 0.2 - half)}, 0.3, 0.4);
+    if (half > 0.9)
+      hide_box(setup, dice, {dice.between(4.0, bend - 2.0), y0 + (dice.below(2) == 0 ? half - 0.2 : 0.2 - half)}, 0.3,
+               0.4);
     add_vehicle(setup, 1, {1.5, y0, dice.between(-3.1, 3.1)}, {{16.5, y1, 0.0}});
     return setup;
   });
@@ -250,8 +268,9 @@ Setup corridor(Dice& dice) {
 Setup crowd(Dice& dice) {
   struct Place {
     const char* file;
-    Pose2 frame_in_map;       // so that its people walk in the middle of the hall, and all of their ways are within its walls
-    double frames_per_s;      // at which its people walk at their own pace
+    Pose2
+        frame_in_map;  // so that its people walk in the middle of the hall, and all of their ways are within its walls
+    double frames_per_s;  // at which its people walk at their own pace
     double last_begin_s;
   };
   static const Place kPlaces[]{{"data:pedestrians/biwi_eth.txt", {8.6, 4.0, 0.0}, 15.0, 660.0},
@@ -267,28 +286,38 @@ Setup crowd(Dice& dice) {
   recording.begin_s = dice.between(0.0, place.last_begin_s);
   recording.end_s = recording.begin_s + 100.0;
   setup.people.emplace_back();
-  for (const fake_world::RecordedPerson& person : fake_world::read_recording(recording)) setup.people.back().push_back(walking_in(person, setup.grid.geometry()));
+  for (const fake_world::RecordedPerson& person : fake_world::read_recording(recording))
+    setup.people.back().push_back(walking_in(person, setup.grid.geometry()));
   setup.scenario.recordings.push_back(recording);
   const bool upwards = dice.below(2) == 0;
-  if (upwards) add_vehicle(setup, 1, {dice.between(7.0, 17.0), 3.2, 1.57}, {{dice.between(7.0, 17.0), 14.8, 0.0}});
-  else add_vehicle(setup, 1, {4.2, dice.between(5.0, 13.0), 0.0}, {{19.8, dice.between(5.0, 13.0), 0.0}});
+  if (upwards)
+    add_vehicle(setup, 1, {dice.between(7.0, 17.0), 3.2, 1.57}, {{dice.between(7.0, 17.0), 14.8, 0.0}});
+  else
+    add_vehicle(setup, 1, {4.2, dice.between(5.0, 13.0), 0.0}, {{19.8, dice.between(5.0, 13.0), 0.0}});
   return setup;
 }
 
 Setup two_vehicles(Dice& dice) {
   switch (dice.below(4)) {
-    case 0: return meeting(dice);
-    case 1: return crossing_of(dice, 2);
-    case 2: return junction(dice);
-    default: return clutter(dice, 2);
+    case 0:
+      return meeting(dice);
+    case 1:
+      return crossing_of(dice, 2);
+    case 2:
+      return junction(dice);
+    default:
+      return clutter(dice, 2);
   }
 }
 
 Setup four_vehicles(Dice& dice) {
   switch (dice.below(3)) {
-    case 0: return crossing_of(dice, 4);
-    case 1: return racks(dice);
-    default: return clutter(dice, 4);
+    case 0:
+      return crossing_of(dice, 4);
+    case 1:
+      return racks(dice);
+    default:
+      return clutter(dice, 4);
   }
 }
 
@@ -300,7 +329,8 @@ std::vector<double> free_run_s(const Setup& setup) {
     const double mps = setup.scenario.vehicles[i].max_speed_mps;
     const double speeding_s = 0.5 * mps / limits.max_acceleration_mps2 + 0.5 * mps / limits.max_deceleration_mps2;
     const Pose2 start = setup.scenario.vehicles[i].start_in_map;
-    const double turn_rad = std::abs(geometry::wrap(geometry::bearing(start.position(), setup.scenario.missions[i].goals_in_map.front().position()) - start.yaw));
+    const double turn_rad = std::abs(geometry::wrap(
+        geometry::bearing(start.position(), setup.scenario.missions[i].goals_in_map.front().position()) - start.yaw));
     seconds.push_back(lengths[i] / mps + speeding_s + turn_rad / limits.max_turn_radps);
   }
   return seconds;

@@ -1,9 +1,11 @@
-// aisle-referee: judges one simulated run, writes its report and pictures, and says by its exit code whether it went well.
+// aisle-referee: judges one simulated run, writes its report and pictures, and says by its exit code whether it went
+// well.
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <fmt/format.h>
 #include <optional>
 #include <string>
 
@@ -30,7 +32,8 @@ struct Options {
     app.add_option("--scenario", scenario_file, "scenario file that is run")->required();
     app.add_option("--seed", seed, "for the report; default: the scenario's");
     app.add_option("--out", out, "folder for report.json, fleet.svg and speeds.svg")->capture_default_str();
-    app.add_option("--duration", duration_s, "seconds until it gives up; default: the scenario's")->check(CLI::PositiveNumber);
+    app.add_option("--duration", duration_s, "seconds until it gives up; default: the scenario's")
+        ->check(CLI::PositiveNumber);
     app.add_flag("--progress-json", progress_json, "one JSON line a second on stdout");
   }
 };
@@ -45,14 +48,17 @@ referee::Expectation expectation_of(const scenario::Scenario& scenario) {
 
 void print_progress(const referee::RefereeService& service, int goals_expected) {
   const referee::Judge& judge = service.judge();
-  fmt::print("{{\"t_s\":{:.1f},\"goals_reached\":{},\"goals_assigned\":{},\"goals_expected\":{},\"contacts\":{},\"vehicles\":{}}}\n", service.now_s(),
-             judge.goals().count(referee::GoalOutcome::kReached), judge.goals().assigned_count(), goals_expected,
-             judge.contacts().contacts().size(), judge.vehicles_seen());
+  fmt::print(
+      "{{\"t_s\":{:.1f},\"goals_reached\":{},\"goals_assigned\":{},\"goals_expected\":{},\"contacts\":{},\"vehicles\":{"
+      "}}}\n",
+      service.now_s(), judge.goals().count(referee::GoalOutcome::kReached), judge.goals().assigned_count(),
+      goals_expected, judge.contacts().contacts().size(), judge.vehicles_seen());
   std::fflush(stdout);
 }
 
 /// Runs until the missions are over, time is up or a signal comes; returns the report.
-referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& scenario, const referee::Walls& walls, const Options& options) {
+referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& scenario, const referee::Walls& walls,
+                             const Options& options) {
   const referee::Expectation expectation = expectation_of(scenario);
   referee::RefereeService service(shell.bus(), shell.health(), walls, expectation);
   if (options.progress_json) {
@@ -80,7 +86,8 @@ referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& sc
 int main(int argc, char** argv) {
   Options options;
   int verdict = process::kDone;
-  const service::Shell::About about{"referee", "Judges a simulated run from ground truth: contacts, clearance, goals, authority, timing.", ""};
+  const service::Shell::About about{
+      "referee", "Judges a simulated run from ground truth: contacts, clearance, goals, authority, timing.", ""};
   const int code = service::run_service(
       argc, argv, about, [&](CLI::App& app) { options.add_to(app); },
       [&](service::Shell& shell) {

@@ -19,14 +19,22 @@ constexpr int kDiscCorners = 32;
 
 const char* name_of(NavigationPhase phase) {
   switch (phase) {
-    case NavigationPhase::PHASE_WAITING: return "waiting";
-    case NavigationPhase::PHASE_TURNING: return "turning";
-    case NavigationPhase::PHASE_DRIVING: return "driving";
-    case NavigationPhase::PHASE_AVOIDING: return "avoiding";
-    case NavigationPhase::PHASE_BLOCKED: return "blocked";
-    case NavigationPhase::PHASE_ARRIVED: return "arrived";
-    case NavigationPhase::PHASE_FAILED: return "failed";
-    case NavigationPhase::PHASE_HELD: return "held";
+    case NavigationPhase::PHASE_WAITING:
+      return "waiting";
+    case NavigationPhase::PHASE_TURNING:
+      return "turning";
+    case NavigationPhase::PHASE_DRIVING:
+      return "driving";
+    case NavigationPhase::PHASE_AVOIDING:
+      return "avoiding";
+    case NavigationPhase::PHASE_BLOCKED:
+      return "blocked";
+    case NavigationPhase::PHASE_ARRIVED:
+      return "arrived";
+    case NavigationPhase::PHASE_FAILED:
+      return "failed";
+    case NavigationPhase::PHASE_HELD:
+      return "held";
   }
   return "unknown";
 }
@@ -38,9 +46,12 @@ Shape shape_of(const aisle::WorldObstacle& sample) {
 
 BodyKind kind_of(aisle::BodyKind kind) {
   switch (kind) {
-    case aisle::BodyKind::BODY_VEHICLE: return BodyKind::kVehicle;
-    case aisle::BodyKind::BODY_PERSON: return BodyKind::kPerson;
-    case aisle::BodyKind::BODY_BLOCK: break;
+    case aisle::BodyKind::BODY_VEHICLE:
+      return BodyKind::kVehicle;
+    case aisle::BodyKind::BODY_PERSON:
+      return BodyKind::kPerson;
+    case aisle::BodyKind::BODY_BLOCK:
+      break;
   }
   return BodyKind::kBlock;
 }
@@ -70,8 +81,12 @@ bool all_finite(const std::vector<geometry::Point2>& points) {
 
 }  // namespace
 
-RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls, const Expectation& expectation)
-    : health_(health), judge_(&walls, expectation), started_(std::chrono::steady_clock::now()), started_wall_ns_(process::wall_clock_ns()) {
+RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls,
+                               const Expectation& expectation)
+    : health_(health),
+      judge_(&walls, expectation),
+      started_(std::chrono::steady_clock::now()),
+      started_wall_ns_(process::wall_clock_ns()) {
   listen_to_simulation(bus);
   listen_to_fleet(bus);
   listen_to_map(bus);
@@ -80,9 +95,13 @@ RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Wal
   health_.state = ServiceState::SERVICE_READY;
 }
 
-double RefereeService::now_s() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count(); }
+double RefereeService::now_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+}
 
-double RefereeService::arrived_s(const SampleInfo& info) const { return std::chrono::duration<double>(info.arrived - started_).count(); }
+double RefereeService::arrived_s(const SampleInfo& info) const {
+  return std::chrono::duration<double>(info.arrived - started_).count();
+}
 
 bool RefereeService::fit(const char* topic, bool ok) {
   if (!ok) health_.count(std::string("unfit_") + topic);
@@ -107,7 +126,8 @@ void RefereeService::listen_to_fleet(bus::Bus& bus) {
   });
   bus.on<topics::VelocityCommand>([this](const aisle::VelocityCommand& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
-    judge_.command_arrived({sample.agv_id().to_string(), sample.by().stamp_ns(), sample.scan_stamp_ns(), sample.control_ms(), arrived_s(info)});
+    judge_.command_arrived({sample.agv_id().to_string(), sample.by().stamp_ns(), sample.scan_stamp_ns(),
+                            sample.control_ms(), arrived_s(info)});
   });
   bus.on<topics::NavigationStatus>([this](const aisle::NavigationStatus& sample, const SampleInfo& info) {
     if (info.kind == SampleKind::kData) take(sample, arrived_s(info));
@@ -129,8 +149,8 @@ void RefereeService::listen_to_map(bus::Bus& bus) {
 void RefereeService::listen_to_services(bus::Bus& bus) {
   bus.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
-    judge_.health_arrived({sample.instance_id().to_string(), sample.service().to_string(), sample.by().boot_id(), sample.cpu_percent(),
-                           sample.resident_mb()});
+    judge_.health_arrived({sample.instance_id().to_string(), sample.service().to_string(), sample.by().boot_id(),
+                           sample.cpu_percent(), sample.resident_mb()});
   });
 }
 
@@ -141,11 +161,13 @@ void RefereeService::take(const aisle::WorldObstacle& sample) {
       .within("length_m", sample.length_m(), 0.0, 100.0)
       .within("width_m", sample.width_m(), 0.0, 100.0)
       .within("ahead_m", sample.ahead_m(), -100.0, 100.0);
-  checks.within("velocity_x_mps", sample.velocity_x_mps(), -100.0, 100.0).within("velocity_y_mps", sample.velocity_y_mps(), -100.0, 100.0);
+  checks.within("velocity_x_mps", sample.velocity_x_mps(), -100.0, 100.0)
+      .within("velocity_y_mps", sample.velocity_y_mps(), -100.0, 100.0);
   if (!fit("world_obstacle", checks.ok())) return;
   const double t_s = 1e-9 * static_cast<double>(sample.by().stamp_ns() - started_wall_ns_);
   judge_.body_seen({sample.obstacle_id().to_string(), kind_of(sample.kind()), shape_of(sample), base_in_map,
-                    std::hypot(sample.velocity_x_mps(), sample.velocity_y_mps()), t_s, sample.by().boot_id(), sample.ahead_m()});
+                    std::hypot(sample.velocity_x_mps(), sample.velocity_y_mps()), t_s, sample.by().boot_id(),
+                    sample.ahead_m()});
 }
 
 void RefereeService::take(const aisle::VehicleState& sample, double t_s) {
@@ -219,7 +241,9 @@ void RefereeService::take(const aisle::MapEdit& sample, double t_s) {
 void RefereeService::take(const aisle::MapEditResult& sample, double t_s) {
   const bool applied = sample.outcome() == EditOutcome::EDIT_APPLIED;
   const bool refused = sample.outcome() == EditOutcome::EDIT_REFUSED;
-  const std::string outcome = applied ? "applied" : refused ? "refused: " + sample.detail().to_string() : "already applied";
+  const std::string outcome = applied   ? "applied"
+                              : refused ? "refused: " + sample.detail().to_string()
+                                        : "already applied";
   judge_.edit_answered({sample.edit_id().to_string(), applied, outcome, sample.revision(), t_s});
 }
 

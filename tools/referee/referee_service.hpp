@@ -9,8 +9,8 @@
 
 namespace aisle::referee {
 
-/// Hears everything on the site, puts it on one clock (seconds since it was made) and hands it to the judge. Writes nothing but
-/// its own health. Ground truth is placed by its stamp, everything else by its arrival.
+/// Hears everything on the site, puts it on one clock (seconds since it was made) and hands it to the judge. Writes
+/// nothing but its own health. Ground truth is placed by its stamp, everything else by its arrival.
 class RefereeService {
  public:
   /// `bus`, `health` and `walls` must outlive the service.

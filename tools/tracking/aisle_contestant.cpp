@@ -20,7 +20,9 @@ class Aisle final : public Contestant {
 
 }  // namespace
 
-std::unique_ptr<Contestant> make_aisle(const obstacle_tracker::TrackerParams& params) { return std::make_unique<Aisle>(params); }
+std::unique_ptr<Contestant> make_aisle(const obstacle_tracker::TrackerParams& params) {
+  return std::make_unique<Aisle>(params);
+}
 
 std::unique_ptr<Contestant> make_aisle(const std::string& filter) {
   obstacle_tracker::TrackerParams params;

@@ -8,7 +8,8 @@
 
 namespace aisle::tracking {
 
-/// A tracker that takes part: it gets every scan as it comes, and is asked for its tracks when all vehicles have scanned.
+/// A tracker that takes part: it gets every scan as it comes, and is asked for its tracks when all vehicles have
+/// scanned.
 class Contestant {
  public:
   virtual ~Contestant() = default;

@@ -17,7 +17,8 @@ constexpr double kPeriod_s = 0.1;  // of the snapshots
 /// Vehicles as the lock-step simulation drove them; people and blocks move on around them as in the scenario.
 class DrivenScenario final : public Scene {
  public:
-  DrivenScenario(const lockstep::Setup& setup, int vehicles) : setup_(setup), world_(setup.scenario, setup.people, setup.seed, nullptr) {
+  DrivenScenario(const lockstep::Setup& setup, int vehicles)
+      : setup_(setup), world_(setup.scenario, setup.people, setup.seed, nullptr) {
     lockstep::Setup drive = setup;
     drive.perception = lockstep::Perception::kTruth;
     lockstep::run(drive, [this](const lockstep::Snapshot& now) { poses_.push_back(now.vehicles); });
@@ -26,7 +27,9 @@ class DrivenScenario final : public Scene {
   }
 
   const grid::OccupancyGrid& walls() const override { return setup_.grid; }
-  double duration_s() const override { return poses_.size() < 2 ? 0.0 : kPeriod_s * static_cast<double>(poses_.size() - 2); }
+  double duration_s() const override {
+    return poses_.size() < 2 ? 0.0 : kPeriod_s * static_cast<double>(poses_.size() - 2);
+  }
   std::size_t vehicles() const override { return seeing_; }
 
   Moment at(double t_s) override {
@@ -62,7 +65,8 @@ class DrivenScenario final : public Scene {
     carrier.radius_m = setup_.scenario.vehicles[v].radius_m;
     const geometry::Point2 step = geometry::from_map({0.0, 0.0, a.yaw}, b.position() - a.position());
     carrier.twist = {step.x / kPeriod_s, geometry::wrap(b.yaw - a.yaw) / kPeriod_s, 0.0};
-    carrier.base_in_map = kinematics::advance(a, carrier.twist, std::min(kPeriod_s, t_s - kPeriod_s * static_cast<double>(i)));
+    carrier.base_in_map =
+        kinematics::advance(a, carrier.twist, std::min(kPeriod_s, t_s - kPeriod_s * static_cast<double>(i)));
     return carrier;
   }
 

@@ -1,5 +1,6 @@
-// The baseline: the same hits, clustered by the gap to the neighbouring ray; a cluster's mean is the position; each track takes the
-// nearest one, greedily; velocity by an alpha-beta filter. Published at the third scan, given up half a second after it was seen.
+// The baseline: the same hits, clustered by the gap to the neighbouring ray; a cluster's mean is the position; each
+// track takes the nearest one, greedily; velocity by an alpha-beta filter. Published at the third scan, given up half a
+// second after it was seen.
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +26,8 @@ std::vector<Point2> means_of_clusters(const std::vector<Hit>& hits) {
   for (std::size_t i = 0; i < hits.size();) {
     Point2 sum = hits[i].in_map;
     std::size_t end = i + 1;
-    for (; end < hits.size() && geometry::distance(hits[end - 1].in_map, hits[end].in_map) < kGap_m; ++end) sum = sum + hits[end].in_map;
+    for (; end < hits.size() && geometry::distance(hits[end - 1].in_map, hits[end].in_map) < kGap_m; ++end)
+      sum = sum + hits[end].in_map;
     means.push_back((1.0 / static_cast<double>(end - i)) * sum);
     i = end;
   }

@@ -11,7 +11,8 @@ namespace {
 using geometry::Point2;
 
 constexpr double kEdge_px = 800.0;
-constexpr std::array<const char*, 8> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6a3d9a", "#b2182b"};
+constexpr std::array<const char*, 8> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                              "#e69f00", "#56b4e9", "#6a3d9a", "#b2182b"};
 
 struct Sheet {
   grid::Geometry geometry;
@@ -37,7 +38,8 @@ std::string walls_layer(const grid::OccupancyGrid& walls, const Sheet& sheet) {
       const int first = x;
       while (x + 1 < g.width && walls.at({x + 1, y}) == grid::Occupancy::kOccupied) ++x;
       const double run_px = (x + 1 - first) * cell_px;
-      path += fmt::format("M{:.5g} {:.5g}h{:.5g}v{:.5g}h{:.5g}z", first * cell_px, (g.height - y - 1) * cell_px, run_px, cell_px, -run_px);
+      path += fmt::format("M{:.5g} {:.5g}h{:.5g}v{:.5g}h{:.5g}z", first * cell_px, (g.height - y - 1) * cell_px, run_px,
+                          cell_px, -run_px);
     }
   }
   return fmt::format("<path d=\"{}\" fill=\"#4a5462\"/>\n", path);
@@ -46,7 +48,9 @@ std::string walls_layer(const grid::OccupancyGrid& walls, const Sheet& sheet) {
 std::string line(const std::vector<Point2>& way, const Sheet& sheet, const char* colour, double width_px) {
   std::string points;
   for (const Point2 p : way) points += fmt::format("{:.1f},{:.1f} ", sheet.x(p), sheet.y(p));
-  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"/>\n", points, colour, width_px);
+  return fmt::format(
+      "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"/>\n", points,
+      colour, width_px);
 }
 
 /// Points nearer than this to the one before are left out.
@@ -62,21 +66,26 @@ Picture::Picture(const grid::OccupancyGrid& walls, std::size_t contestant, doubl
 
 void Picture::look(const Glance& now) {
   if (now.t_s < begin_s_ || now.t_s > end_s_) return;
-  for (const Walking& person : now.truth.people) go_on(people_[static_cast<std::uint64_t>(person.id)], person.position_in_map);
-  for (std::size_t v = 0; v < now.truth.vehicles.size(); ++v) go_on(vehicles_[v], now.truth.vehicles[v].base_in_map.position());
+  for (const Walking& person : now.truth.people)
+    go_on(people_[static_cast<std::uint64_t>(person.id)], person.position_in_map);
+  for (std::size_t v = 0; v < now.truth.vehicles.size(); ++v)
+    go_on(vehicles_[v], now.truth.vehicles[v].base_in_map.position());
   for (const obstacle_tracker::Track& track : now.tracks[contestant_]) go_on(tracks_[track.id], track.position_in_map);
 }
 
 std::string Picture::svg() const {
   const Sheet sheet = sheet_of(walls_);
-  std::string svg = fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\">\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
-                                sheet.width_px(), sheet.height_px());
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\">\n<rect width=\"100%\" height=\"100%\" "
+      "fill=\"#ffffff\"/>\n",
+      sheet.width_px(), sheet.height_px());
   svg += walls_layer(walls_, sheet);
   for (const auto& [id, way] : people_) svg += line(way, sheet, "#c4cad3", 5.0);
   for (const auto& [id, way] : tracks_) svg += line(way, sheet, kColours[id % kColours.size()], 1.5);
   for (const auto& [id, way] : vehicles_) {
     svg += line(way, sheet, "#111111", 1.0);
-    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#111111\"/>\n", sheet.x(way.front()), sheet.y(way.front()), 0.35 * sheet.px_per_m);
+    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#111111\"/>\n", sheet.x(way.front()),
+                       sheet.y(way.front()), 0.35 * sheet.px_per_m);
   }
   return svg + "</svg>\n";
 }

@@ -7,8 +7,8 @@
 
 namespace aisle::tracking {
 
-/// Collects a trial for an SVG: the walls, everybody's true way in grey, the ways of one contestant's tracks in colours over it, the
-/// vehicles' ways in black.
+/// Collects a trial for an SVG: the walls, everybody's true way in grey, the ways of one contestant's tracks in colours
+/// over it, the vehicles' ways in black.
 class Picture {
  public:
   /// Draws what contestant number `contestant` says from begin_s to end_s.

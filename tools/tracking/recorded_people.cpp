@@ -59,9 +59,12 @@ grid::OccupancyGrid hall_around(const Area& area) {
 class Ellipse {
  public:
   explicit Ellipse(const Area& area)
-      : center_(0.5 * (area.low + area.high)), half_x_m_(0.3 * (area.high.x - area.low.x)), half_y_m_(0.3 * (area.high.y - area.low.y)) {
+      : center_(0.5 * (area.low + area.high)),
+        half_x_m_(0.3 * (area.high.x - area.low.x)),
+        half_y_m_(0.3 * (area.high.y - area.low.y)) {
     along_m_.push_back(0.0);
-    for (int i = 1; i <= kSteps; ++i) along_m_.push_back(along_m_.back() + geometry::distance(point(angle(i - 1)), point(angle(i))));
+    for (int i = 1; i <= kSteps; ++i)
+      along_m_.push_back(along_m_.back() + geometry::distance(point(angle(i - 1)), point(angle(i))));
   }
   double length_m() const { return along_m_.back(); }
 
@@ -176,10 +179,12 @@ class RecordedPeople final : public Scene {
 
 }  // namespace
 
-std::unique_ptr<Scene> recorded_people(const std::filesystem::path& file, int vehicles, bool drive, double frames_per_s) {
+std::unique_ptr<Scene> recorded_people(const std::filesystem::path& file, int vehicles, bool drive,
+                                       double frames_per_s) {
   scenario::Recording recording;
   recording.file = file;
-  return std::make_unique<RecordedPeople>(fake_world::read_recording(recording), vehicles, drive, frames_per_s / kUsualFramesPerS);
+  return std::make_unique<RecordedPeople>(fake_world::read_recording(recording), vehicles, drive,
+                                          frames_per_s / kUsualFramesPerS);
 }
 
 }  // namespace aisle::tracking

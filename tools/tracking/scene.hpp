@@ -46,9 +46,9 @@ class Scene {
 /// Of recordings of which nothing else is said: what fake_world::read_recording() takes them for.
 inline constexpr double kUsualFramesPerS = 25.0;
 
-/// Recorded people in an empty hall around them. The vehicles stand, or drive at 0.8 m/s, on an ellipse about the middle of the
-/// people's area, where fewest people come; who walks through one is not there meanwhile, and somebody else afterwards. People walk
-/// on without corners between the rows (SmoothWalk). `frames_per_s`: of the recording.
+/// Recorded people in an empty hall around them. The vehicles stand, or drive at 0.8 m/s, on an ellipse about the
+/// middle of the people's area, where fewest people come; who walks through one is not there meanwhile, and somebody
+/// else afterwards. People walk on without corners between the rows (SmoothWalk). `frames_per_s`: of the recording.
 /// @throws config::BadInput
 std::unique_ptr<Scene> recorded_people(const std::filesystem::path& file, int vehicles, bool drive,
                                        double frames_per_s = kUsualFramesPerS);
@@ -58,8 +58,10 @@ enum class Cast {
   kVehiclesOnly,  // no people, no hidden blocks: every track is a ghost
 };
 
-/// A scenario file driven in lock-step with tracks from the truth; at most `vehicles` of its vehicles have eyes (0: all).
+/// A scenario file driven in lock-step with tracks from the truth; at most `vehicles` of its vehicles have eyes (0:
+/// all).
 /// @throws config::BadInput
-std::unique_ptr<Scene> driven_scenario(const std::filesystem::path& file, int vehicles, std::uint64_t seed, Cast cast = Cast::kAll);
+std::unique_ptr<Scene> driven_scenario(const std::filesystem::path& file, int vehicles, std::uint64_t seed,
+                                       Cast cast = Cast::kAll);
 
 }  // namespace aisle::tracking

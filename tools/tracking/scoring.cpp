@@ -12,7 +12,9 @@ using obstacle_tracker::Candidate;
 
 namespace {
 
-double share(std::int64_t part, std::int64_t whole) { return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0; }
+double share(std::int64_t part, std::int64_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
+}
 
 }  // namespace
 
@@ -37,7 +39,8 @@ std::vector<int> Scorer::match(const std::vector<Person>& people, const std::vec
     }
   }
   // Alone costs much more than any distance: as many pairs as possible, and among those the nearest.
-  const std::vector<int> rest = obstacle_tracker::assign(static_cast<int>(people.size()), static_cast<int>(claims.size()), candidates, 1e3 * gate_m_);
+  const std::vector<int> rest = obstacle_tracker::assign(static_cast<int>(people.size()),
+                                                         static_cast<int>(claims.size()), candidates, 1e3 * gate_m_);
   for (std::size_t p = 0; p < people.size(); ++p) {
     if (claim_of[p] < 0) claim_of[p] = rest[p];
   }
@@ -51,7 +54,9 @@ void Scorer::Weighing::add(double nees) {
   if (nees <= kQuantile95) ++inside;
 }
 
-Honesty Scorer::Weighing::honesty() const { return {count > 0 ? sum / static_cast<double>(count) : 0.0, share(inside, count)}; }
+Honesty Scorer::Weighing::honesty() const {
+  return {count > 0 ? sum / static_cast<double>(count) : 0.0, share(inside, count)};
+}
 
 void Scorer::weigh(const Person& person, const Claim& claim) {
   const Eigen::Matrix4d covariance = Eigen::Map<const Eigen::Matrix4d>(claim.covariance.data());
@@ -92,7 +97,8 @@ void Scorer::judge(const Person& person, const Claim* claim) {
   history.track = claim->id;
 }
 
-void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Claim>& claims, const std::vector<int>& claim_of) {
+void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Claim>& claims,
+                      const std::vector<int>& claim_of) {
   std::vector<int> person_of(claims.size(), -1);
   for (std::size_t p = 0; p < people.size(); ++p) {
     if (claim_of[p] >= 0) person_of[static_cast<std::size_t>(claim_of[p])] = static_cast<int>(p);
@@ -105,7 +111,8 @@ void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Claim
     ++claims_;
     if (person_of[c] < 0) ++false_claims_;
     for (const Person& person : people) {
-      if (!person.is_counted || geometry::distance(person.position_in_map, claims[c].position_in_map) > gate_m_) continue;
+      if (!person.is_counted || geometry::distance(person.position_in_map, claims[c].position_in_map) > gate_m_)
+        continue;
       ++together_[{person.id, claims[c].id}];
     }
   }
@@ -130,10 +137,12 @@ std::int64_t Scorer::ids_explained() const {
     const int column = columns.try_emplace(ids.second, static_cast<int>(columns.size())).first->second;
     candidates.push_back({row, column, -static_cast<double>(moments)});
   }
-  const std::vector<int> track_of = obstacle_tracker::assign(static_cast<int>(rows.size()), static_cast<int>(columns.size()), candidates, 0.0);
+  const std::vector<int> track_of =
+      obstacle_tracker::assign(static_cast<int>(rows.size()), static_cast<int>(columns.size()), candidates, 0.0);
   std::int64_t explained = 0;
   for (const Candidate& candidate : candidates) {
-    if (track_of[static_cast<std::size_t>(candidate.row)] == candidate.column) explained += std::llround(-candidate.cost);
+    if (track_of[static_cast<std::size_t>(candidate.row)] == candidate.column)
+      explained += std::llround(-candidate.cost);
   }
   return explained;
 }

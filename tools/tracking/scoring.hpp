@@ -27,8 +27,8 @@ struct Claim {
   std::array<double, 16> covariance{};  // of (x, y, vx, vy), row by row; all zero: it does not say
 };
 
-/// How honest the covariances are: squared errors over what they should be (normalised estimation error squared), of matched tracks
-/// older than 1 s; chi-square with 2 degrees of freedom when they are.
+/// How honest the covariances are: squared errors over what they should be (normalised estimation error squared), of
+/// matched tracks older than 1 s; chi-square with 2 degrees of freedom when they are.
 struct Honesty {
   double mean{0.0};    // 2 when honest; more: too sure
   double inside{0.0};  // share within the 95 % quantile
@@ -36,23 +36,25 @@ struct Honesty {
 
 /// Figures over all moments so far; shares in [0, 1] but for mota, which is negative where errors outnumber people.
 struct Score {
-  double mota{0.0};            // 1 - (misses + false claims + switches) / people
-  double motp_m{0.0};          // mean distance of matched pairs
-  double idf1{0.0};            // share of claims and people that one lasting pairing of ids explains
-  int id_switches{0};          // a person's track is another than last time
-  int fragments{0};            // a person is lost while counted, and found again
+  double mota{0.0};              // 1 - (misses + false claims + switches) / people
+  double motp_m{0.0};            // mean distance of matched pairs
+  double idf1{0.0};              // share of claims and people that one lasting pairing of ids explains
+  int id_switches{0};            // a person's track is another than last time
+  int fragments{0};              // a person is lost while counted, and found again
   double velocity_rms_mps{0.0};  // of the velocity vector's error, matched tracks older than 1 s
-  Honesty place, velocity;     // of those that say how sure they are
-  double latency_scans{0.0};   // mean number of moments from the first at which somebody counts to the first with a track
+  Honesty place, velocity;       // of those that say how sure they are
+  double latency_scans{
+      0.0};  // mean number of moments from the first at which somebody counts to the first with a track
   double false_tracks_per_min{0.0};  // ids that were claimed and never anybody's
   double longest_false_s{0.0};
-  std::int64_t people{0};      // of all moments
+  std::int64_t people{0};  // of all moments
   std::int64_t misses{0};
   std::int64_t false_claims{0};
 };
 
-/// The standard measures of multiple-object tracking: CLEAR MOT (Bernardin, Stiefelhagen 2008) and IDF1 (Ristani et al. 2016), moment
-/// by moment. A pair may match within `gate_m`; a pair that still does is kept, the rest is matched with the least total distance.
+/// The standard measures of multiple-object tracking: CLEAR MOT (Bernardin, Stiefelhagen 2008) and IDF1 (Ristani et al.
+/// 2016), moment by moment. A pair may match within `gate_m`; a pair that still does is kept, the rest is matched with
+/// the least total distance.
 class Scorer {
  public:
   explicit Scorer(double period_s, double gate_m = 0.5) : period_s_(period_s), gate_m_(gate_m) {}

@@ -25,7 +25,8 @@ SmoothWalk::SmoothWalk(const std::vector<fake_world::RecordedPerson::Row>& rows,
     }
     const double before_s = knots_[i].t_s - knots_[i - 1].t_s;
     const double after_s = knots_[i + 1].t_s - knots_[i].t_s;
-    knots_[i].velocity_in_map = (1.0 / (before_s + after_s)) * (after_s * mean_velocity(i - 1, i) + before_s * mean_velocity(i, i + 1));
+    knots_[i].velocity_in_map =
+        (1.0 / (before_s + after_s)) * (after_s * mean_velocity(i - 1, i) + before_s * mean_velocity(i, i + 1));
     const Point2 between = knots_[i - 1].in_map + before_s * mean_velocity(i - 1, i + 1);
     smoothed[i] = knots_[i].in_map + (1.0 / 3.0) * (between - knots_[i].in_map);
   }
@@ -34,7 +35,8 @@ SmoothWalk::SmoothWalk(const std::vector<fake_world::RecordedPerson::Row>& rows,
 
 std::optional<fake_world::Motion> SmoothWalk::at(double t_s) const {
   if (t_s < knots_.front().t_s || t_s > knots_.back().t_s) return std::nullopt;
-  const auto later = std::upper_bound(knots_.begin(), knots_.end(), t_s, [](double t, const Knot& knot) { return t < knot.t_s; });
+  const auto later =
+      std::upper_bound(knots_.begin(), knots_.end(), t_s, [](double t, const Knot& knot) { return t < knot.t_s; });
   if (later == knots_.end()) return fake_world::Motion{knots_.back().in_map, knots_.back().velocity_in_map};
   const Knot& b = *later;
   const Knot& a = *(later - 1);

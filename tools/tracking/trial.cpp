@@ -39,7 +39,8 @@ double percentile(std::vector<double> values, double part) {
 
 class Trial {
  public:
-  Trial(Scene& scene, const Sensing& sensing, std::uint64_t seed, const std::vector<std::unique_ptr<Contestant>>& contestants)
+  Trial(Scene& scene, const Sensing& sensing, std::uint64_t seed,
+        const std::vector<std::unique_ptr<Contestant>>& contestants)
       : scene_(scene), sensing_(sensing), random_(seed), contestants_(contestants), clearance_(scene.walls()) {
     scorers_.assign(contestants.size(), Scorer(kRound_s));
     took_ms_.resize(contestants.size());
@@ -118,7 +119,8 @@ class Trial {
       const Pose2 base = kinematics::advance(at_first, carrier.twist, since_s);
       const double bearing_rad = base.yaw + ray * scan.angle_step_rad;
       double range_m = cast(v, base, bearing_rad, sensing_.sweep_s - since_s);
-      if (range_m < sensing_.range_m) range_m = std::clamp(range_m + draw(sensing_.range_noise_m), kRangeMin_m, sensing_.range_m);
+      if (range_m < sensing_.range_m)
+        range_m = std::clamp(range_m + draw(sensing_.range_noise_m), kRangeMin_m, sensing_.range_m);
       scan.ranges_m.push_back(static_cast<float>(range_m));
     }
     return scan;
@@ -127,7 +129,8 @@ class Trial {
   void hand_out(const Scan& scan) {
     std::vector<KnownVehicle> known;
     for (const Carrier& carrier : truth_.vehicles) {
-      known.push_back({carrier.agv_id, false, carrier.radius_m, 0.0, 0.0, believed(carrier.base_in_map), carrier.twist, stamp(t_s_)});
+      known.push_back({carrier.agv_id, false, carrier.radius_m, 0.0, 0.0, believed(carrier.base_in_map), carrier.twist,
+                       stamp(t_s_)});
     }
     for (std::size_t c = 0; c < contestants_.size(); ++c) {
       const double begun_ms = thread_ms();
@@ -159,7 +162,8 @@ class Trial {
         const bool is_block = std::any_of(truth_.blocks.begin(), truth_.blocks.end(), [&](const Body& block) {
           return geometry::distance_m(block, track.position_in_map) < kBlockMargin_m;
         });
-        if (!is_block) claims.push_back({track.id, track.position_in_map, track.velocity_in_map, track.age_s, track.covariance});
+        if (!is_block)
+          claims.push_back({track.id, track.position_in_map, track.velocity_in_map, track.age_s, track.covariance});
       }
       scorers_[c].look(there, claims);
     }
@@ -169,7 +173,8 @@ class Trial {
   std::vector<Row> rows() const {
     std::vector<Row> rows;
     for (std::size_t c = 0; c < contestants_.size(); ++c) {
-      rows.push_back({contestants_[c]->name(), scorers_[c].score(), present_ > 0 ? static_cast<double>(seen_) / static_cast<double>(present_) : 0.0,
+      rows.push_back({contestants_[c]->name(), scorers_[c].score(),
+                      present_ > 0 ? static_cast<double>(seen_) / static_cast<double>(present_) : 0.0,
                       percentile(took_ms_[c], 0.5), percentile(took_ms_[c], 0.99),
                       t_s_ > 0.0 ? 1e-3 * std::accumulate(took_ms_[c].begin(), took_ms_[c].end(), 0.0) / t_s_ : 0.0});
     }
@@ -192,8 +197,9 @@ class Trial {
 
 }  // namespace
 
-std::vector<Row> run_trial(Scene& scene, const Sensing& sensing, std::uint64_t seed, const std::vector<std::unique_ptr<Contestant>>& contestants,
-                           double longest_s, const std::function<void(const Glance&)>& watch) {
+std::vector<Row> run_trial(Scene& scene, const Sensing& sensing, std::uint64_t seed,
+                           const std::vector<std::unique_ptr<Contestant>>& contestants, double longest_s,
+                           const std::function<void(const Glance&)>& watch) {
   return Trial(scene, sensing, seed, contestants).run(longest_s, watch);
 }
 

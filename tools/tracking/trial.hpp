@@ -38,7 +38,8 @@ struct Glance {
 
 /// The same scans for all contestants, judged together ten times a second; ends with the scene or after `longest_s`.
 /// The same seed gives the same rows, but for the times.
-std::vector<Row> run_trial(Scene& scene, const Sensing& sensing, std::uint64_t seed, const std::vector<std::unique_ptr<Contestant>>& contestants,
-                           double longest_s = 1e9, const std::function<void(const Glance&)>& watch = {});
+std::vector<Row> run_trial(Scene& scene, const Sensing& sensing, std::uint64_t seed,
+                           const std::vector<std::unique_ptr<Contestant>>& contestants, double longest_s = 1e9,
+                           const std::function<void(const Glance&)>& watch = {});
 
 }  // namespace aisle::tracking

@@ -18,8 +18,8 @@ constexpr double kHeightM = 28.0;
 constexpr double kWallM = 0.2;
 constexpr double kRackDepthM = 1.2;
 constexpr double kRackLengthM = 15.0;
-constexpr std::array<double, 5> kRackBottomsM{4.5, 8.7, 12.9, 17.1, 21.3};   // aisles of 3 m between
-constexpr std::array<double, 2> kRackLeftsM{5.0, 24.0};                      // cross aisles of 4 m at the sides and in the middle
+constexpr std::array<double, 5> kRackBottomsM{4.5, 8.7, 12.9, 17.1, 21.3};  // aisles of 3 m between
+constexpr std::array<double, 2> kRackLeftsM{5.0, 24.0};  // cross aisles of 4 m at the sides and in the middle
 constexpr std::array<geometry::Point2, 3> kPillarsM{{{22.0, 2.6}, {12.0, 25.4}, {32.0, 25.4}}};
 constexpr double kPillarM = 0.4;
 
@@ -31,8 +31,10 @@ void fill(grid::OccupancyGrid& grid, geometry::Point2 low_in_map, geometry::Poin
 }
 
 grid::OccupancyGrid warehouse() {
-  grid::OccupancyGrid grid(
-      grid::Geometry{static_cast<int>(std::lround(kWidthM / kResolutionM)), static_cast<int>(std::lround(kHeightM / kResolutionM)), kResolutionM, {}});
+  grid::OccupancyGrid grid(grid::Geometry{static_cast<int>(std::lround(kWidthM / kResolutionM)),
+                                          static_cast<int>(std::lround(kHeightM / kResolutionM)),
+                                          kResolutionM,
+                                          {}});
   fill(grid, {0.0, 0.0}, {kWidthM, kWallM});
   fill(grid, {0.0, kHeightM - kWallM}, {kWidthM, kHeightM});
   fill(grid, {0.0, 0.0}, {kWallM, kHeightM});

@@ -20,7 +20,8 @@ std::optional<std::uint64_t> number_of(const std::string& goal_id, const std::st
 
 }  // namespace
 
-Dispatcher::Dispatcher(const std::vector<scenario::Mission>& missions, const Settings& settings, const Memory* memory) : settings_(settings) {
+Dispatcher::Dispatcher(const std::vector<scenario::Mission>& missions, const Settings& settings, const Memory* memory)
+    : settings_(settings) {
   for (const scenario::Mission& mission : missions) {
     Book book;
     book.mission = mission;
@@ -62,29 +63,36 @@ void Dispatcher::greet(Book& book, time::Stamp now) {
     tell(Event::Kind::kResumed, book, {});
   }
   book.remembered = true;
-  if (is_of_mission && *number == book.progress.next && book.status->phase == Status::Phase::kArrived) decided(book, true, {}, now);
+  if (is_of_mission && *number == book.progress.next && book.status->phase == Status::Phase::kArrived)
+    decided(book, true, {}, now);
 }
 
 void Dispatcher::follow(Book& book, time::Stamp now) {
   const Status& status = *book.status;
-  if (status.phase == Status::Phase::kOnTheWay) book.since = now;   // with whatever goal: it is left alone
+  if (status.phase == Status::Phase::kOnTheWay) book.since = now;  // with whatever goal: it is left alone
   if (status.goal_id != goal_id(book)) return;
   switch (status.phase) {
-    case Status::Phase::kArrived: decided(book, true, {}, now); break;
+    case Status::Phase::kArrived:
+      decided(book, true, {}, now);
+      break;
     case Status::Phase::kFailed:
       book.reason = status.reason;
       if (book.stage == Stage::kFailing) break;
       book.stage = Stage::kFailing;
       book.due = now + time::from_seconds(settings_.retry_s);
       break;
-    case Status::Phase::kOnTheWay: book.stage = Stage::kOnTheWay; break;   // found a way after all
-    case Status::Phase::kIdle: break;
+    case Status::Phase::kOnTheWay:
+      book.stage = Stage::kOnTheWay;
+      break;  // found a way after all
+    case Status::Phase::kIdle:
+      break;
   }
 }
 
 void Dispatcher::cancelled(const std::string& agv_id, const std::string& cancelled_goal_id) {
   const auto found = books_.find(agv_id);
-  if (found == books_.end() || found->second.stage == Stage::kEnded || goal_id(found->second) != cancelled_goal_id) return;
+  if (found == books_.end() || found->second.stage == Stage::kEnded || goal_id(found->second) != cancelled_goal_id)
+    return;
   Book& book = found->second;
   tell(Event::Kind::kCancelled, book, "cancelled by a person; the mission ends here");
   ++book.progress.failed;
@@ -135,7 +143,9 @@ Order Dispatcher::order_of(const Book& book) const {
           book.mission.heading_matters ? settings_.yaw_tolerance_rad : 0.0};
 }
 
-std::string Dispatcher::goal_id(const Book& book) const { return book.mission.vehicle + "/" + std::to_string(book.progress.next); }
+std::string Dispatcher::goal_id(const Book& book) const {
+  return book.mission.vehicle + "/" + std::to_string(book.progress.next);
+}
 
 std::uint64_t Dispatcher::goal_count(const Book& book) const {
   return book.mission.goals_in_map.size() * static_cast<std::uint64_t>(std::max(1, book.mission.loops));
@@ -148,7 +158,8 @@ void Dispatcher::tell(Event::Kind kind, const Book& book, const std::string& rea
 std::vector<Event> Dispatcher::take_events() { return std::exchange(events_, {}); }
 
 bool Dispatcher::all_done() const {
-  return std::all_of(books_.begin(), books_.end(), [](const auto& entry) { return entry.second.stage == Stage::kEnded; });
+  return std::all_of(books_.begin(), books_.end(),
+                     [](const auto& entry) { return entry.second.stage == Stage::kEnded; });
 }
 
 std::uint64_t Dispatcher::assigned() const {

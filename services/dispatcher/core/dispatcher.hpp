@@ -13,12 +13,12 @@ namespace aisle::dispatcher {
 
 struct Settings {
   double position_tolerance_m{0.15};
-  double yaw_tolerance_rad{0.15};   // where the heading matters
-  double pause_s{0.5};              // between a goal and the next
-  double retry_s{5.0};              // after a failure, before the goal is given again
-  int attempts{4};                  // then the vehicle goes on to its next goal
-  double greet_s{2.0};              // a vehicle may take so long to tell what it was doing before it gets its first goal
-  double repeat_s{3.0};             // a goal is given again to a vehicle that has nothing to do
+  double yaw_tolerance_rad{0.15};  // where the heading matters
+  double pause_s{0.5};             // between a goal and the next
+  double retry_s{5.0};             // after a failure, before the goal is given again
+  int attempts{4};                 // then the vehicle goes on to its next goal
+  double greet_s{2.0};             // a vehicle may take so long to tell what it was doing before it gets its first goal
+  double repeat_s{3.0};            // a goal is given again to a vehicle that has nothing to do
 
   template <class Reader>
   void describe(Reader& r) {
@@ -35,15 +35,15 @@ struct Settings {
 /// A goal to be written.
 struct Order {
   std::string agv_id;
-  std::string goal_id;              // "agv-1/2": the third goal of its mission, the same after a restart
+  std::string goal_id;  // "agv-1/2": the third goal of its mission, the same after a restart
   geometry::Pose2 goal_in_map;
   double position_tolerance_m{0.0};
-  double yaw_tolerance_rad{0.0};    // 0: any heading
+  double yaw_tolerance_rad{0.0};  // 0: any heading
 };
 
 /// What a vehicle says of its goal.
 struct Status {
-  enum class Phase { kIdle, kOnTheWay, kArrived, kFailed };   // idle: has no goal
+  enum class Phase { kIdle, kOnTheWay, kArrived, kFailed };  // idle: has no goal
   std::string goal_id;
   Phase phase{Phase::kIdle};
   std::string reason;
@@ -60,10 +60,10 @@ struct Event {
 
 /// How far a vehicle's mission is; what a restart needs.
 struct Progress {
-  std::uint64_t next{0};            // number of the goal that is, or will be, on
+  std::uint64_t next{0};  // number of the goal that is, or will be, on
   std::uint64_t reached{0};
   std::uint64_t failed{0};
-  bool stopped{false};              // a person cancelled a goal
+  bool stopped{false};  // a person cancelled a goal
 };
 using Memory = std::map<std::string, Progress>;
 
@@ -103,9 +103,9 @@ class Dispatcher {
     scenario::Mission mission;
     Progress progress;
     Stage stage{Stage::kUnseen};
-    std::optional<Status> status;   // the newest
-    time::Stamp since{};            // of the newest order, or of the newest word that it drives
-    time::Stamp due{};              // of the next order
+    std::optional<Status> status;  // the newest
+    time::Stamp since{};           // of the newest order, or of the newest word that it drives
+    time::Stamp due{};             // of the next order
     int attempts{0};
     bool remembered{false};
     std::string reason;

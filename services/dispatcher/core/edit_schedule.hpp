@@ -8,8 +8,8 @@
 
 namespace aisle::dispatcher {
 
-/// The map edits of a scenario at their times. Each is written again under the same id until aisle-map answers, so that it is applied
-/// once however often it is sent.
+/// The map edits of a scenario at their times. Each is written again under the same id until aisle-map answers, so that
+/// it is applied once however often it is sent.
 class EditSchedule {
  public:
   /// `done`: ids that were answered before a restart.

@@ -13,7 +13,8 @@ constexpr std::chrono::seconds kGrace{1};
 
 BodyBook::BodyBook(std::string own_id) : own_id_(std::move(own_id)) {}
 
-void BodyBook::seen(const std::string& id, const geometry::Body& body, bool is_vehicle, std::uint64_t boot_id, time::Stamp now) {
+void BodyBook::seen(const std::string& id, const geometry::Body& body, bool is_vehicle, std::uint64_t boot_id,
+                    time::Stamp now) {
   if (id == own_id_ || (entries_.size() >= kMostBodies && entries_.count(id) == 0)) return;
   if (!is_vehicle && boot_id > world_boot_id_) {
     world_boot_id_ = boot_id;

@@ -9,8 +9,9 @@
 
 namespace aisle::fake_vehicle {
 
-/// All other bodies, by id, as they were last heard of. A body stays where it was when its simulator falls silent: a dead vehicle
-/// blocks its place. What a restarted world does not show again within a second is gone, as it was gone before.
+/// All other bodies, by id, as they were last heard of. A body stays where it was when its simulator falls silent: a
+/// dead vehicle blocks its place. What a restarted world does not show again within a second is gone, as it was gone
+/// before.
 class BodyBook {
  public:
   explicit BodyBook(std::string own_id);

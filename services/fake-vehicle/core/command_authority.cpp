@@ -17,17 +17,24 @@ bool is_sane(const geometry::Twist2& twist) {
 
 const char* name(Verdict verdict) {
   switch (verdict) {
-    case Verdict::kAccepted: return "accepted";
-    case Verdict::kForeignVehicle: return "foreign_vehicle";
-    case Verdict::kMalformed: return "malformed";
-    case Verdict::kOldEpoch: return "old_epoch";
-    case Verdict::kForeignSource: return "foreign_source";
-    case Verdict::kOldSequence: return "old_sequence";
+    case Verdict::kAccepted:
+      return "accepted";
+    case Verdict::kForeignVehicle:
+      return "foreign_vehicle";
+    case Verdict::kMalformed:
+      return "malformed";
+    case Verdict::kOldEpoch:
+      return "old_epoch";
+    case Verdict::kForeignSource:
+      return "foreign_source";
+    case Verdict::kOldSequence:
+      return "old_sequence";
   }
   return "unknown";
 }
 
-CommandAuthority::CommandAuthority(std::string agv_id, std::uint32_t accepted_epoch) : agv_id_(std::move(agv_id)), epoch_(accepted_epoch) {}
+CommandAuthority::CommandAuthority(std::string agv_id, std::uint32_t accepted_epoch)
+    : agv_id_(std::move(agv_id)), epoch_(accepted_epoch) {}
 
 Verdict CommandAuthority::judge(const Command& command) {
   const Verdict verdict = look_at(command);

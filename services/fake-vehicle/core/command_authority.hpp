@@ -20,19 +20,19 @@ struct Command {
 
 enum class Verdict {
   kAccepted,
-  kForeignVehicle,    // addressed to another agv id
-  kMalformed,         // not finite, or beyond all reason
-  kOldEpoch,          // of a source that was replaced
-  kForeignSource,     // the epoch is held by another source, or another boot of it
-  kOldSequence,       // already used, or overtaken
+  kForeignVehicle,  // addressed to another agv id
+  kMalformed,       // not finite, or beyond all reason
+  kOldEpoch,        // of a source that was replaced
+  kForeignSource,   // the epoch is held by another source, or another boot of it
+  kOldSequence,     // already used, or overtaken
 };
 
 /// One word for logs and counters.
 const char* name(Verdict verdict);
 
-/// Who may drive. A command is accepted with the vehicle's own id, finite values, an epoch that is at least the accepted one, and a
-/// sequence number used never before. A higher epoch takes over, whoever sends it; within an epoch only its first source and boot is
-/// heard (a lease with an epoch: who is heard is not left to the middleware).
+/// Who may drive. A command is accepted with the vehicle's own id, finite values, an epoch that is at least the
+/// accepted one, and a sequence number used never before. A higher epoch takes over, whoever sends it; within an epoch
+/// only its first source and boot is heard (a lease with an epoch: who is heard is not left to the middleware).
 class CommandAuthority {
  public:
   /// `accepted_epoch`: of before a restart of the vehicle, 0 at first.
@@ -48,7 +48,7 @@ class CommandAuthority {
 
   std::string agv_id_;
   std::uint32_t epoch_;
-  std::string source_id_;           // empty: nobody holds the epoch yet
+  std::string source_id_;  // empty: nobody holds the epoch yet
   std::uint64_t boot_id_{0};
   std::uint64_t sequence_number_{0};
   std::uint64_t refused_{0};

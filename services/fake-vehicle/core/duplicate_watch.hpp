@@ -6,9 +6,9 @@
 
 namespace aisle::fake_vehicle {
 
-/// Finds another live process that says it is this vehicle. The one that started first (the smaller boot id) keeps the name; the
-/// newcomer must stay silent and stand for as long as the other is heard. What a killed predecessor left on the way does not count:
-/// the other must be heard over a span of kSpan.
+/// Finds another live process that says it is this vehicle. The one that started first (the smaller boot id) keeps the
+/// name; the newcomer must stay silent and stand for as long as the other is heard. What a killed predecessor left on
+/// the way does not count: the other must be heard over a span of kSpan.
 class DuplicateWatch {
  public:
   explicit DuplicateWatch(std::uint64_t own_boot_id) : own_boot_id_(own_boot_id) {}
@@ -20,8 +20,8 @@ class DuplicateWatch {
   bool is_duplicate(time::Stamp now) const;
   /// ... and was first.
   bool must_yield(time::Stamp now) const { return is_duplicate(now) && other_boot_id_ < own_boot_id_; }
-  /// An earlier process has said within kSilence that it is this vehicle. Once is enough to keep a newcomer that has said nothing yet from
-  /// introducing itself.
+  /// An earlier process has said within kSilence that it is this vehicle. Once is enough to keep a newcomer that has
+  /// said nothing yet from introducing itself.
   bool is_taken(time::Stamp now) const;
   std::uint64_t other_boot_id() const { return other_boot_id_; }
 

@@ -9,7 +9,8 @@ namespace aisle::fake_vehicle {
 namespace {
 
 /// Shortens the rays that meet `body`; only those within its angle are tried.
-void cast_on(const geometry::Body& body, const geometry::Pose2& base_in_map, double range_max_m, std::vector<double>& ranges_m) {
+void cast_on(const geometry::Body& body, const geometry::Pose2& base_in_map, double range_max_m,
+             std::vector<double>& ranges_m) {
   const geometry::Point2 from = base_in_map.position();
   const double away_m = geometry::distance(from, body.base_in_map.position());
   const double reach_m = geometry::reach_m(body);
@@ -46,7 +47,8 @@ std::vector<float> scan(const Surroundings& around, const geometry::Pose2& base_
   for (const double range : ranges_m) {
     const bool hit = range < farthest_hit_m;
     const double noisy = hit && lidar.range_noise_m > 0.0 ? range + noise_m(random) : range;
-    readings.push_back(static_cast<float>(hit ? std::clamp(noisy, lidar.range_min_m, farthest_hit_m) : lidar.range_max_m));
+    readings.push_back(
+        static_cast<float>(hit ? std::clamp(noisy, lidar.range_min_m, farthest_hit_m) : lidar.range_max_m));
   }
   return readings;
 }

@@ -9,7 +9,7 @@ struct LidarParameters {
   int rays{360};
   double range_min_m{0.05};
   double range_max_m{10.0};
-  double range_noise_m{0.02};      // standard deviation
+  double range_noise_m{0.02};  // standard deviation
   double period_s{0.1};
 
   template <class Reader>
@@ -24,14 +24,14 @@ struct LidarParameters {
 
 struct Parameters {
   kinematics::Limits limits;
-  double radius_m{0.35};           // of a disc
-  double length_m{0.0};            // of a rectangle; 0: a disc
+  double radius_m{0.35};  // of a disc
+  double length_m{0.0};   // of a rectangle; 0: a disc
   double width_m{0.0};
-  double ahead_m{0.0};             // of the rectangle's middle before the vehicle's frame
-  double dead_time_s{0.05};        // from a command's arrival until the drives know of it
-  double lag_s{0.05};              // time constant with which the drives follow; 0: at once
-  double command_timeout_s{0.2};   // silence after which the vehicle brakes by itself
-  double pose_noise_m{0.01};       // standard deviations of the published pose
+  double ahead_m{0.0};            // of the rectangle's middle before the vehicle's frame
+  double dead_time_s{0.05};       // from a command's arrival until the drives know of it
+  double lag_s{0.05};             // time constant with which the drives follow; 0: at once
+  double command_timeout_s{0.2};  // silence after which the vehicle brakes by itself
+  double pose_noise_m{0.01};      // standard deviations of the published pose
   double yaw_noise_rad{0.003};
   LidarParameters lidar;
 

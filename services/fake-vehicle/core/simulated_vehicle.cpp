@@ -60,22 +60,30 @@ kinematics::DriveState SimulatedVehicle::follow(double dt_s) const {
   const kinematics::Limits& limits = parameters_.limits;
   const geometry::Twist2& twist = drive_.twist;
   const double share = parameters_.lag_s > 0.0 ? 1.0 - std::exp(-dt_s / parameters_.lag_s) : 1.0;
-  geometry::Twist2 lagged{twist.linear_mps + share * (wanted_.linear_mps - twist.linear_mps), twist.angular_radps + share * (wanted_.angular_radps - twist.angular_radps),
+  geometry::Twist2 lagged{twist.linear_mps + share * (wanted_.linear_mps - twist.linear_mps),
+                          twist.angular_radps + share * (wanted_.angular_radps - twist.angular_radps),
                           twist.sideways_mps + share * (wanted_.sideways_mps - twist.sideways_mps)};
-  if (limits.model == kinematics::Model::kTricycle)   // the drive lags; the wheel turns to what the command's arc asks for
-    lagged.angular_radps = kinematics::turn_rate_radps(limits.axle, lagged.linear_mps, kinematics::steering_for_rad(limits.axle, wanted_, drive_.steering_rad));
+  if (limits.model ==
+      kinematics::Model::kTricycle)  // the drive lags; the wheel turns to what the command's arc asks for
+    lagged.angular_radps = kinematics::turn_rate_radps(
+        limits.axle, lagged.linear_mps, kinematics::steering_for_rad(limits.axle, wanted_, drive_.steering_rad));
   kinematics::DriveState next = kinematics::follow(drive_, lagged, limits, dt_s);
-  next.twist.linear_mps = settle(next.twist.linear_mps, std::clamp(wanted_.linear_mps, -limits.max_reverse_mps, limits.max_speed_mps));
+  next.twist.linear_mps =
+      settle(next.twist.linear_mps, std::clamp(wanted_.linear_mps, -limits.max_reverse_mps, limits.max_speed_mps));
   if (limits.model == kinematics::Model::kTricycle) {
     next.twist.angular_radps = kinematics::turn_rate_radps(limits.axle, next.twist.linear_mps, next.steering_rad);
     return next;
   }
-  next.twist.angular_radps = settle(next.twist.angular_radps, std::clamp(wanted_.angular_radps, -limits.max_turn_radps, limits.max_turn_radps));
-  if (limits.model == kinematics::Model::kOmnidirectional) next.twist.sideways_mps = settle(next.twist.sideways_mps, wanted_.sideways_mps);
+  next.twist.angular_radps = settle(next.twist.angular_radps,
+                                    std::clamp(wanted_.angular_radps, -limits.max_turn_radps, limits.max_turn_radps));
+  if (limits.model == kinematics::Model::kOmnidirectional)
+    next.twist.sideways_mps = settle(next.twist.sideways_mps, wanted_.sideways_mps);
   return next;
 }
 
-kinematics::DriveState SimulatedVehicle::brake(double dt_s) const { return kinematics::follow(drive_, {}, parameters_.limits, dt_s); }
+kinematics::DriveState SimulatedVehicle::brake(double dt_s) const {
+  return kinematics::follow(drive_, {}, parameters_.limits, dt_s);
+}
 
 void SimulatedVehicle::move(double dt_s, const Surroundings& around) {
   geometry::Twist2& twist = drive_.twist;
@@ -87,10 +95,12 @@ void SimulatedVehicle::move(double dt_s, const Surroundings& around) {
     return;
   }
   const geometry::Pose2 next = kinematics::advance(base_in_map_, twist, dt_s);
-  const double swing_m = footprint.is_disc() ? 0.0 : std::abs(twist.angular_radps) * dt_s * geometry::reach_m(footprint);
+  const double swing_m =
+      footprint.is_disc() ? 0.0 : std::abs(twist.angular_radps) * dt_s * geometry::reach_m(footprint);
   const double look_m = geometry::distance(next.position(), base_in_map_.position()) + swing_m + kTouchM;
   const double gap_next_m = gap_m(around, geometry::body_of(footprint, next), look_m);
-  const bool nearer = gap_next_m < look_m && gap_next_m < gap_m(around, geometry::body_of(footprint, base_in_map_), look_m) + kTouchM;
+  const bool nearer =
+      gap_next_m < look_m && gap_next_m < gap_m(around, geometry::body_of(footprint, base_in_map_), look_m) + kTouchM;
   if (gap_next_m >= 0.0 || !nearer) {
     base_in_map_ = next;
     if (hold_ == Hold::kContact && !nearer) hold_ = Hold::kNone;

@@ -3,8 +3,8 @@
 #include <deque>
 #include <random>
 
-#include "common/time/stamp.hpp"
 #include "common/kinematics/vehicle_model.hpp"
+#include "common/time/stamp.hpp"
 #include "services/fake-vehicle/core/parameters.hpp"
 #include "services/fake-vehicle/core/surroundings.hpp"
 
@@ -12,9 +12,10 @@ namespace aisle::fake_vehicle {
 
 enum class Hold { kNone, kNoCommand, kLateCommand, kContact };
 
-/// A vehicle of any model: follows commands after a dead time and with a first-order lag, within its limits, and brakes by itself,
-/// with its full deceleration and without lag, when no command came for command_timeout_s. It cannot pass through things: where a
-/// motion would press it deeper into a wall or a body, it stands (a disc may turn on the spot all the same).
+/// A vehicle of any model: follows commands after a dead time and with a first-order lag, within its limits, and brakes
+/// by itself, with its full deceleration and without lag, when no command came for command_timeout_s. It cannot pass
+/// through things: where a motion would press it deeper into a wall or a body, it stands (a disc may turn on the spot
+/// all the same).
 ///
 ///   no command ──command──► driving ──silence──► late ──command──► driving
 ///                              └─would overlap─► contact ──a motion that does not──┘
@@ -27,8 +28,8 @@ class SimulatedVehicle {
   /// An accepted command.
   void command(const geometry::Twist2& twist, time::Stamp arrived);
 
-  /// Moves on to `now` in steps of at most 5 ms. Time beyond kLongestGap since the last call is time in which the simulation did
-  /// not run, and the vehicle did not move.
+  /// Moves on to `now` in steps of at most 5 ms. Time beyond kLongestGap since the last call is time in which the
+  /// simulation did not run, and the vehicle did not move.
   void advance_to(time::Stamp now, const Surroundings& around);
 
   const geometry::Pose2& base_in_map() const { return base_in_map_; }

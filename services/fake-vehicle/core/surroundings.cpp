@@ -12,7 +12,8 @@ namespace {
 double distance_to_cell_m(const grid::Geometry& g, grid::Cell cell, geometry::Point2 in_map) {
   const geometry::Point2 center = g.center_in_map(cell);
   const double half = 0.5 * g.resolution_m;
-  return std::hypot(std::max(0.0, std::abs(in_map.x - center.x) - half), std::max(0.0, std::abs(in_map.y - center.y) - half));
+  return std::hypot(std::max(0.0, std::abs(in_map.x - center.x) - half),
+                    std::max(0.0, std::abs(in_map.y - center.y) - half));
 }
 
 double gap_of_disc_m(const Surroundings& around, geometry::Point2 center_in_map, double radius_m, double look_m) {
@@ -26,7 +27,8 @@ double gap_of_disc_m(const Surroundings& around, geometry::Point2 center_in_map,
       if (!around.walls.is_free({x, y})) nearest = std::min(nearest, distance_to_cell_m(g, {x, y}, center_in_map));
     }
   }
-  for (const geometry::Body& body : around.bodies) nearest = std::min(nearest, geometry::distance_m(body, center_in_map));
+  for (const geometry::Body& body : around.bodies)
+    nearest = std::min(nearest, geometry::distance_m(body, center_in_map));
   return nearest - radius_m;
 }
 
@@ -41,7 +43,10 @@ double gap_of_rectangle_m(const Surroundings& around, const geometry::Body& self
     for (int x = low.x; x <= high.x; ++x) {
       if (around.walls.is_free({x, y})) continue;
       const geometry::Point2 c = g.center_in_map({x, y});
-      nearest = std::min(nearest, geometry::separation_m(self, {geometry::Body::Shape::kRectangle, {c.x, c.y, 0.0}, 0.0, g.resolution_m, g.resolution_m}));
+      nearest = std::min(
+          nearest,
+          geometry::separation_m(
+              self, {geometry::Body::Shape::kRectangle, {c.x, c.y, 0.0}, 0.0, g.resolution_m, g.resolution_m}));
     }
   }
   for (const geometry::Body& body : around.bodies) nearest = std::min(nearest, geometry::separation_m(self, body));

@@ -32,9 +32,12 @@ RowsById read_rows(const scenario::Recording& recording) {
     double frame = 0.0;
     double id = 0.0;
     geometry::Point2 point;
-    if (!(numbers >> frame >> id >> point.x >> point.y)) reject(recording.file, line, "not a row 'frame id x y': " + text.substr(0, 60));
-    if (!std::isfinite(frame) || !geometry::is_finite(point) || std::abs(id) > 1e9) reject(recording.file, line, "a number out of all bounds");
-    people[std::llround(id)].push_back({frame / recording.frames_per_s, geometry::to_map(recording.frame_in_map, point)});
+    if (!(numbers >> frame >> id >> point.x >> point.y))
+      reject(recording.file, line, "not a row 'frame id x y': " + text.substr(0, 60));
+    if (!std::isfinite(frame) || !geometry::is_finite(point) || std::abs(id) > 1e9)
+      reject(recording.file, line, "a number out of all bounds");
+    people[std::llround(id)].push_back(
+        {frame / recording.frames_per_s, geometry::to_map(recording.frame_in_map, point)});
   }
   return people;
 }
@@ -45,7 +48,8 @@ RecordedPerson::RecordedPerson(std::string id, std::vector<Row> rows) : id_(std:
 
 std::optional<Motion> RecordedPerson::at(double t_s) const {
   if (t_s < rows_.front().t_s || t_s > rows_.back().t_s) return std::nullopt;
-  const auto later = std::upper_bound(rows_.begin(), rows_.end(), t_s, [](double t, const Row& row) { return t < row.t_s; });
+  const auto later =
+      std::upper_bound(rows_.begin(), rows_.end(), t_s, [](double t, const Row& row) { return t < row.t_s; });
   if (later == rows_.end()) return Motion{rows_.back().in_map, {}};
   const Row& b = *later;
   const Row& a = *(later - 1);

@@ -12,10 +12,11 @@ namespace aisle::fake_world {
 /// Where somebody is and how they move, in map.
 struct Motion {
   geometry::Point2 position_in_map;
-  geometry::Point2 velocity_in_map;   // m/s
+  geometry::Point2 velocity_in_map;  // m/s
 };
 
-/// One recorded person in map, on the recording's clock (0 at the file's first row). Exists from its first row to its last.
+/// One recorded person in map, on the recording's clock (0 at the file's first row). Exists from its first row to its
+/// last.
 class RecordedPerson {
  public:
   struct Row {
@@ -35,8 +36,8 @@ class RecordedPerson {
   std::vector<Row> rows_;
 };
 
-/// Reads `frame id x y` rows, times them by the recording's frames a second and puts them into map by the recording's pose. People who
-/// are there only outside of begin_s..end_s are left out. Ids are "<file's stem>-<number>".
+/// Reads `frame id x y` rows, times them by the recording's frames a second and puts them into map by the recording's
+/// pose. People who are there only outside of begin_s..end_s are left out. Ids are "<file's stem>-<number>".
 /// @throws config::BadInput with file:line for rows that are no numbers, files over 64 MiB, and files without rows
 std::vector<RecordedPerson> read_recording(const scenario::Recording& recording);
 

@@ -10,7 +10,8 @@ using geometry::Point2;
 Walker::Walker(const scenario::Mover& mover, const Progress& progress) : mover_(mover), progress_(progress) {
   lengths_m_.push_back(0.0);
   for (std::size_t i = 1; i < mover_.waypoints_in_map.size(); ++i) {
-    lengths_m_.push_back(lengths_m_.back() + geometry::distance(mover_.waypoints_in_map[i - 1], mover_.waypoints_in_map[i]));
+    lengths_m_.push_back(lengths_m_.back() +
+                         geometry::distance(mover_.waypoints_in_map[i - 1], mover_.waypoints_in_map[i]));
   }
   progress_.along_m = std::clamp(progress_.along_m, 0.0, length_m());
 }
@@ -77,8 +78,6 @@ bool Walker::must_wait(const std::vector<geometry::Body>& vehicles) const {
   });
 }
 
-Motion Walker::motion() const {
-  return {position_in_map(), walks_ ? mover_.speed_mps * direction_in_map() : Point2{}};
-}
+Motion Walker::motion() const { return {position_in_map(), walks_ ? mover_.speed_mps * direction_in_map() : Point2{}}; }
 
 }  // namespace aisle::fake_world

@@ -7,8 +7,9 @@
 
 namespace aisle::fake_world {
 
-/// A scripted person: walks along its waypoints at its speed, to and fro when it loops, else to the end and stays there.
-/// Courteous ones stop short of a vehicle in their way, as people do, and turn back when they have waited too long.
+/// A scripted person: walks along its waypoints at its speed, to and fro when it loops, else to the end and stays
+/// there. Courteous ones stop short of a vehicle in their way, as people do, and turn back when they have waited too
+/// long.
 class Walker {
  public:
   /// Metres walked from the first waypoint, and where to; what a restart needs to go on from here.
@@ -28,7 +29,7 @@ class Walker {
   const Progress& progress() const { return progress_; }
   double length_m() const { return lengths_m_.back(); }
 
-  static constexpr double kCourtesyM = 0.6;    // free space that they leave to a vehicle
+  static constexpr double kCourtesyM = 0.6;  // free space that they leave to a vehicle
   static constexpr double kPatienceS = 6.0;
 
  private:
@@ -39,7 +40,7 @@ class Walker {
   void walk(double distance_m);
 
   scenario::Mover mover_;
-  std::vector<double> lengths_m_;              // along the way, at each waypoint
+  std::vector<double> lengths_m_;  // along the way, at each waypoint
   Progress progress_;
   bool walks_{false};
 };

@@ -55,7 +55,8 @@ bool is_clear_of(const std::vector<geometry::Body>& vehicles, const geometry::Bo
 
 }  // namespace
 
-World::World(const scenario::Scenario& scenario, std::vector<std::vector<RecordedPerson>> people, std::uint64_t seed, const Memory* memory)
+World::World(const scenario::Scenario& scenario, std::vector<std::vector<RecordedPerson>> people, std::uint64_t seed,
+             const Memory* memory)
     : scenario_(scenario), people_(std::move(people)), seconds_(memory != nullptr ? memory->seconds : 0.0) {
   if (memory != nullptr) present_ = memory->present;
   for (const scenario::Mover& mover : scenario_.movers) walkers_.push_back(varied(mover, seed, memory));
@@ -84,7 +85,9 @@ void World::advance_to(double seconds, const std::vector<geometry::Body>& vehicl
 void World::show_walkers(const std::vector<geometry::Body>& vehicles) {
   for (const Walker& walker : walkers_) {
     const Motion motion = walker.motion();
-    show({walker.mover().id, Kind::kPerson, disc(motion.position_in_map, walker.mover().radius_m), motion.velocity_in_map}, vehicles);
+    show({walker.mover().id, Kind::kPerson, disc(motion.position_in_map, walker.mover().radius_m),
+          motion.velocity_in_map},
+         vehicles);
   }
 }
 
@@ -95,7 +98,8 @@ void World::show_people(const std::vector<geometry::Body>& vehicles) {
     if (t_s > recording.end_s) continue;
     for (const RecordedPerson& person : people_[i]) {
       if (const std::optional<Motion> motion = person.at(t_s)) {
-        show({person.id(), Kind::kPerson, disc(motion->position_in_map, recording.radius_m), motion->velocity_in_map}, vehicles);
+        show({person.id(), Kind::kPerson, disc(motion->position_in_map, recording.radius_m), motion->velocity_in_map},
+             vehicles);
       }
     }
   }

@@ -19,25 +19,27 @@ struct Thing {
   std::string id;
   Kind kind{Kind::kPerson};
   geometry::Body body;
-  geometry::Point2 velocity_in_map;   // m/s
+  geometry::Point2 velocity_in_map;  // m/s
 };
 
 /// What a restarted world needs to go on where it was.
 struct Memory {
   double seconds{0.0};
   std::map<std::string, Walker::Progress> walkers;
-  std::set<std::string> present;      // ids of what was there
+  std::set<std::string> present;  // ids of what was there
 };
 
-/// All that moves or stands in a scenario beside its vehicles: walkers, recorded people and hidden blocks. By seed, walkers vary in
-/// speed (10 % each way) and in where on their way they begin. Nobody appears on top of a vehicle: who would, appears when it has left.
+/// All that moves or stands in a scenario beside its vehicles: walkers, recorded people and hidden blocks. By seed,
+/// walkers vary in speed (10 % each way) and in where on their way they begin. Nobody appears on top of a vehicle: who
+/// would, appears when it has left.
 class World {
  public:
   /// `people`: those of each recording, in the scenario's order. `memory`: of before a restart, or null.
-  World(const scenario::Scenario& scenario, std::vector<std::vector<RecordedPerson>> people, std::uint64_t seed, const Memory* memory);
+  World(const scenario::Scenario& scenario, std::vector<std::vector<RecordedPerson>> people, std::uint64_t seed,
+        const Memory* memory);
 
-  /// Moves on to `seconds` of the scenario; things move from then on and not before 0. Long steps are cut into short ones.
-  /// `vehicles`: where they truly are.
+  /// Moves on to `seconds` of the scenario; things move from then on and not before 0. Long steps are cut into short
+  /// ones. `vehicles`: where they truly are.
   void advance_to(double seconds, const std::vector<geometry::Body>& vehicles);
 
   const std::vector<Thing>& things() const { return things_; }

@@ -25,20 +25,23 @@ struct Ends {
 
 /// What becomes of a cell that was expanded and is then reached at a lower cost.
 enum class Closed {
-  kReopen,   // expanded again: with an admissible evaluation the result is optimal
-  kStay,     // left as it is, as the papers do: fewer expansions, paths that may be longer
+  kReopen,  // expanded again: with an admissible evaluation the result is optimal
+  kStay,    // left as it is, as the papers do: fewer expansions, paths that may be longer
 };
 
 /// Which steps are tried from a cell.
 enum class Looks {
-  kAround,   // all that the neighbour rule allows, as the papers do
-  kAhead,    // without those that a cell's parent covers, see StepTable: for exact searches with kReopen and kDrivableDiagonals
+  kAround,  // all that the neighbour rule allows, as the papers do
+  kAhead,   // without those that a cell's parent covers, see StepTable: for exact searches with kReopen and
+            // kDrivableDiagonals
 };
 
-/// The one search loop (Hart, Nilsson, Raphael 1968). A variant is an evaluation, a neighbour rule and a list of passes.
+/// The one search loop (Hart, Nilsson, Raphael 1968). A variant is an evaluation, a neighbour rule and a list of
+/// passes.
 ///
-/// `Evaluation` offers `begin(const Ends&)`, called before each search, and `operator()(cost, cell)`: the rank of a cell reached
-/// at `cost`; both in units of kStraightCost a cell, at most 4e9. The lowest is expanded first; at the goal it must equal the cost.
+/// `Evaluation` offers `begin(const Ends&)`, called before each search, and `operator()(cost, cell)`: the rank of a
+/// cell reached at `cost`; both in units of kStraightCost a cell, at most 4e9. The lowest is expanded first; at the
+/// goal it must equal the cost.
 template <class Evaluation>
 class BestFirst final : public Planner {
  public:
@@ -74,17 +77,18 @@ class BestFirst final : public Planner {
     const Surroundings around(drivable);
     nodes_.reach(start, 0, 0);
     open_.push(evaluation_(0, ends.start), start, 0);
-    std::uint32_t found_cost = kNotFound;   // of the goal, once it was expanded
+    std::uint32_t found_cost = kNotFound;  // of the goal, once it was expanded
     std::uint32_t found_rank = found_cost;
     BucketQueue::Entry entry;
     while (open_.pop(entry)) {
       if (open_.rank() > found_rank) break;
-      if (nodes_.is_closed(entry.cell) || nodes_.cost(entry.cell) != entry.cost) continue;   // stale
-      if (expanded % 256 == 0 && out_of_time && out_of_time()) return found_rank != kNotFound ? Outcome::kFound : Outcome::kOutOfTime;
+      if (nodes_.is_closed(entry.cell) || nodes_.cost(entry.cell) != entry.cost) continue;  // stale
+      if (expanded % 256 == 0 && out_of_time && out_of_time())
+        return found_rank != kNotFound ? Outcome::kFound : Outcome::kOutOfTime;
       nodes_.close(entry.cell);
       if (entry.cell == goal) {
         if (closed_ == Closed::kStay) return Outcome::kFound;
-        found_cost = entry.cost;   // and the rest of this bucket might lead there at a lower cost
+        found_cost = entry.cost;  // and the rest of this bucket might lead there at a lower cost
         found_rank = BucketQueue::rank_of(found_cost);
         continue;
       }
@@ -92,7 +96,8 @@ class BestFirst final : public Planner {
       const grid::Cell cell{static_cast<int>(entry.cell - y * width), static_cast<int>(y)};
       if (found_rank != kNotFound && evaluation_(entry.cost, cell) >= found_cost) continue;
       ++expanded;
-      const std::size_t led_here = entry.cell == start ? StepTable::kStart : static_cast<std::size_t>(nodes_.direction(entry.cell));
+      const std::size_t led_here =
+          entry.cell == start ? StepTable::kStart : static_cast<std::size_t>(nodes_.direction(entry.cell));
       expand(width, entry, cell, steps_.steps(led_here, around.nine(entry.cell, cell)));
     }
     return found_rank != kNotFound ? Outcome::kFound : Outcome::kNoPath;
@@ -102,7 +107,8 @@ class BestFirst final : public Planner {
     for (unsigned left = steps; left != 0; left &= left - 1) {
       const int direction = __builtin_ctz(left);
       const Step& step = kSteps[static_cast<std::size_t>(direction)];
-      const std::uint32_t next = entry.cell + static_cast<std::uint32_t>(step.dy) * width + static_cast<std::uint32_t>(step.dx);   // modulo 2^32
+      const std::uint32_t next = entry.cell + static_cast<std::uint32_t>(step.dy) * width +
+                                 static_cast<std::uint32_t>(step.dx);  // modulo 2^32
       const std::uint32_t cost = entry.cost + step.cost;
       if (cost >= nodes_.known_cost(next)) continue;
       if (closed_ == Closed::kStay && nodes_.is_known(next) && nodes_.is_closed(next)) continue;
@@ -134,7 +140,8 @@ class BestFirst final : public Planner {
 };
 
 template <class Evaluation>
-std::unique_ptr<Planner> best_first(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes, Looks looks = Looks::kAround) {
+std::unique_ptr<Planner> best_first(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes,
+                                    Looks looks = Looks::kAround) {
   return std::make_unique<BestFirst<Evaluation>>(closed, rule, std::move(passes), looks);
 }
 

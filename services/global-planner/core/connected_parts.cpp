@@ -6,7 +6,8 @@
 namespace aisle::global_planner {
 
 bool ConnectedParts::is_made_for(const Drivable& drivable) const {
-  return field_revision_ == drivable.field_revision() && least_m_ == drivable.least_m() && !has_tight_end_ && !drivable.has_tight_end();
+  return field_revision_ == drivable.field_revision() && least_m_ == drivable.least_m() && !has_tight_end_ &&
+         !drivable.has_tight_end();
 }
 
 void ConnectedParts::make(const Drivable& drivable) {
@@ -22,7 +23,8 @@ void ConnectedParts::make(const Drivable& drivable) {
     add_row(y);
     if (y > 0) join_to_row_below(y);
   }
-  for (Run& run : runs_) run.part = runs_[run.part].part;   // a part's first run has the lowest index, so it is done already
+  for (Run& run : runs_)
+    run.part = runs_[run.part].part;  // a part's first run has the lowest index, so it is done already
 }
 
 void ConnectedParts::add_row(int y) {

@@ -9,8 +9,9 @@
 
 namespace aisle::global_planner {
 
-/// The parts of the map that a vehicle can drive within but not between, cutting no corner. Kept as runs of traversable cells in a
-/// row, joined where they touch (union-find over runs: one pass over the map, 64 cells at once, where a flood looks at every cell).
+/// The parts of the map that a vehicle can drive within but not between, cutting no corner. Kept as runs of traversable
+/// cells in a row, joined where they touch (union-find over runs: one pass over the map, 64 cells at once, where a
+/// flood looks at every cell).
 class ConnectedParts {
  public:
   /// Nothing to do when is_made_for(drivable).
@@ -22,15 +23,16 @@ class ConnectedParts {
   /// Surely no way from one to the other: both are traversable, in different parts. @pre both in the map
   bool are_apart(grid::Cell a, grid::Cell b) const;
 
-  /// Of the part that `from` lies in, the cell whose centre is nearest to the point; nothing when `from` is not traversable.
+  /// Of the part that `from` lies in, the cell whose centre is nearest to the point; nothing when `from` is not
+  /// traversable.
   /// @pre `from` is in the map; the point may lie anywhere
   std::optional<grid::Cell> nearest(grid::Cell from, geometry::Point2 to_in_map) const;
 
  private:
   struct Run {
-    int begin;            // x of the first cell
-    int end;              // x after the last
-    std::uint32_t part;   // index of a run of the same part; of the part's first run when all is made
+    int begin;           // x of the first cell
+    int end;             // x after the last
+    std::uint32_t part;  // index of a run of the same part; of the part's first run when all is made
   };
 
   void add_row(int y);
@@ -43,8 +45,8 @@ class ConnectedParts {
   float least_m_{-1.0F};
   bool has_tight_end_{false};
   TraversableBits bits_;
-  std::vector<Run> runs_;               // row by row from the bottom, from left to right
-  std::vector<std::size_t> rows_;       // where each row's runs begin; one more at the end
+  std::vector<Run> runs_;          // row by row from the bottom, from left to right
+  std::vector<std::size_t> rows_;  // where each row's runs begin; one more at the end
 };
 
 }  // namespace aisle::global_planner

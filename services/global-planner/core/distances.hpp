@@ -7,7 +7,8 @@
 #include "common/grid/occupancy_grid.hpp"
 #include "services/global-planner/core/search_memory.hpp"
 
-// Distances between cells in cost units (kStraightCost a cell), as heuristics use them. All but Manhattan's never overestimate.
+// Distances between cells in cost units (kStraightCost a cell), as heuristics use them. All but Manhattan's never
+// overestimate.
 namespace aisle::global_planner {
 
 inline std::uint32_t octile(grid::Cell a, grid::Cell b) {
@@ -26,7 +27,9 @@ inline float euclidean_cells(grid::Cell a, grid::Cell b) {
   return std::sqrt(dx * dx + dy * dy);
 }
 
-inline float manhattan_cells(grid::Cell a, grid::Cell b) { return static_cast<float>(std::abs(a.x - b.x) + std::abs(a.y - b.y)); }
+inline float manhattan_cells(grid::Cell a, grid::Cell b) {
+  return static_cast<float>(std::abs(a.x - b.x) + std::abs(a.y - b.y));
+}
 
 /// Euclidean, rounded down.
 inline std::uint32_t euclidean(grid::Cell a, grid::Cell b) {
@@ -37,7 +40,8 @@ inline std::uint32_t euclidean(grid::Cell a, grid::Cell b) {
 
 /// cost + a weighted heuristic in cells, as an evaluation: rounded down, at most 4e9.
 inline std::uint32_t evaluated(std::uint32_t cost, float weighted_cells) {
-  return static_cast<std::uint32_t>(std::min(static_cast<double>(cost) + static_cast<double>(weighted_cells) * kStraightCost, 4e9));
+  return static_cast<std::uint32_t>(
+      std::min(static_cast<double>(cost) + static_cast<double>(weighted_cells) * kStraightCost, 4e9));
 }
 
 }  // namespace aisle::global_planner

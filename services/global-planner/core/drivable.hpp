@@ -9,8 +9,8 @@ namespace aisle::global_planner {
 /// A disc around a start or goal in which less than the full radius is accepted.
 struct TightEnd {
   geometry::Point2 center_in_map;
-  double range_m{0.0};     // 0: no exception
-  double radius_m{0.0};    // that the end itself offers
+  double range_m{0.0};   // 0: no exception
+  double radius_m{0.0};  // that the end itself offers
 };
 
 /// Where the vehicle of one problem may be: the clearance field seen through its radius, tight ends included.
@@ -33,7 +33,7 @@ class Drivable {
   /// What decides is_traversable: the field, the least clearance, and whether an end is an exception from it.
   std::uint64_t field_revision() const { return clearance_.revision(); }
   float least_m() const { return least_m_; }
-  const float* clearances_m() const { return clearances_m_; }   // of every cell
+  const float* clearances_m() const { return clearances_m_; }  // of every cell
   bool has_tight_end() const { return has_tight_end_; }
   const TightEnd& start() const { return start_; }
   const TightEnd& goal() const { return goal_; }
@@ -68,7 +68,7 @@ class Drivable {
   const float* clearances_m_;
   double radius_m_;
   double safe_distance_m_;
-  float least_m_;            // radius_m_, rounded up
+  float least_m_;  // radius_m_, rounded up
   TightEnd start_, goal_;
   bool has_tight_end_;
 };

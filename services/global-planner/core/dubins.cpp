@@ -21,8 +21,8 @@ struct Word {
   double t, p, q;
 };
 
-/// The words between two headings a, b at a distance d in radii, both measured from the line between the poses. Not all are
-/// solutions everywhere: the caller looks where each ends.
+/// The words between two headings a, b at a distance d in radii, both measured from the line between the poses. Not all
+/// are solutions everywhere: the caller looks where each ends.
 std::array<Word, 6> words(double a, double b, double d) {
   const double sa = std::sin(a), sb = std::sin(b), ca = std::cos(a), cb = std::cos(b), cab = std::cos(a - b);
   const auto root = [](double square) { return std::sqrt(std::max(square, 0.0)); };
@@ -51,9 +51,10 @@ std::array<Word, 6> words(double a, double b, double d) {
 
 Pose2 along_arc(const Pose2& from, double turn, double length_m) {
   const double swept = turn * length_m;
-  if (std::abs(swept) < 1e-12) return {from.x + length_m * std::cos(from.yaw), from.y + length_m * std::sin(from.yaw), from.yaw};
-  return {from.x + (std::sin(from.yaw + swept) - std::sin(from.yaw)) / turn, from.y - (std::cos(from.yaw + swept) - std::cos(from.yaw)) / turn,
-          geometry::wrap(from.yaw + swept)};
+  if (std::abs(swept) < 1e-12)
+    return {from.x + length_m * std::cos(from.yaw), from.y + length_m * std::sin(from.yaw), from.yaw};
+  return {from.x + (std::sin(from.yaw + swept) - std::sin(from.yaw)) / turn,
+          from.y - (std::cos(from.yaw + swept) - std::cos(from.yaw)) / turn, geometry::wrap(from.yaw + swept)};
 }
 
 Pose2 DubinsPath::pose_at(double along_m) const {
@@ -67,7 +68,9 @@ Pose2 DubinsPath::pose_at(double along_m) const {
 }
 
 DubinsPath shortest_dubins(const Pose2& from, const Pose2& to, double radius_m) {
-  const double between = geometry::distance(from.position(), to.position()) > 0.0 ? geometry::bearing(from.position(), to.position()) : 0.0;
+  const double between = geometry::distance(from.position(), to.position()) > 0.0
+                             ? geometry::bearing(from.position(), to.position())
+                             : 0.0;
   const double d = geometry::distance(from.position(), to.position()) / radius_m;
   DubinsPath best;
   best.length_m = std::numeric_limits<double>::infinity();

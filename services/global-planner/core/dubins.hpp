@@ -5,11 +5,11 @@
 
 namespace aisle::global_planner {
 
-/// The shortest way forwards between two poses with arcs no tighter than a radius and straights (Dubins 1957; the six words after
-/// Shkel, Lumelsky 2001).
+/// The shortest way forwards between two poses with arcs no tighter than a radius and straights (Dubins 1957; the six
+/// words after Shkel, Lumelsky 2001).
 struct DubinsPath {
   struct Piece {
-    double turn{0.0};         // 1/m: 1/radius to the left, -1/radius to the right, 0 straight
+    double turn{0.0};  // 1/m: 1/radius to the left, -1/radius to the right, 0 straight
     double length_m{0.0};
   };
   geometry::Pose2 from_in_map;

@@ -11,42 +11,50 @@ using geometry::Point2;
 using time::from_seconds;
 using time::Stamp;
 
-constexpr double kSmallest_m = 0.05;          // a disc smaller than this is not worth a detour
-constexpr double kSample_m = 0.1;             // along a path
-constexpr double kNearBlock_m = 2.0;          // a vehicle within this of the reported block is the one that blocks
+constexpr double kSmallest_m = 0.05;  // a disc smaller than this is not worth a detour
+constexpr double kSample_m = 0.1;     // along a path
+constexpr double kNearBlock_m = 2.0;  // a vehicle within this of the reported block is the one that blocks
 
 }  // namespace
 
 bool FleetPlanner::is_parked(const Vehicle& v, Stamp now) const {
   if (!v.pose.seen() || !v.radius_m) return false;
-  if (v.pose.fresh(now, from_seconds(settings_.state_life_s)) == nullptr) return true;   // silent: where it was, it may still be
+  if (v.pose.fresh(now, from_seconds(settings_.state_life_s)) == nullptr)
+    return true;  // silent: where it was, it may still be
   if (now - v.stands_since < from_seconds(settings_.parked_after_s)) return false;
-  const bool has_nothing_to_do = !v.goal || v.goal->is_cancelled || (v.plan && v.plan->goal == *v.goal && v.plan->outcome != FleetOutcome::kFound);
-  const bool stays = v.navigation && (v.navigation->activity == Navigation::Activity::kStopped ||
-                                      (v.navigation->activity == Navigation::Activity::kArrived && v.goal && v.navigation->goal_id == v.goal->id));
+  const bool has_nothing_to_do =
+      !v.goal || v.goal->is_cancelled || (v.plan && v.plan->goal == *v.goal && v.plan->outcome != FleetOutcome::kFound);
+  const bool stays =
+      v.navigation &&
+      (v.navigation->activity == Navigation::Activity::kStopped ||
+       (v.navigation->activity == Navigation::Activity::kArrived && v.goal && v.navigation->goal_id == v.goal->id));
   return has_nothing_to_do || stays;
 }
 
 bool FleetPlanner::is_blocked_on_its_plan(const Vehicle& v, Stamp now) const {
-  return v.navigation && v.plan && v.navigation->activity == Navigation::Activity::kBlocked && v.navigation->plan_id == v.plan->plan_id &&
-         now - v.navigation_arrived <= from_seconds(settings_.state_life_s);
+  return v.navigation && v.plan && v.navigation->activity == Navigation::Activity::kBlocked &&
+         v.navigation->plan_id == v.plan->plan_id && now - v.navigation_arrived <= from_seconds(settings_.state_life_s);
 }
 
 std::vector<FleetPlanner::Obstacle> FleetPlanner::obstacles_for(const Vehicle& v, Stamp now) const {
   const Point2 here = v.pose.any()->position();
   const Point2 goal = v.goal->pose_in_map.position();
-  const double slack_m = 1.5 * clearance_.geometry().resolution_m;   // stamping a disc into cells makes it larger
+  const double slack_m = 1.5 * clearance_.geometry().resolution_m;  // stamping a disc into cells makes it larger
   std::vector<Obstacle> obstacles;
   const auto add = [&](Disc disc, Trigger trigger, const std::string& name) {
-    // The vehicle stands where it stands, so the obstacle cannot reach there; and what stands on the goal is left to the local planner.
+    // The vehicle stands where it stands, so the obstacle cannot reach there; and what stands on the goal is left to
+    // the local planner.
     disc.radius_m = std::min(disc.radius_m, geometry::distance(here, disc.center_in_map) - *v.radius_m - slack_m);
-    if (disc.radius_m < kSmallest_m || geometry::distance(goal, disc.center_in_map) < disc.radius_m + *v.radius_m + slack_m) return;
+    if (disc.radius_m < kSmallest_m ||
+        geometry::distance(goal, disc.center_in_map) < disc.radius_m + *v.radius_m + slack_m)
+      return;
     if (is_in_map(clearance_.geometry(), disc.center_in_map)) obstacles.push_back({disc, trigger, name});
   };
 
   for (const auto& [id, disc] : static_tracks_) add(disc, Trigger::kTrack, "track " + std::to_string(id));
   for (const Report& report : v.reports) {
-    if (now - report.newest <= from_seconds(settings_.report_life_s)) add(report.disc, Trigger::kVehicleBlocked, "the reported block");
+    if (now - report.newest <= from_seconds(settings_.report_life_s))
+      add(report.disc, Trigger::kVehicleBlocked, "the reported block");
   }
   const Vehicle* blocker = nullptr;
   double blocker_m = kNearBlock_m;
@@ -61,11 +69,13 @@ std::vector<FleetPlanner::Obstacle> FleetPlanner::obstacles_for(const Vehicle& v
       blocker_m = geometry::distance(there, v.navigation->blocked_at_in_map);
     }
   }
-  if (blocker != nullptr) add({blocker->pose.any()->position(), blocker->shape.reach_m}, Trigger::kVehicleBlocked, blocker->id);
+  if (blocker != nullptr)
+    add({blocker->pose.any()->position(), blocker->shape.reach_m}, Trigger::kVehicleBlocked, blocker->id);
   return obstacles;
 }
 
-const FleetPlanner::Obstacle* FleetPlanner::first_on_the_way(const Vehicle& v, const std::vector<Obstacle>& obstacles) const {
+const FleetPlanner::Obstacle* FleetPlanner::first_on_the_way(const Vehicle& v,
+                                                             const std::vector<Obstacle>& obstacles) const {
   if (obstacles.empty()) return nullptr;
   const std::vector<Point2> rest = v.progress.remaining();
   const Point2 here = v.pose.any()->position();
@@ -77,8 +87,10 @@ const FleetPlanner::Obstacle* FleetPlanner::first_on_the_way(const Vehicle& v, c
     for (int k = 0; k < pieces; ++k, along_m += length_m / pieces) {
       if (along_m > settings_.look_ahead_m) return nullptr;
       const Point2 p = rest[i - 1] + ((k + 0.5) / pieces) * (rest[i] - rest[i - 1]);
-      // Half the margin makes the difference between a plan that is left alone and one that is made anew; at tight ends there is none.
-      const bool is_near_end = std::min(geometry::distance(p, here), geometry::distance(p, goal)) <= settings_.tight_range_m;
+      // Half the margin makes the difference between a plan that is left alone and one that is made anew; at tight ends
+      // there is none.
+      const bool is_near_end =
+          std::min(geometry::distance(p, here), geometry::distance(p, goal)) <= settings_.tight_range_m;
       const double beside_m = *v.radius_m + (is_near_end ? -kSmallest_m : 0.5 * settings_.margin_m);
       for (const Obstacle& obstacle : obstacles) {
         if (geometry::distance(p, obstacle.disc.center_in_map) < obstacle.disc.radius_m + beside_m) return &obstacle;

@@ -19,17 +19,21 @@ using geometry::Point2;
 using time::from_seconds;
 using time::Stamp;
 
-constexpr std::size_t kLongestDetail = 256;       // as in the IDL
-constexpr double kChecked_cells = 0.12;           // a plan is checked for this much less: what ClearanceField may understate between cells
-constexpr double kOffPath_m = 0.3;                // farther from its plan a blocked vehicle gets one from where it stands
+constexpr std::size_t kLongestDetail = 256;  // as in the IDL
+constexpr double kChecked_cells =
+    0.12;  // a plan is checked for this much less: what ClearanceField may understate between cells
+constexpr double kOffPath_m = 0.3;  // farther from its plan a blocked vehicle gets one from where it stands
 constexpr double kStandsWithin_m = 0.05;
-constexpr std::size_t kMost = 1024;               // vehicles, static tracks
-constexpr std::size_t kMostWaypoints = 4096;      // as in the IDL
+constexpr std::size_t kMost = 1024;           // vehicles, static tracks
+constexpr std::size_t kMostWaypoints = 4096;  // as in the IDL
 
-std::string shortened(std::string text) { return text.size() <= kLongestDetail ? text : text.substr(0, kLongestDetail); }
+std::string shortened(std::string text) {
+  return text.size() <= kLongestDetail ? text : text.substr(0, kLongestDetail);
+}
 
 bool is_arrived(const std::optional<Navigation>& navigation, const std::optional<Goal>& goal) {
-  return navigation && goal && navigation->activity == Navigation::Activity::kArrived && navigation->goal_id == goal->id;
+  return navigation && goal && navigation->activity == Navigation::Activity::kArrived &&
+         navigation->goal_id == goal->id;
 }
 
 }  // namespace
@@ -46,7 +50,8 @@ VehicleShape shape_of(const geometry::Footprint& footprint, const kinematics::Li
 FleetPlanner::FleetPlanner(const FleetSettings& settings, std::unique_ptr<Planner> planner)
     : settings_(settings), planner_(std::move(planner)) {}
 
-void FleetPlanner::set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low, grid::Cell high) {
+void FleetPlanner::set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid,
+                           grid::Cell low, grid::Cell high) {
   const bool is_same_place = map_revision_ > 0 && map_id == map_id_ && grid.geometry() == clearance_.geometry();
   grid_ = &grid;
   map_id_ = map_id;
@@ -158,10 +163,11 @@ std::optional<FleetPlan> FleetPlanner::attend(Vehicle& v, Stamp now, const OutOf
   if (v.goal->is_cancelled) return cancel(v);
   const geometry::Pose2* pose = v.pose.fresh(now, from_seconds(settings_.state_life_s));
   if (map_revision_ == 0 || !v.radius_m || pose == nullptr) return {};
-  if (!v.plan && is_arrived(v.navigation, v.goal)) return {};   // reached in a former life of this planner
+  if (!v.plan && is_arrived(v.navigation, v.goal)) return {};  // reached in a former life of this planner
   if (!v.plan || v.plan->goal != *v.goal) return publish(v, plan_anew(v, Trigger::kNewGoal, now, out_of_time), now);
   v.progress.advance(pose->position());
-  if (v.is_adopted || v.plan->map_revision != map_revision_ || v.plan->map_id != map_id_) return check_map(v, now, out_of_time);
+  if (v.is_adopted || v.plan->map_revision != map_revision_ || v.plan->map_id != map_id_)
+    return check_map(v, now, out_of_time);
   if (is_arrived(v.navigation, v.goal)) return {};
   return v.plan->outcome == FleetOutcome::kFound ? check_obstacles(v, now, out_of_time) : retry(v, now, out_of_time);
 }
@@ -175,8 +181,10 @@ std::optional<FleetPlan> FleetPlanner::cancel(Vehicle& v) {
 }
 
 std::optional<FleetPlan> FleetPlanner::check_map(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
-  const bool is_kept = is_arrived(v.navigation, v.goal) || (v.plan->outcome == FleetOutcome::kFound && !v.plan->is_to_nearest && is_rest_free(v));
-  if (!is_kept) return publish(v, plan_anew(v, v.is_adopted ? Trigger::kTakeover : Trigger::kMapChanged, now, out_of_time), now);
+  const bool is_kept = is_arrived(v.navigation, v.goal) ||
+                       (v.plan->outcome == FleetOutcome::kFound && !v.plan->is_to_nearest && is_rest_free(v));
+  if (!is_kept)
+    return publish(v, plan_anew(v, v.is_adopted ? Trigger::kTakeover : Trigger::kMapChanged, now, out_of_time), now);
   v.plan->map_id = map_id_;
   v.plan->map_revision = map_revision_;
   if (v.is_adopted) {
@@ -199,14 +207,16 @@ std::optional<FleetPlan> FleetPlanner::check_obstacles(Vehicle& v, Stamp now, co
   if (now < v.next_attempt) return {};
   const std::vector<Obstacle> around = obstacles_for(v, now);
   const Obstacle* on_the_way = first_on_the_way(v, around);
-  const bool is_off_path = v.progress.off_path_m() > kOffPath_m || (v.navigation && v.navigation->cause == Navigation::Cause::kOffPath);
+  const bool is_off_path =
+      v.progress.off_path_m() > kOffPath_m || (v.navigation && v.navigation->cause == Navigation::Cause::kOffPath);
   const bool is_stuck = is_blocked_on_its_plan(v, now) && is_off_path;
   if (on_the_way == nullptr && !is_stuck) return {};
 
   const Plan found = search(v, around, out_of_time);
   if (found.outcome != Outcome::kFound) {
     if (v.wait_s == 0.0) {
-      events_.push_back(fmt::format("{}: no way around {}; plan {} is kept", v.id, on_the_way ? on_the_way->name : "what blocks it", v.plan->plan_id));
+      events_.push_back(fmt::format("{}: no way around {}; plan {} is kept", v.id,
+                                    on_the_way ? on_the_way->name : "what blocks it", v.plan->plan_id));
     }
     put_off(v, now);
     return {};
@@ -226,7 +236,8 @@ FleetPlan FleetPlanner::plan_anew(const Vehicle& v, Trigger trigger, Stamp now, 
   Plan found = search(v, around, out_of_time);
   if (found.outcome != Outcome::kFound && !around.empty()) {
     found = search(v, {}, out_of_time);
-    if (found.outcome == Outcome::kFound) plan.detail = shortened("no way around " + around.front().name + (around.size() > 1 ? " and others" : ""));
+    if (found.outcome == Outcome::kFound)
+      plan.detail = shortened("no way around " + around.front().name + (around.size() > 1 ? " and others" : ""));
   }
   if (found.outcome != Outcome::kFound) plan.detail = shortened(why(v, found.outcome, out_of_time));
   if (settings_.to_nearest && (found.outcome == Outcome::kNoPath || found.outcome == Outcome::kGoalBlocked)) {
@@ -251,9 +262,11 @@ std::optional<FleetPlan> FleetPlanner::publish(Vehicle& v, FleetPlan plan, Stamp
   v.wait_s = 0.0;
   v.next_attempt = now + from_seconds(settings_.replan_s);
   events_.push_back(plan.outcome == FleetOutcome::kFound
-                        ? fmt::format("{}: plan {} to {} ({}): {:.2f} m, {} points{}{}", v.id, plan.plan_id, plan.goal.id, name(plan.trigger),
-                                      plan.length_m, plan.waypoints_in_map.size(), plan.detail.empty() ? "" : ", ", plan.detail)
-                        : fmt::format("{}: plan {} to {} ({}): {}: {}", v.id, plan.plan_id, plan.goal.id, name(plan.trigger), name(plan.outcome), plan.detail));
+                        ? fmt::format("{}: plan {} to {} ({}): {:.2f} m, {} points{}{}", v.id, plan.plan_id,
+                                      plan.goal.id, name(plan.trigger), plan.length_m, plan.waypoints_in_map.size(),
+                                      plan.detail.empty() ? "" : ", ", plan.detail)
+                        : fmt::format("{}: plan {} to {} ({}): {}: {}", v.id, plan.plan_id, plan.goal.id,
+                                      name(plan.trigger), name(plan.outcome), plan.detail));
   v.plan = std::move(plan);
   return v.plan;
 }
@@ -264,7 +277,8 @@ void FleetPlanner::put_off(Vehicle& v, Stamp now) {
 }
 
 Problem FleetPlanner::problem_of(const Vehicle& v, Point2 start_in_map, Point2 goal_in_map) const {
-  Problem problem{clearance_, start_in_map, goal_in_map, *v.radius_m + settings_.margin_m, *v.radius_m, settings_.tight_range_m};
+  Problem problem{clearance_,  start_in_map,           goal_in_map, *v.radius_m + settings_.margin_m,
+                  *v.radius_m, settings_.tight_range_m};
   problem.preferred_clearance_m = settings_.preferred_clearance_m;
   if (!(v.shape.turning_radius_m > 0.0)) return problem;
   problem.steering = {v.shape.turning_radius_m, v.pose.any()->yaw, {}, false, v.shape.discs_ahead_m};
@@ -283,16 +297,19 @@ Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around,
   Plan plan = (is_steered ? *steered_ : *planner_).plan(problem, out_of_time);
   if (plan.outcome != Outcome::kFound) return plan;
   passes::collinear(Drivable(problem), plan.waypoints_in_map);
-  if (plan.waypoints_in_map.size() > kMostWaypoints) passes::greedy_line_of_sight(Drivable(problem), plan.waypoints_in_map);
+  if (plan.waypoints_in_map.size() > kMostWaypoints)
+    passes::greedy_line_of_sight(Drivable(problem), plan.waypoints_in_map);
   if (plan.waypoints_in_map.size() > kMostWaypoints) return {};
   return plan;
 }
 
-/// The parts of the map are only made to explain the first goal without a way after an edit; for the next ones they spare the search.
+/// The parts of the map are only made to explain the first goal without a way after an edit; for the next ones they
+/// spare the search.
 bool FleetPlanner::is_known_unreachable(const Problem& problem) const {
   const grid::Geometry& geometry = clearance_.geometry();
   if (!is_in_map(geometry, problem.start_in_map) || !is_in_map(geometry, problem.goal_in_map)) return false;
-  return parts_.is_made_for(Drivable(problem)) && parts_.are_apart(geometry.cell_at(problem.start_in_map), geometry.cell_at(problem.goal_in_map));
+  return parts_.is_made_for(Drivable(problem)) &&
+         parts_.are_apart(geometry.cell_at(problem.start_in_map), geometry.cell_at(problem.goal_in_map));
 }
 
 Plan FleetPlanner::search_nearest(const Vehicle& v, const OutOfTime& out_of_time) {
@@ -308,7 +325,8 @@ bool FleetPlanner::is_rest_free(const Vehicle& v) const {
   Problem problem = problem_of(v, v.plan->waypoints_in_map.front(), v.plan->waypoints_in_map.back());
   problem.radius_m -= kChecked_cells * clearance_.geometry().resolution_m;
   problem.least_radius_m -= kChecked_cells * clearance_.geometry().resolution_m;
-  if (!is_in_map(clearance_.geometry(), problem.start_in_map) || !is_in_map(clearance_.geometry(), problem.goal_in_map)) return false;
+  if (!is_in_map(clearance_.geometry(), problem.start_in_map) || !is_in_map(clearance_.geometry(), problem.goal_in_map))
+    return false;
   const Drivable drivable(problem);
   for (std::size_t i = 1; i < rest.size(); ++i) {
     if (!drivable.is_line_free(rest[i - 1], rest[i])) return false;
@@ -322,31 +340,32 @@ std::string FleetPlanner::why(const Vehicle& v, Outcome outcome, const OutOfTime
   const grid::Geometry& geometry = clearance_.geometry();
   const auto nearest = [&] {
     const std::optional<Point2> point = nearest_reachable(problem_of(v, start, goal), parts_, out_of_time);
-    return point ? fmt::format("; the nearest reachable point is ({:.2f}, {:.2f}), {:.2f} m from the goal", point->x, point->y,
-                               geometry::distance(*point, goal))
+    return point ? fmt::format("; the nearest reachable point is ({:.2f}, {:.2f}), {:.2f} m from the goal", point->x,
+                               point->y, geometry::distance(*point, goal))
                  : std::string{};
   };
   switch (outcome) {
     case Outcome::kStartBlocked:
-      return fmt::format("the vehicle at ({:.2f}, {:.2f}) has {:.2f} m of clearance in the map, its radius is {:.2f} m", start.x, start.y,
-                         clearance_.clearance_m(start), *v.radius_m);
+      return fmt::format("the vehicle at ({:.2f}, {:.2f}) has {:.2f} m of clearance in the map, its radius is {:.2f} m",
+                         start.x, start.y, clearance_.clearance_m(start), *v.radius_m);
     case Outcome::kGoalBlocked:
-      return fmt::format("the goal ({:.2f}, {:.2f}) has {:.2f} m of clearance, the vehicle's radius is {:.2f} m{}", goal.x, goal.y,
-                         clearance_.clearance_m(goal), *v.radius_m, nearest());
+      return fmt::format("the goal ({:.2f}, {:.2f}) has {:.2f} m of clearance, the vehicle's radius is {:.2f} m{}",
+                         goal.x, goal.y, clearance_.clearance_m(goal), *v.radius_m, nearest());
     case Outcome::kOutOfMap:
       return fmt::format("{} ({:.2f}, {:.2f}) is outside the map, x {:.2f} to {:.2f}, y {:.2f} to {:.2f}",
-                         is_in_map(geometry, goal) ? "the vehicle" : "the goal", is_in_map(geometry, goal) ? start.x : goal.x,
-                         is_in_map(geometry, goal) ? start.y : goal.y, geometry.origin_in_map.x,
-                         geometry.origin_in_map.x + geometry.width * geometry.resolution_m, geometry.origin_in_map.y,
-                         geometry.origin_in_map.y + geometry.height * geometry.resolution_m);
+                         is_in_map(geometry, goal) ? "the vehicle" : "the goal",
+                         is_in_map(geometry, goal) ? start.x : goal.x, is_in_map(geometry, goal) ? start.y : goal.y,
+                         geometry.origin_in_map.x, geometry.origin_in_map.x + geometry.width * geometry.resolution_m,
+                         geometry.origin_in_map.y, geometry.origin_in_map.y + geometry.height * geometry.resolution_m);
     case Outcome::kOutOfTime:
-      return fmt::format("the search from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) took too long", start.x, start.y, goal.x, goal.y);
+      return fmt::format("the search from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) took too long", start.x, start.y, goal.x,
+                         goal.y);
     case Outcome::kNoPath:
     case Outcome::kFound:
       break;
   }
-  return fmt::format("no way from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) that is {:.2f} m wide{}", start.x, start.y, goal.x, goal.y,
-                     2.0 * (*v.radius_m + settings_.margin_m), nearest());
+  return fmt::format("no way from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) that is {:.2f} m wide{}", start.x, start.y,
+                     goal.x, goal.y, 2.0 * (*v.radius_m + settings_.margin_m), nearest());
 }
 
 std::vector<std::string> FleetPlanner::take_events() { return std::exchange(events_, {}); }
@@ -365,24 +384,36 @@ std::string FleetPlanner::waits_for(Stamp now) const {
 
 const char* name(FleetOutcome outcome) {
   switch (outcome) {
-    case FleetOutcome::kFound: return "found";
-    case FleetOutcome::kNoPath: return "no path";
-    case FleetOutcome::kStartBlocked: return "start blocked";
-    case FleetOutcome::kGoalBlocked: return "goal blocked";
-    case FleetOutcome::kOutOfMap: return "out of map";
-    case FleetOutcome::kOutOfTime: return "out of time";
-    case FleetOutcome::kCancelled: return "cancelled";
+    case FleetOutcome::kFound:
+      return "found";
+    case FleetOutcome::kNoPath:
+      return "no path";
+    case FleetOutcome::kStartBlocked:
+      return "start blocked";
+    case FleetOutcome::kGoalBlocked:
+      return "goal blocked";
+    case FleetOutcome::kOutOfMap:
+      return "out of map";
+    case FleetOutcome::kOutOfTime:
+      return "out of time";
+    case FleetOutcome::kCancelled:
+      return "cancelled";
   }
   return "?";
 }
 
 const char* name(Trigger trigger) {
   switch (trigger) {
-    case Trigger::kNewGoal: return "new goal";
-    case Trigger::kMapChanged: return "map changed";
-    case Trigger::kTrack: return "track";
-    case Trigger::kVehicleBlocked: return "vehicle blocked";
-    case Trigger::kTakeover: return "takeover";
+    case Trigger::kNewGoal:
+      return "new goal";
+    case Trigger::kMapChanged:
+      return "map changed";
+    case Trigger::kTrack:
+      return "track";
+    case Trigger::kVehicleBlocked:
+      return "vehicle blocked";
+    case Trigger::kTakeover:
+      return "takeover";
   }
   return "?";
 }

@@ -18,30 +18,36 @@
 
 namespace aisle::global_planner {
 
-/// What a vehicle of this footprint and model needs of the floor. One that turns on the spot may turn anywhere: the circle around it
-/// keeps clear. One that does not gets plans with arcs twice as wide as its tightest, so that it can correct what it drives.
+/// What a vehicle of this footprint and model needs of the floor. One that turns on the spot may turn anywhere: the
+/// circle around it keeps clear. One that does not gets plans with arcs twice as wide as its tightest, so that it can
+/// correct what it drives.
 VehicleShape shape_of(const geometry::Footprint& footprint, const kinematics::Limits& limits);
 
-/// Decides when each vehicle of a fleet needs a plan, and makes it. No clock, no DDS: whoever calls says what time it is.
+/// Decides when each vehicle of a fleet needs a plan, and makes it. No clock, no DDS: whoever calls says what time it
+/// is.
 ///
 ///   new goal ──────────────► plan ──► kept ◄──────────────────┐ not blocked: same plan, new revision
 ///   map changed ─► is what remains of the plan blocked? ──────┤
-///   static track, parked vehicle, blocked report on the way ──┴ blocked ─► new plan around it; none: keep the old one, wait
-///   no path ─► tried again, ever less often, and when the map changes
+///   static track, parked vehicle, blocked report on the way ──┴ blocked ─► new plan around it; none: keep the old one,
+///   wait no path ─► tried again, ever less often, and when the map changes
 ///
 /// At most 1024 vehicles and 1024 static tracks are kept; further ones are ignored.
-/// Obstacles that the map does not show (static tracks, parked or silent vehicles, a vehicle's own reports) never make a goal
-/// unreachable: where there is no way around them, the plan leads through, and the local planner waits in front.
+/// Obstacles that the map does not show (static tracks, parked or silent vehicles, a vehicle's own reports) never make
+/// a goal unreachable: where there is no way around them, the plan leads through, and the local planner waits in front.
 class FleetPlanner {
  public:
   FleetPlanner(const FleetSettings& settings, std::unique_ptr<Planner> planner);
 
   /// A new complete map. `low` to `high` (both included) hold all cells that differ from the map before.
   /// `grid` is not copied: it must live, unchanged, until the next call.
-  void set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low, grid::Cell high);
-  void set_map(const std::string& map_id, std::uint64_t revision, grid::OccupancyGrid&& grid, grid::Cell low, grid::Cell high) = delete;
+  void set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low,
+               grid::Cell high);
+  void set_map(const std::string& map_id, std::uint64_t revision, grid::OccupancyGrid&& grid, grid::Cell low,
+               grid::Cell high) = delete;
   void set_vehicle(const std::string& agv_id, const VehicleShape& shape);
-  void set_vehicle(const std::string& agv_id, double radius_m) { set_vehicle(agv_id, VehicleShape{radius_m, radius_m, 0.0, {}}); }
+  void set_vehicle(const std::string& agv_id, double radius_m) {
+    set_vehicle(agv_id, VehicleShape{radius_m, radius_m, 0.0, {}});
+  }
   void set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, time::Stamp now);
   void set_goal(const std::string& agv_id, const Goal& goal);
   void set_navigation(const std::string& agv_id, const Navigation& navigation, time::Stamp now);
@@ -79,10 +85,10 @@ class FleetPlanner {
   };
   struct Vehicle {
     std::string id;
-    std::optional<double> radius_m;         // of what keeps clear of walls
+    std::optional<double> radius_m;  // of what keeps clear of walls
     VehicleShape shape;
     time::Latest<geometry::Pose2> pose;
-    geometry::Point2 stands_at;             // anchor: left when it moves 5 cm away
+    geometry::Point2 stands_at;  // anchor: left when it moves 5 cm away
     time::Stamp stands_since{};
     std::optional<Goal> goal;
     std::optional<Navigation> navigation;
@@ -92,7 +98,7 @@ class FleetPlanner {
     bool is_adopted{false};
     PathProgress progress;
     time::Stamp next_attempt{};
-    double wait_s{0.0};                     // doubles while attempts do not help
+    double wait_s{0.0};  // doubles while attempts do not help
   };
   struct Obstacle {
     Disc disc;
@@ -126,18 +132,19 @@ class FleetPlanner {
 
   FleetSettings settings_;
   std::unique_ptr<Planner> planner_;
-  std::unique_ptr<Planner> steered_;        // for vehicles that cannot turn on the spot; made when the first of them is heard of
+  std::unique_ptr<Planner>
+      steered_;  // for vehicles that cannot turn on the spot; made when the first of them is heard of
   std::string map_id_;
-  std::uint64_t map_revision_{0};           // 0: no map yet
+  std::uint64_t map_revision_{0};  // 0: no map yet
   const grid::OccupancyGrid* grid_{nullptr};
   grid::ClearanceField clearance_;
-  ConnectedParts parts_;                    // of the map, for the radius last asked for
-  double reach_m_{2.0};                     // the clearance field's cap; grows with the largest vehicle
+  ConnectedParts parts_;  // of the map, for the radius last asked for
+  double reach_m_{2.0};   // the clearance field's cap; grows with the largest vehicle
   std::map<std::string, Vehicle> vehicles_;
   std::map<std::uint64_t, Disc> static_tracks_;
   std::uint64_t next_plan_id_{1};
   std::uint64_t searches_{0};
-  std::string last_attended_;               // vehicles take turns
+  std::string last_attended_;  // vehicles take turns
   std::vector<std::string> events_;
 };
 

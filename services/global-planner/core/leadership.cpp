@@ -7,7 +7,7 @@ namespace {
 
 constexpr time::Stamp kListens = std::chrono::milliseconds(500);
 constexpr time::Stamp kAlone = std::chrono::seconds(3);
-constexpr time::Stamp kOutdone = std::chrono::seconds(1);   // whoever leads with a later epoch is heard within this
+constexpr time::Stamp kOutdone = std::chrono::seconds(1);  // whoever leads with a later epoch is heard within this
 
 }  // namespace
 

@@ -7,20 +7,23 @@
 
 namespace aisle::global_planner {
 
-/// Who plans, when several planners run: one leads, the others stand by and know its plans. Whoever takes over raises the epoch, so
-/// that receivers can refuse a planner that was thought dead and comes back; giving the lead back is a person's decision.
+/// Who plans, when several planners run: one leads, the others stand by and know its plans. Whoever takes over raises
+/// the epoch, so that receivers can refuse a planner that was thought dead and comes back; giving the lead back is a
+/// person's decision.
 ///
 ///   listening ──0.5 s without a plan of another──► leading ──hears a higher epoch──► standby
 ///       └──── hears a plan, or was told to ────► standby ──leader lost, or nobody for 3 s──► leading, epoch + 1
 ///
-/// Those who follow plans say which epoch they follow. So a planner that finds no other one still begins above the epoch of those
-/// that died, and one that learns of a later epoch, whose planner is not there, raises its own above it after a second.
+/// Those who follow plans say which epoch they follow. So a planner that finds no other one still begins above the
+/// epoch of those that died, and one that learns of a later epoch, whose planner is not there, raises its own above it
+/// after a second.
 class Leadership {
  public:
   enum class Role { kListening, kStandby, kLeading };
 
   /// `boot_id`: of this process; of two leaders with one epoch the one that started later gives way.
-  Leadership(bool starts_as_standby, std::uint64_t boot_id) : starts_as_standby_(starts_as_standby), boot_id_(boot_id) {}
+  Leadership(bool starts_as_standby, std::uint64_t boot_id)
+      : starts_as_standby_(starts_as_standby), boot_id_(boot_id) {}
 
   /// A plan of another planner came.
   void hear(std::uint32_t epoch, std::uint64_t boot_id);
@@ -29,7 +32,8 @@ class Leadership {
   /// A plan of another planner has no live writer any more.
   void lose_leader() { is_leader_lost_ = true; }
 
-  /// Looks at the time; `others` is the number of other planners' writers. True when the role or the epoch of this leader changed.
+  /// Looks at the time; `others` is the number of other planners' writers. True when the role or the epoch of this
+  /// leader changed.
   bool step(time::Stamp now, int others);
 
   Role role() const { return role_; }
@@ -47,10 +51,10 @@ class Leadership {
   Role role_{Role::kListening};
   std::uint32_t epoch_{0};
   std::uint32_t highest_heard_{0};
-  bool has_heard_{false};         // of another planner, since the role changed
+  bool has_heard_{false};  // of another planner, since the role changed
   bool must_yield_{false};
   bool is_leader_lost_{false};
-  std::optional<time::Stamp> outdone_since_;   // a later epoch than ours is followed, and nobody leads with it
+  std::optional<time::Stamp> outdone_since_;  // a later epoch than ours is followed, and nobody leads with it
   bool is_started_{false};
   time::Stamp started_{};
   time::Stamp alone_since_{};

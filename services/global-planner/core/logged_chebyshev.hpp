@@ -7,8 +7,9 @@
 
 namespace aisle::global_planner {
 
-/// lg(h + 1) h of WANG (eq. 4), in cells, h the Chebyshev distance to the goal and in metres under the logarithm. lg is log10: below
-/// 9 m it makes the heuristic weaker on purpose, so that the search widens near the goal. From a table, made once for maps of one size.
+/// lg(h + 1) h of WANG (eq. 4), in cells, h the Chebyshev distance to the goal and in metres under the logarithm. lg is
+/// log10: below 9 m it makes the heuristic weaker on purpose, so that the search widens near the goal. From a table,
+/// made once for maps of one size.
 class LoggedChebyshev {
  public:
   void begin(const Ends& ends) {

@@ -9,7 +9,8 @@ std::optional<geometry::Point2> nearest_reachable(const Problem& problem, const 
   return nearest_reachable(problem, parts, out_of_time);
 }
 
-std::optional<geometry::Point2> nearest_reachable(const Problem& problem, ConnectedParts& parts, const OutOfTime& out_of_time) {
+std::optional<geometry::Point2> nearest_reachable(const Problem& problem, ConnectedParts& parts,
+                                                  const OutOfTime& out_of_time) {
   const grid::Geometry& geometry = problem.clearance.geometry();
   if (!is_in_map(geometry, problem.start_in_map) || (out_of_time && out_of_time())) return {};
   parts.make(Drivable(problem));

@@ -32,7 +32,7 @@ constexpr NeighbourRule drivable_diagonals() {
   for (unsigned mask = 0; mask < 256; ++mask) {
     unsigned allowed = mask & 0x0FU;
     for (unsigned i = 0; i < 4; ++i) {
-      const unsigned both = (1U << i) | (1U << ((i + 1U) % 4U));   // the diagonal between step i and the next one
+      const unsigned both = (1U << i) | (1U << ((i + 1U) % 4U));  // the diagonal between step i and the next one
       if ((mask & both) == both) allowed |= mask & (0x10U << i);
     }
     rule[mask] = static_cast<std::uint8_t>(allowed);
@@ -41,22 +41,26 @@ constexpr NeighbourRule drivable_diagonals() {
 }
 }  // namespace detail
 
-/// A diagonal step needs both orthogonal neighbours beside it: no corner is cut. This is also LI's sub-node rule (its table I).
+/// A diagonal step needs both orthogonal neighbours beside it: no corner is cut. This is also LI's sub-node rule (its
+/// table I).
 inline constexpr NeighbourRule kDrivableDiagonals = detail::drivable_diagonals();
 
-/// Bit of each step's cell in a mask of the nine cells around one, row by row from the lower left; bit 4 is the cell itself.
+/// Bit of each step's cell in a mask of the nine cells around one, row by row from the lower left; bit 4 is the cell
+/// itself.
 inline constexpr std::array<unsigned, 8> kBitInNine{5, 7, 3, 1, 8, 6, 0, 2};
 
-/// Which steps are worth taking from a cell, by the step that led to it and by which of the nine cells around it are traversable.
+/// Which steps are worth taking from a cell, by the step that led to it and by which of the nine cells around it are
+/// traversable.
 ///
-/// An exact search need not look back: a cell that is reached from x's parent as cheaply without x is left to the parent (Harabor,
-/// Grastien 2011). What remains, without cut corners: after a diagonal step that step and its two straight ones; after a straight
-/// step only that, and the turns around a corner that has just been passed. Why no optimum is lost, whatever parent a cell keeps
-/// among equals: if some optimal parent of n lies straight beside it, any optimal way into that parent leaves n among its steps, or n
-/// had a shorter way; if all lie diagonally, a straight step into one of them before would give n a straight parent of equal cost.
+/// An exact search need not look back: a cell that is reached from x's parent as cheaply without x is left to the
+/// parent (Harabor, Grastien 2011). What remains, without cut corners: after a diagonal step that step and its two
+/// straight ones; after a straight step only that, and the turns around a corner that has just been passed. Why no
+/// optimum is lost, whatever parent a cell keeps among equals: if some optimal parent of n lies straight beside it, any
+/// optimal way into that parent leaves n among its steps, or n had a shorter way; if all lie diagonally, a straight
+/// step into one of them before would give n a straight parent of equal cost.
 class StepTable {
  public:
-  static constexpr std::size_t kStart = 8;   // no step led here
+  static constexpr std::size_t kStart = 8;  // no step led here
 
   /// @param looks_back also steps that an exact search may leave out; with it the direction makes no difference
   StepTable(const NeighbourRule& rule, bool looks_back) {
@@ -75,7 +79,7 @@ class StepTable {
  private:
   static unsigned ahead(std::size_t direction, unsigned open) {
     const auto straight = [](std::size_t d) { return 1U << (d % 4); };
-    const auto diagonal_after = [](std::size_t d) { return 0x10U << (d % 4); };   // between straight step d and the next
+    const auto diagonal_after = [](std::size_t d) { return 0x10U << (d % 4); };  // between straight step d and the next
     if (direction >= 4) return diagonal_after(direction) | straight(direction) | straight(direction + 1);
     unsigned worth = straight(direction);
     // The cells beside the one before this: blocked, they hide what lies beside this one.

@@ -8,7 +8,8 @@ namespace aisle::global_planner {
 inline unsigned open_steps(const Drivable& drivable, grid::Cell cell) {
   unsigned mask = 0;
   for (unsigned i = 0; i < kSteps.size(); ++i) {
-    mask |= static_cast<unsigned>(drivable.is_traversable(grid::Cell{cell.x + kSteps[i].dx, cell.y + kSteps[i].dy})) << i;
+    mask |= static_cast<unsigned>(drivable.is_traversable(grid::Cell{cell.x + kSteps[i].dx, cell.y + kSteps[i].dy}))
+            << i;
   }
   return kDrivableDiagonals[mask];
 }

@@ -23,7 +23,8 @@ double radius_at(const Problem& problem, Point2 in_map) {
   for (const Point2 end : {problem.start_in_map, problem.goal_in_map}) {
     const grid::Cell cell = problem.clearance.geometry().cell_at(end);
     const double end_m = std::min(problem.clearance.clearance_m(end), problem.clearance.clearance_m(cell));
-    if (end_m >= problem.least_radius_m && geometry::distance(in_map, end) <= problem.tight_range_m) radius_m = std::min(radius_m, end_m);
+    if (end_m >= problem.least_radius_m && geometry::distance(in_map, end) <= problem.tight_range_m)
+      radius_m = std::min(radius_m, end_m);
   }
   return radius_m;
 }
@@ -34,7 +35,8 @@ constexpr double kInterpolation_cells = 0.12;
 /// Does a tight start or goal shrink the radius somewhere on the segment?
 bool has_exception(const Problem& problem, Point2 a, Point2 b) {
   for (const Point2 end : {problem.start_in_map, problem.goal_in_map}) {
-    if (problem.least_radius_m < problem.radius_m && geometry::distance_to_segment(end, a, b) <= problem.tight_range_m) return true;
+    if (problem.least_radius_m < problem.radius_m && geometry::distance_to_segment(end, a, b) <= problem.tight_range_m)
+      return true;
   }
   return false;
 }
@@ -46,14 +48,16 @@ std::string why_not_sampled(const Problem& problem, Point2 from, Point2 to) {
     const Point2 p = from + (static_cast<double>(k) / pieces) * (to - from);
     const double clearance_m = problem.clearance.clearance_m(p);
     if (clearance_m <= 0.0) return at("touches an obstacle", p);
-    if (clearance_m < radius_at(problem, p) - kInterpolation_cells * cell_m) return at("comes too near to an obstacle", p);
+    if (clearance_m < radius_at(problem, p) - kInterpolation_cells * cell_m)
+      return at("comes too near to an obstacle", p);
   }
   return {};
 }
 
 std::string why_not_swept(const Problem& problem, Point2 from, Point2 to) {
   const grid::Geometry& geometry = problem.clearance.geometry();
-  if (const auto touched = square_near_line(problem.clearance, from, to, 0.0)) return at("touches an obstacle", geometry.center_in_map(*touched));
+  if (const auto touched = square_near_line(problem.clearance, from, to, 0.0))
+    return at("touches an obstacle", geometry.center_in_map(*touched));
   const auto near = square_near_line(problem.clearance, from, to, problem.radius_m);
   return near ? at("comes too near to an obstacle", geometry.center_in_map(*near)) : std::string{};
 }

@@ -8,9 +8,10 @@
 
 namespace aisle::global_planner {
 
-/// Judges a path without knowing how it was found: does it begin and end where the problem says, and does a disc of the problem's
-/// radius sweep it without coming nearer to any square that is not free, or touching one at a corner? Exact, but where a tight start
-/// or goal shrinks the radius: there it looks ten times a cell. Empty when all is well; else one line that says what is wrong and where.
+/// Judges a path without knowing how it was found: does it begin and end where the problem says, and does a disc of the
+/// problem's radius sweep it without coming nearer to any square that is not free, or touching one at a corner? Exact,
+/// but where a tight start or goal shrinks the radius: there it looks ten times a cell. Empty when all is well; else
+/// one line that says what is wrong and where.
 std::string why_not_drivable(const Problem& problem, const std::vector<geometry::Point2>& path_in_map);
 
 inline bool is_drivable(const Problem& problem, const std::vector<geometry::Point2>& path_in_map) {
@@ -20,16 +21,16 @@ inline bool is_drivable(const Problem& problem, const std::vector<geometry::Poin
 /// What drives along a plan.
 struct Outline {
   geometry::Footprint footprint{};
-  std::optional<double> start_yaw_rad;   // none: it faces along its way from the start on
-  std::optional<double> goal_yaw_rad;    // none: it stays as it arrives
+  std::optional<double> start_yaw_rad;  // none: it faces along its way from the start on
+  std::optional<double> goal_yaw_rad;   // none: it stays as it arrives
 };
 
-/// Where the vehicle is and faces along the plan: at the plan's headings, if it has some; else along its way, and at each point it
-/// turns on the spot, the shorter way round.
+/// Where the vehicle is and faces along the plan: at the plan's headings, if it has some; else along its way, and at
+/// each point it turns on the spot, the shorter way round.
 std::vector<geometry::Pose2> poses_along(const Plan& plan, const Outline& outline);
 
-/// The same for the outline. A rectangle is swept along poses_along(): it may touch squares that are not free, not overlap them, and
-/// the problem's radius does not count. For a disc only the problem's radius counts.
+/// The same for the outline. A rectangle is swept along poses_along(): it may touch squares that are not free, not
+/// overlap them, and the problem's radius does not count. For a disc only the problem's radius counts.
 std::string why_not_drivable(const Problem& problem, const Plan& plan, const Outline& outline);
 
 }  // namespace aisle::global_planner

@@ -12,9 +12,11 @@ constexpr double kLeastTurn_rad = 1e-6;
 double least_clearance_m(const grid::ClearanceField& clearance, const std::vector<Point2>& path) {
   double least_m = clearance.max_m();
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const int pieces = 1 + static_cast<int>(4.0 * geometry::distance(path[i - 1], path[i]) / clearance.geometry().resolution_m);
+    const int pieces =
+        1 + static_cast<int>(4.0 * geometry::distance(path[i - 1], path[i]) / clearance.geometry().resolution_m);
     for (int k = 0; k <= pieces; ++k) {
-      least_m = std::min(least_m, clearance.clearance_m(path[i - 1] + (static_cast<double>(k) / pieces) * (path[i] - path[i - 1])));
+      least_m = std::min(
+          least_m, clearance.clearance_m(path[i - 1] + (static_cast<double>(k) / pieces) * (path[i] - path[i - 1])));
     }
   }
   return least_m;

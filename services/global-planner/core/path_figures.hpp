@@ -8,10 +8,11 @@ namespace aisle::global_planner {
 /// The figures by which the papers compare paths.
 struct PathFigures {
   double length_m{0.0};
-  int nodes{0};                     // points of the path, both ends included
-  int turning_points{0};            // nodes where the direction changes by more than 1e-6 rad
-  double turning_angle_rad{0.0};    // all changes of direction together
-  double least_clearance_m{0.0};    // a safe lower bound between cell centres, see ClearanceField; at most the field's cap
+  int nodes{0};                   // points of the path, both ends included
+  int turning_points{0};          // nodes where the direction changes by more than 1e-6 rad
+  double turning_angle_rad{0.0};  // all changes of direction together
+  double least_clearance_m{
+      0.0};  // a safe lower bound between cell centres, see ClearanceField; at most the field's cap
 };
 
 /// Points that repeat the one before count as nodes, not as turns.

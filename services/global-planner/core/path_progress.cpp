@@ -48,7 +48,8 @@ void PathProgress::advance(geometry::Point2 base_in_map) {
 std::vector<geometry::Point2> PathProgress::remaining() const {
   if (path_.empty()) return {};
   std::vector<geometry::Point2> rest{reached_};
-  rest.insert(rest.end(), path_.begin() + static_cast<std::ptrdiff_t>(std::min(segment_ + 1, path_.size() - 1)), path_.end());
+  rest.insert(rest.end(), path_.begin() + static_cast<std::ptrdiff_t>(std::min(segment_ + 1, path_.size() - 1)),
+              path_.end());
   return rest;
 }
 

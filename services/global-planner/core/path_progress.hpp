@@ -6,8 +6,8 @@
 
 namespace aisle::global_planner {
 
-/// How far a vehicle has come along its path: the nearest point of the path, which never goes back and never jumps far ahead
-/// (a path may come close to itself).
+/// How far a vehicle has come along its path: the nearest point of the path, which never goes back and never jumps far
+/// ahead (a path may come close to itself).
 class PathProgress {
  public:
   PathProgress() = default;

@@ -36,7 +36,8 @@ void Planner::plan(const Problem& problem, const OutOfTime& out_of_time, Plan& p
   const grid::Geometry& geometry = problem.clearance.geometry();
   if (plan.waypoints_in_map.capacity() > spare_.capacity()) spare_.swap(plan.waypoints_in_map);
   plan = Plan{};
-  if (!is_in_map(geometry, problem.start_in_map) || !is_in_map(geometry, problem.goal_in_map) || !std::isfinite(problem.radius_m) || problem.radius_m < 0.0) {
+  if (!is_in_map(geometry, problem.start_in_map) || !is_in_map(geometry, problem.goal_in_map) ||
+      !std::isfinite(problem.radius_m) || problem.radius_m < 0.0) {
     plan.outcome = Outcome::kOutOfMap;
     return;
   }

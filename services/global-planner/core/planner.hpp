@@ -9,30 +9,35 @@
 
 namespace aisle::global_planner {
 
-/// How a vehicle that cannot turn on the spot drives, for planners that know headings (`hybrid`); the others do not look at it.
+/// How a vehicle that cannot turn on the spot drives, for planners that know headings (`hybrid`); the others do not
+/// look at it.
 struct Steering {
-  double turning_radius_m{0.0};             // of the tightest forward arc; 0: it turns on the spot, and headings do not matter
+  double turning_radius_m{0.0};  // of the tightest forward arc; 0: it turns on the spot, and headings do not matter
   double start_yaw_rad{0.0};
-  std::optional<double> goal_yaw_rad;       // none: any heading will do
+  std::optional<double> goal_yaw_rad;  // none: any heading will do
   bool may_reverse{true};
-  /// Centres of further discs of the problem's radius, ahead of the vehicle's frame: together they cover a long footprint.
+  /// Centres of further discs of the problem's radius, ahead of the vehicle's frame: together they cover a long
+  /// footprint.
   std::vector<double> discs_ahead_m{};
 };
 
-/// Plan from start to goal for a vehicle whose centre keeps `radius_m` (its radius and safety margin) from whatever is not free.
+/// Plan from start to goal for a vehicle whose centre keeps `radius_m` (its radius and safety margin) from whatever is
+/// not free.
 ///
-/// A vehicle may stand nearer to an obstacle than its margin allows, and a goal may lie so: within `tight_range_m` of such a
-/// start or goal the radius shrinks to what its cell offers, but never below `least_radius_m` (the bare vehicle).
+/// A vehicle may stand nearer to an obstacle than its margin allows, and a goal may lie so: within `tight_range_m` of
+/// such a start or goal the radius shrinks to what its cell offers, but never below `least_radius_m` (the bare
+/// vehicle).
 struct Problem {
   const grid::ClearanceField& clearance;
   geometry::Point2 start_in_map;
   geometry::Point2 goal_in_map;
   double radius_m{0.0};
-  double least_radius_m{1e9};   // radius_m and more: starts and goals get no exception
+  double least_radius_m{1e9};  // radius_m and more: starts and goals get no exception
   double tight_range_m{1.5};
   /// What passes that keep a safe distance (QU, YU) want beside the lines they draw, when more than `radius_m`.
   double safe_distance_m{0.0};
-  /// Nearer to an obstacle than this a metre costs more, for planners that prefer clearance (`clear`); 0: twice the radius.
+  /// Nearer to an obstacle than this a metre costs more, for planners that prefer clearance (`clear`); 0: twice the
+  /// radius.
   double preferred_clearance_m{0.0};
   Steering steering{};
 };
@@ -41,10 +46,10 @@ enum class Outcome { kFound, kNoPath, kStartBlocked, kGoalBlocked, kOutOfMap, kO
 
 struct Plan {
   Outcome outcome{Outcome::kNoPath};
-  std::vector<geometry::Point2> waypoints_in_map;   // first the start, last the goal, both exact; empty unless kFound
+  std::vector<geometry::Point2> waypoints_in_map;  // first the start, last the goal, both exact; empty unless kFound
   double length_m{0.0};
-  std::size_t expanded{0};                          // cells popped and not stale
-  std::vector<double> headings_rad;                 // at each waypoint; empty unless the planner knows headings and they matter
+  std::size_t expanded{0};           // cells popped and not stale
+  std::vector<double> headings_rad;  // at each waypoint; empty unless the planner knows headings and they matter
 };
 
 /// Looked at between expansions, every 256 of them.
@@ -58,7 +63,8 @@ class Planner {
   virtual ~Planner() = default;
   /// Checks the problem (in the map, start and goal traversable), then searches.
   [[nodiscard]] Plan plan(const Problem& problem, const OutOfTime& out_of_time);
-  /// The same into `plan`, whose memory is used again: planners that take a blank() plan allocate nothing once it is large enough.
+  /// The same into `plan`, whose memory is used again: planners that take a blank() plan allocate nothing once it is
+  /// large enough.
   void plan(const Problem& problem, const OutOfTime& out_of_time, Plan& plan);
   /// Gives the search's memory back, until the next search.
   virtual void rest() {}
@@ -71,7 +77,7 @@ class Planner {
   /// Both ends are in the map and drivable, and lie in different cells; the answer needs no length.
   virtual Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) = 0;
 
-  std::vector<geometry::Point2> spare_;   // empty, with room
+  std::vector<geometry::Point2> spare_;  // empty, with room
 };
 
 /// False also for points that are not finite.

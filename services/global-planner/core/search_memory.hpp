@@ -14,15 +14,15 @@ namespace aisle::global_planner {
 inline constexpr std::uint32_t kStraightCost = 2378;
 inline constexpr std::uint32_t kDiagonalCost = 3363;
 
-/// What a search knows of each cell, in 8 bytes. Kept between searches: a generation number tells old entries from new ones,
-/// so that beginning a search costs nothing, however large the map. Pages of cells that no search came to are never touched, and
-/// take no memory where the operating system gives it out page by page.
+/// What a search knows of each cell, in 8 bytes. Kept between searches: a generation number tells old entries from new
+/// ones, so that beginning a search costs nothing, however large the map. Pages of cells that no search came to are
+/// never touched, and take no memory where the operating system gives it out page by page.
 class SearchNodes {
  public:
   void begin(std::size_t cells) {
     if (size_ != cells || generation_ == kLastGeneration) {
       release();
-      nodes_.reset(static_cast<Node*>(std::calloc(cells, sizeof(Node))));   // large blocks come untouched, and zero
+      nodes_.reset(static_cast<Node*>(std::calloc(cells, sizeof(Node))));  // large blocks come untouched, and zero
       if (!nodes_) throw std::bad_alloc();
       size_ = cells;
     }
@@ -35,9 +35,9 @@ class SearchNodes {
   }
 
   bool is_known(std::size_t index) const { return nodes_[index].mark >> kShift == generation_; }
-  bool is_closed(std::size_t index) const { return (nodes_[index].mark & kClosed) != 0; }   // @pre is_known(index)
-  std::uint32_t cost(std::size_t index) const { return nodes_[index].cost; }                // @pre is_known(index)
-  std::uint32_t known_cost(std::size_t index) const {   // the greatest number when it is not known
+  bool is_closed(std::size_t index) const { return (nodes_[index].mark & kClosed) != 0; }  // @pre is_known(index)
+  std::uint32_t cost(std::size_t index) const { return nodes_[index].cost; }               // @pre is_known(index)
+  std::uint32_t known_cost(std::size_t index) const {  // the greatest number when it is not known
     const Node& node = nodes_[index];
     return node.mark >> kShift == generation_ ? node.cost : std::numeric_limits<std::uint32_t>::max();
   }
@@ -49,7 +49,7 @@ class SearchNodes {
   void close(std::size_t index) { nodes_[index].mark |= kClosed; }
 
  private:
-  static constexpr std::uint32_t kDirection = 7;   // the step that led here, see kSteps
+  static constexpr std::uint32_t kDirection = 7;  // the step that led here, see kSteps
   static constexpr std::uint32_t kClosed = 8;
   static constexpr int kShift = 4;
   static constexpr std::uint32_t kLastGeneration = std::numeric_limits<std::uint32_t>::max() >> kShift;
@@ -75,7 +75,7 @@ class BucketQueue {
     std::uint32_t cost;
     std::uint32_t next;
   };
-  static constexpr int kWidthShift = 7;   // 128 cost units a bucket: 0.054 of a straight step
+  static constexpr int kWidthShift = 7;  // 128 cost units a bucket: 0.054 of a straight step
   static std::uint32_t rank_of(std::uint32_t evaluation) { return evaluation >> kWidthShift; }
 
   void release() { *this = BucketQueue(); }
@@ -91,7 +91,8 @@ class BucketQueue {
 
   void push(std::uint32_t evaluation, std::uint32_t cell, std::uint32_t cost) {
     const std::uint32_t rank = rank_of(evaluation);
-    if (rank >= heads_.size()) heads_.resize(std::max<std::size_t>(rank + 1U, heads_.size() + heads_.size() / 2), kNone);
+    if (rank >= heads_.size())
+      heads_.resize(std::max<std::size_t>(rank + 1U, heads_.size() + heads_.size() / 2), kNone);
     low_ = std::min(low_, rank);
     high_ = std::max(high_, rank);
     current_ = std::min(current_, rank);

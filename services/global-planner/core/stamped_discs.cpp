@@ -15,7 +15,8 @@ bool touches(const grid::Geometry& geometry, grid::Cell c, const Disc& disc) {
 
 }  // namespace
 
-StampedDiscs::StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField& clearance, const std::vector<Disc>& discs)
+StampedDiscs::StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField& clearance,
+                           const std::vector<Disc>& discs)
     : grid_(grid), clearance_(clearance) {
   const grid::Geometry& geometry = grid.geometry();
   std::vector<grid::Cell> stamped;

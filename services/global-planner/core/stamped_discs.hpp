@@ -10,8 +10,8 @@ struct Disc {
   double radius_m{0.0};
 };
 
-/// Puts discs into the clearance field of a grid for as long as it lives, then takes them out again; the field is then cell by cell
-/// what it was. Only windows around the discs are recomputed.
+/// Puts discs into the clearance field of a grid for as long as it lives, then takes them out again; the field is then
+/// cell by cell what it was. Only windows around the discs are recomputed.
 class StampedDiscs {
  public:
   StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField& clearance, const std::vector<Disc>& discs);

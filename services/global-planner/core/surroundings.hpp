@@ -42,7 +42,8 @@ class Surroundings {
     unsigned nine = 0;
     unsigned bit = 1;
     for (int y = cell.y - 1; y <= cell.y + 1; ++y) {
-      for (int x = cell.x - 1; x <= cell.x + 1; ++x, bit <<= 1) nine |= drivable_.is_traversable(grid::Cell{x, y}) ? bit : 0U;
+      for (int x = cell.x - 1; x <= cell.x + 1; ++x, bit <<= 1)
+        nine |= drivable_.is_traversable(grid::Cell{x, y}) ? bit : 0U;
     }
     return nine;
   }

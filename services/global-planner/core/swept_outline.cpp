@@ -13,15 +13,18 @@ using geometry::Footprint;
 using geometry::Point2;
 using geometry::Pose2;
 
-constexpr double kRounding_m = 1e-5;    // of clearances kept as float
+constexpr double kRounding_m = 1e-5;  // of clearances kept as float
 constexpr double kTouching_m = 1e-9;
 constexpr double kLongestPiece_cells = 16.0;
 
 /// The first square that is not free, among those within `reach_m` of the segment, for which `is_met` holds.
 template <class IsMet>
-std::optional<grid::Cell> find_square(const grid::ClearanceField& field, Point2 a, Point2 b, double reach_m, const IsMet& is_met) {
+std::optional<grid::Cell> find_square(const grid::ClearanceField& field, Point2 a, Point2 b, double reach_m,
+                                      const IsMet& is_met) {
   const grid::Geometry& g = field.geometry();
-  const auto index = [&](double value, double origin) { return static_cast<int>(std::floor((value - origin) / g.resolution_m)); };
+  const auto index = [&](double value, double origin) {
+    return static_cast<int>(std::floor((value - origin) / g.resolution_m));
+  };
   // One square farther on each side: what touches counts. Beyond the border one ring of squares is enough.
   const int low_x = std::max(-1, index(std::min(a.x, b.x) - reach_m, g.origin_in_map.x) - 1);
   const int low_y = std::max(-1, index(std::min(a.y, b.y) - reach_m, g.origin_in_map.y) - 1);
@@ -41,12 +44,14 @@ std::optional<grid::Cell> find_square(const grid::ClearanceField& field, Point2 
 }
 
 Pose2 between(const Pose2& from, const Pose2& to, double part) {
-  return {from.x + part * (to.x - from.x), from.y + part * (to.y - from.y), from.yaw + part * geometry::wrap(to.yaw - from.yaw)};
+  return {from.x + part * (to.x - from.x), from.y + part * (to.y - from.y),
+          from.yaw + part * geometry::wrap(to.yaw - from.yaw)};
 }
 
 /// A bound on how far any point of the outline moves.
 double moved_m(const Footprint& footprint, const Pose2& from, const Pose2& to) {
-  return geometry::distance(from.position(), to.position()) + geometry::reach_m(footprint) * std::abs(geometry::wrap(to.yaw - from.yaw));
+  return geometry::distance(from.position(), to.position()) +
+         geometry::reach_m(footprint) * std::abs(geometry::wrap(to.yaw - from.yaw));
 }
 
 /// Where the outline overlaps the square on the way, found by halving it.
@@ -82,14 +87,17 @@ std::optional<grid::Cell> square_near_line(const grid::ClearanceField& field, Po
     const Point2 a = from + (static_cast<double>(i) / pieces) * (to - from);
     const Point2 b = from + (static_cast<double>(i + 1) / pieces) * (to - from);
     const Point2 middle = 0.5 * (a + b);
-    const Body line{Body::Shape::kRectangle, {middle.x, middle.y, geometry::bearing(from, to)}, 0.0, length_m / pieces, 0.0};
-    const auto square = find_square(field, a, b, radius_m, [&](const Body& other) { return geometry::separation_m(line, other) < nearest_m; });
+    const Body line{
+        Body::Shape::kRectangle, {middle.x, middle.y, geometry::bearing(from, to)}, 0.0, length_m / pieces, 0.0};
+    const auto square = find_square(field, a, b, radius_m,
+                                    [&](const Body& other) { return geometry::separation_m(line, other) < nearest_m; });
     if (square) return square;
   }
   return {};
 }
 
-std::optional<Touch> touched_on_way(const grid::ClearanceField& field, const Footprint& footprint, const Pose2& from, const Pose2& to) {
+std::optional<Touch> touched_on_way(const grid::ClearanceField& field, const Footprint& footprint, const Pose2& from,
+                                    const Pose2& to) {
   const double reach_m = geometry::reach_m(footprint);
   const double longest_m = std::max(reach_m, kLongestPiece_cells * field.geometry().resolution_m);
   const bool is_drawn_out = is_straight(from, to);

@@ -29,9 +29,12 @@ class CostAndDistance {
 std::unique_ptr<Planner> traditional_astar(Heuristic heuristic, Moves moves) {
   const NeighbourRule& rule = moves == Moves::kFour ? kFour : kEight;
   switch (heuristic) {
-    case Heuristic::kEuclidean: return best_first<CostAndDistance<euclidean>>(Closed::kReopen, rule, {});
-    case Heuristic::kChebyshev: return best_first<CostAndDistance<chebyshev>>(Closed::kReopen, rule, {});
-    case Heuristic::kOctile: break;
+    case Heuristic::kEuclidean:
+      return best_first<CostAndDistance<euclidean>>(Closed::kReopen, rule, {});
+    case Heuristic::kChebyshev:
+      return best_first<CostAndDistance<chebyshev>>(Closed::kReopen, rule, {});
+    case Heuristic::kOctile:
+      break;
   }
   return best_first<CostAndDistance<octile>>(Closed::kReopen, rule, {});
 }

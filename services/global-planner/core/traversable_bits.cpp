@@ -70,7 +70,8 @@ std::uint64_t wide_cells(const float* clearances_m, float least_m, int count) {
   int i = 0;
 #ifdef __SSE2__
   for (const __m128 least = _mm_set1_ps(least_m); i + 4 <= count; i += 4) {
-    word |= static_cast<std::uint64_t>(_mm_movemask_ps(_mm_cmpge_ps(_mm_loadu_ps(clearances_m + i), least))) << static_cast<unsigned>(i);
+    word |= static_cast<std::uint64_t>(_mm_movemask_ps(_mm_cmpge_ps(_mm_loadu_ps(clearances_m + i), least)))
+            << static_cast<unsigned>(i);
   }
 #endif
   for (; i < count; ++i) word |= static_cast<std::uint64_t>(clearances_m[i] >= least_m) << static_cast<unsigned>(i);
@@ -81,7 +82,9 @@ std::uint64_t cells_with_tight_ends(const Drivable& drivable, grid::Cell first, 
   const std::size_t index = drivable.geometry().index(first);
   std::uint64_t word = 0;
   for (int i = 0; i < count; ++i) {
-    word |= static_cast<std::uint64_t>(drivable.is_traversable(index + static_cast<std::size_t>(i), {first.x + i, first.y})) << static_cast<unsigned>(i);
+    word |=
+        static_cast<std::uint64_t>(drivable.is_traversable(index + static_cast<std::size_t>(i), {first.x + i, first.y}))
+        << static_cast<unsigned>(i);
   }
   return word;
 }
@@ -102,10 +105,12 @@ void TraversableBits::make(const Drivable& drivable) {
   tight_.clear();
   for (const TightEnd* end : {&drivable.start(), &drivable.goal()}) {
     if (!(end->range_m > 0.0)) continue;
-    const int reach = 1 + static_cast<int>(std::min<double>(end->range_m / geometry.resolution_m, geometry.width + geometry.height));
+    const int reach =
+        1 + static_cast<int>(std::min<double>(end->range_m / geometry.resolution_m, geometry.width + geometry.height));
     const grid::Cell middle = geometry.cell_at(end->center_in_map);
-    tight_.push_back({{std::max(0, middle.x - reach), std::max(0, middle.y - reach)},
-                      {std::min(geometry.width, middle.x + reach + 1), std::min(geometry.height, middle.y + reach + 1)}});
+    tight_.push_back(
+        {{std::max(0, middle.x - reach), std::max(0, middle.y - reach)},
+         {std::min(geometry.width, middle.x + reach + 1), std::min(geometry.height, middle.y + reach + 1)}});
     fill(drivable, tight_.back(), TightEnds::kSeen);
   }
 }
@@ -120,8 +125,9 @@ void TraversableBits::fill(const Drivable& drivable, const Window& window, Tight
       for (int y = 0; y < height; ++y) {
         const grid::Cell first{x0, y0 + y};
         std::uint64_t& word = block[static_cast<std::size_t>(y)];
-        word = tight_ends == TightEnds::kSeen ? cells_with_tight_ends(drivable, first, width)
-                                              : wide_cells(drivable.clearances_m() + geometry.index(first), drivable.least_m(), width);
+        word = tight_ends == TightEnds::kSeen
+                   ? cells_with_tight_ends(drivable, first, width)
+                   : wide_cells(drivable.clearances_m() + geometry.index(first), drivable.least_m(), width);
         rows_.set(y0 + y, x0, word);
       }
       transpose(block);

@@ -3,28 +3,30 @@
 #include <vector>
 
 #include "common/grid/occupancy_grid.hpp"
-
 #include "services/global-planner/core/drivable.hpp"
 
 namespace aisle::global_planner {
 
-/// One bit a cell, 1 where the vehicle may be, along parallel lines of cells (rows, or columns), with blocked cells all around. A jump
-/// along a line looks at 64 cells at once (Harabor, Grastien 2014, "Improving jump point search", block-based scanning).
+/// One bit a cell, 1 where the vehicle may be, along parallel lines of cells (rows, or columns), with blocked cells all
+/// around. A jump along a line looks at 64 cells at once (Harabor, Grastien 2014, "Improving jump point search",
+/// block-based scanning).
 class BitLines {
  public:
   void resize(int lines, int length);
   /// 64 cells from `at` on, a multiple of 64; those beyond the line's end must be 0.
-  void set(int line, int at, std::uint64_t cells) { words_[static_cast<std::size_t>(line + 1) * per_line_ + index(at)] = cells; }
+  void set(int line, int at, std::uint64_t cells) {
+    words_[static_cast<std::size_t>(line + 1) * per_line_ + index(at)] = cells;
+  }
   /// 64 cells from `at` on, a multiple of 64.
   std::uint64_t cells(int line, int at) const { return words(line)[index(at)]; }
   bool is_open(int line, int at) const { return ((words(line)[index(at)] >> bit(at)) & 1U) != 0; }
 
   struct Stop {
     int at;
-    bool is_jump_point;   // else a blocked cell
+    bool is_jump_point;  // else a blocked cell
   };
-  /// From `at` on to the first blocked cell, or the first open one that a cell beside it forces a turn at: open itself where the one
-  /// before it is blocked. @pre is_open(line, at)
+  /// From `at` on to the first blocked cell, or the first open one that a cell beside it forces a turn at: open itself
+  /// where the one before it is blocked. @pre is_open(line, at)
   Stop scan_up(int line, int at) const;
   Stop scan_down(int line, int at) const;
 
@@ -38,8 +40,8 @@ class BitLines {
   std::vector<std::uint64_t> words_;
 };
 
-/// The traversable cells of one problem, by rows and by columns. Made anew only when the field or the radius differs; what a tight end
-/// changes is made and undone in blocks of 64 x 64 cells around it.
+/// The traversable cells of one problem, by rows and by columns. Made anew only when the field or the radius differs;
+/// what a tight end changes is made and undone in blocks of 64 x 64 cells around it.
 class TraversableBits {
  public:
   void make(const Drivable& drivable);
@@ -50,8 +52,8 @@ class TraversableBits {
 
  private:
   struct Window {
-    grid::Cell low;    // included
-    grid::Cell high;   // not included
+    grid::Cell low;   // included
+    grid::Cell high;  // not included
   };
   enum class TightEnds { kLeftOut, kSeen };
   void fill(const Drivable& drivable, const Window& window, TightEnds tight_ends);
@@ -59,7 +61,7 @@ class TraversableBits {
   std::uint64_t field_revision_{0};
   float least_m_{-1.0F};
   BitLines rows_, columns_;
-  std::vector<Window> tight_;   // where a tight end of the last problem may have changed bits
+  std::vector<Window> tight_;  // where a tight end of the last problem may have changed bits
 };
 
 }  // namespace aisle::global_planner

@@ -7,14 +7,15 @@
 
 namespace aisle::global_planner {
 
-/// One file in core/variants/ a variant: `stem.cpp` defines `Variant stem()`, and the build writes the table from the files.
+/// One file in core/variants/ a variant: `stem.cpp` defines `Variant stem()`, and the build writes the table from the
+/// files.
 struct Variant {
-  std::string name;       // as in configuration files and on the wire, at most 32 characters
-  std::string summary;    // one line
-  bool is_optimal{false}; // among 8-connected paths that cut no corner
+  std::string name;        // as in configuration files and on the wire, at most 32 characters
+  std::string summary;     // one line
+  bool is_optimal{false};  // among 8-connected paths that cut no corner
   std::unique_ptr<Planner> (*make)();
-  bool is_never_longer{false};   // than that optimum, even where it is not a path from cell to cell
-  bool knows_headings{false};    // plans for the steering and its discs ahead, where the problem has some
+  bool is_never_longer{false};  // than that optimum, even where it is not a path from cell to cell
+  bool knows_headings{false};   // plans for the steering and its discs ahead, where the problem has some
 };
 
 /// Every variant, by name.

@@ -9,9 +9,9 @@ namespace {
 using geometry::Point2;
 
 constexpr double kStepM = 0.2;
-constexpr double kReachM = 2.6;       // how far to both sides the aisle is measured
-constexpr double kSlope = 0.4;        // metres of shift a metre of way
-constexpr int kTangentSpan = 3;       // points to both sides
+constexpr double kReachM = 2.6;  // how far to both sides the aisle is measured
+constexpr double kSlope = 0.4;   // metres of shift a metre of way
+constexpr int kTangentSpan = 3;  // points to both sides
 
 Point2 right_of(const std::vector<Point2>& points, std::size_t i) {
   const std::size_t back = i >= kTangentSpan ? i - kTangentSpan : 0;
@@ -28,7 +28,8 @@ double reach_m(const grid::ClearanceField& clearance, Point2 p, Point2 direction
 }
 
 /// Shift to the right, in metres, that leads from the plan to the lane at `p`.
-double wanted_shift_m(const grid::ClearanceField& clearance, Point2 p, Point2 right, double radius_m, const LaneSettings& settings) {
+double wanted_shift_m(const grid::ClearanceField& clearance, Point2 p, Point2 right, double radius_m,
+                      const LaneSettings& settings) {
   const double needed = std::min(radius_m + settings.margin_m, clearance.clearance_m(p));
   const double to_right = reach_m(clearance, p, right, needed);
   const double to_left = reach_m(clearance, p, -1.0 * right, needed);
@@ -62,7 +63,8 @@ std::vector<double> smooth_shifts(std::vector<double> shifts) {
 }
 
 /// Pulls each point towards its neighbours and its own target; never closer to walls than `needed` or than it was.
-void relax(std::vector<Point2>& points, const std::vector<Point2>& targets, const grid::ClearanceField& clearance, double needed_m) {
+void relax(std::vector<Point2>& points, const std::vector<Point2>& targets, const grid::ClearanceField& clearance,
+           double needed_m) {
   for (int round = 0; round < 30; ++round)
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       const Point2 bend = points[i - 1] + points[i + 1] - 2.0 * points[i];
@@ -72,7 +74,8 @@ void relax(std::vector<Point2>& points, const std::vector<Point2>& targets, cons
     }
 }
 
-bool is_safe(const std::vector<Point2>& points, const std::vector<Point2>& plan, const grid::ClearanceField& clearance, double needed_m) {
+bool is_safe(const std::vector<Point2>& points, const std::vector<Point2>& plan, const grid::ClearanceField& clearance,
+             double needed_m) {
   double plan_least = needed_m;
   for (const Point2 p : plan) plan_least = std::min(plan_least, clearance.clearance_m(p));
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -107,7 +110,8 @@ Route make_lane(const std::vector<Point2>& waypoints_in_map, const grid::Clearan
   return Route(is_safe(points, plan, clearance, needed) ? points : plan);
 }
 
-std::vector<double> speed_profile(const Route& route, const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits) {
+std::vector<double> speed_profile(const Route& route, const grid::ClearanceField& clearance, double radius_m,
+                                  const ProfileLimits& limits) {
   const auto& points = route.points();
   std::vector<double> speed(points.size(), limits.max_speed_mps);
   for (std::size_t i = 0; limits.slows_on_the_way && i < points.size(); ++i) {
@@ -120,7 +124,8 @@ std::vector<double> speed_profile(const Route& route, const grid::ClearanceField
     const double turn = std::abs(geometry::wrap(route.heading_at(after) - route.heading_at(before)));
     const double curvature = turn / (after - before);
     if (curvature < 1e-3) continue;
-    speed[i] = std::min({speed[i], std::sqrt(limits.lateral_mps2 / curvature), std::max(0.15, 0.6 * limits.max_turn_radps / curvature)});
+    speed[i] = std::min({speed[i], std::sqrt(limits.lateral_mps2 / curvature),
+                         std::max(0.15, 0.6 * limits.max_turn_radps / curvature)});
   }
   if (!speed.empty()) speed.back() = 0.0;
   for (std::size_t i = speed.size(); i-- > 1;) {

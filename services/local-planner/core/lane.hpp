@@ -7,27 +7,28 @@
 namespace aisle::local_planner {
 
 struct LaneSettings {
-  double margin_m{0.10};          // a lane keeps this from walls, where the plan itself does
-  double half_spacing_m{0.75};    // of two opposite lanes, where there is room
-  double shift_m{0.80};           // a lane leaves the plan by at most this
-  double passing_gap_m{0.20};     // two vehicles pass when this is left between them
+  double margin_m{0.10};        // a lane keeps this from walls, where the plan itself does
+  double half_spacing_m{0.75};  // of two opposite lanes, where there is room
+  double shift_m{0.80};         // a lane leaves the plan by at most this
+  double passing_gap_m{0.20};   // two vehicles pass when this is left between them
 };
 
-/// The plan's turning points as the way to drive: every 0.2 m, rounded at the turns, and moved to the right half of the aisle
-/// where two vehicles can pass, to its middle where they cannot. So vehicles that meet head-on pass without a word.
-/// First and last point are the plan's own. Never nearer to walls than the plan or `radius_m` + margin.
-Route make_lane(const std::vector<geometry::Point2>& waypoints_in_map, const grid::ClearanceField& clearance, double radius_m,
-                const LaneSettings& settings);
+/// The plan's turning points as the way to drive: every 0.2 m, rounded at the turns, and moved to the right half of the
+/// aisle where two vehicles can pass, to its middle where they cannot. So vehicles that meet head-on pass without a
+/// word. First and last point are the plan's own. Never nearer to walls than the plan or `radius_m` + margin.
+Route make_lane(const std::vector<geometry::Point2>& waypoints_in_map, const grid::ClearanceField& clearance,
+                double radius_m, const LaneSettings& settings);
 
-/// Speed for each point of `route`: slow in bends (lateral acceleration and turn rate) and where walls are near, 0 at the end,
-/// and reachable by braking with `comfort_mps2`.
+/// Speed for each point of `route`: slow in bends (lateral acceleration and turn rate) and where walls are near, 0 at
+/// the end, and reachable by braking with `comfort_mps2`.
 struct ProfileLimits {
   double max_speed_mps{1.2};
   double max_turn_radps{1.2};
   double comfort_mps2{0.6};
   double lateral_mps2{0.6};
-  bool slows_on_the_way{true};      // false: only to stand at its end
+  bool slows_on_the_way{true};  // false: only to stand at its end
 };
-std::vector<double> speed_profile(const Route& route, const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits);
+std::vector<double> speed_profile(const Route& route, const grid::ClearanceField& clearance, double radius_m,
+                                  const ProfileLimits& limits);
 
 }  // namespace aisle::local_planner

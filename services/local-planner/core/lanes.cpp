@@ -8,13 +8,13 @@
 
 namespace aisle::local_planner {
 
-using geometry::Point2;
-using geometry::Pose2;
-using geometry::Twist2;
 using geometry::is_any;
 using geometry::kWide;
 using geometry::load;
+using geometry::Point2;
+using geometry::Pose2;
 using geometry::store;
+using geometry::Twist2;
 using geometry::Wide;
 using geometry::WideMarks;
 
@@ -43,8 +43,9 @@ Lanes::Lanes(const Pose2& base_in_map) {
   sin_half_.fill(0.0);
 }
 
-AISLE_WIDE_VECTORS void Lanes::set_steps(const Lane& linear_mps, const Lane& angular_radps, const Lane& sideways_mps, double dt_s) {
-  constexpr double kSeriesRad = 0.15;       // up to here the series are right to 1e-11
+AISLE_WIDE_VECTORS void Lanes::set_steps(const Lane& linear_mps, const Lane& angular_radps, const Lane& sideways_mps,
+                                         double dt_s) {
+  constexpr double kSeriesRad = 0.15;  // up to here the series are right to 1e-11
   int turns_far = 0, sideways = 0;
   for (std::size_t i = 0; i < kLanes; ++i) {
     const double half = 0.5 * angular_radps[i] * dt_s;
@@ -64,7 +65,8 @@ AISLE_WIDE_VECTORS void Lanes::set_steps(const Lane& linear_mps, const Lane& ang
   aim_chords();
 }
 
-/// From chords that point half the last step's turn from the heading to such as point half the next one's, of which `turn` holds the half.
+/// From chords that point half the last step's turn from the heading to such as point half the next one's, of which
+/// `turn` holds the half.
 AISLE_WIDE_VECTORS void Lanes::aim_chords() {
   for (std::size_t i = 0; i < kLanes; ++i) {
     const double cos_yaw = cos_half_[i] * cos_chord_[i] + sin_half_[i] * sin_chord_[i];
@@ -115,9 +117,11 @@ namespace {
 AISLE_WIDE_VECTORS void find_extremes(const Lane& values, double& low, double& high) {
   constexpr std::size_t kHalf = kLanes / 2;
   std::array<double, kHalf> lows, highs;
-  for (std::size_t i = 0; i < kHalf; ++i) lows[i] = least(values[i], values[i + kHalf]), highs[i] = most(values[i], values[i + kHalf]);
+  for (std::size_t i = 0; i < kHalf; ++i)
+    lows[i] = least(values[i], values[i + kHalf]), highs[i] = most(values[i], values[i + kHalf]);
   for (std::size_t width = kHalf / 2; width > 0; width /= 2)
-    for (std::size_t i = 0; i < width; ++i) lows[i] = least(lows[i], lows[i + width]), highs[i] = most(highs[i], highs[i + width]);
+    for (std::size_t i = 0; i < width; ++i)
+      lows[i] = least(lows[i], lows[i + width]), highs[i] = most(highs[i], highs[i + width]);
   low = lows[0];
   high = highs[0];
 }
@@ -129,7 +133,8 @@ Box::Box(const Lanes& lanes) {
   find_extremes(lanes.y, low.y, high.y);
 }
 
-Outlines::Outlines(const Scene& scene) : scene_(scene), is_disc_(scene.discs_ahead_m.size() == 1 && scene.discs_ahead_m.front() == 0.0) {}
+Outlines::Outlines(const Scene& scene)
+    : scene_(scene), is_disc_(scene.discs_ahead_m.size() == 1 && scene.discs_ahead_m.front() == 0.0) {}
 
 void Outlines::follow(const Lanes& lanes) {
   lanes_ = &lanes;
@@ -180,7 +185,8 @@ AISLE_WIDE_VECTORS void Outlines::find_distances2_of_discs(Point2 p, Lane& squar
   }
 }
 
-WallWatch::WallWatch(const Outlines& outlines, const DiscGaps& gaps_m, double enough_m) : radius_m_(outlines.radius_m()), enough_m_(enough_m) {
+WallWatch::WallWatch(const Outlines& outlines, const DiscGaps& gaps_m, double enough_m)
+    : radius_m_(outlines.radius_m()), enough_m_(enough_m) {
   driven_m_.fill(0.0);
   enough_until_m_.fill(*std::min_element(gaps_m.begin(), gaps_m.end()) - enough_m);
   least_m_.fill(enough_m);
@@ -203,13 +209,13 @@ AISLE_WIDE_VECTORS void WallWatch::drive_on(const Lane& driven_m) {
     load(&enough_until_m_[first], until_m);
     so_far_m += step_m;
     store(so_far_m, &driven_m_[first]);
-    unknown_[unknown_count_] = first;       // without a branch, which nobody could predict
+    unknown_[unknown_count_] = first;  // without a branch, which nobody could predict
     unknown_count_ += is_any(so_far_m > until_m) ? 1 : 0;
   }
 }
 
-/// Looks up the discs that may be near, of unknown lanes and, since it costs nothing, of their neighbours. Returns whether some gap is
-/// less than enough.
+/// Looks up the discs that may be near, of unknown lanes and, since it costs nothing, of their neighbours. Returns
+/// whether some gap is less than enough.
 AISLE_WIDE_VECTORS bool WallWatch::look_at_unknown(const Outlines& outlines) {
   const grid::ClearanceLanes clearance(outlines.clearance());
   const std::size_t discs = outlines.count();
@@ -228,7 +234,8 @@ AISLE_WIDE_VECTORS bool WallWatch::look_at_unknown(const Outlines& outlines) {
       if (is_any(is_asked & (driven_m > far_until_m))) {
         outlines.find_centers(disc, first, x, y);
         if (!is_near_already) clearance.find_at_least_m(x, y, found_m);
-        if (is_near_already || is_any(is_asked & (found_m - radius_m_ < least_m))) clearance.find_m(x, y, is_asked, found_m);
+        if (is_near_already || is_any(is_asked & (found_m - radius_m_ < least_m)))
+          clearance.find_m(x, y, is_asked, found_m);
         const Wide gap_m = found_m - radius_m_;
         is_near |= is_asked & (gap_m < enough_m_);
         least_m = is_asked & (gap_m < least_m) ? gap_m : least_m;

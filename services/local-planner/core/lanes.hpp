@@ -14,10 +14,11 @@ double speed_of(const geometry::Twist2& twist);
 /// Farthest centre of a disc from the base: what a turn swings.
 double swing_m(const Scene& scene);
 
-/// Poses with their headings as unit vectors, each stepping along an arc of its own. Stepping them costs no call of libm.
+/// Poses with their headings as unit vectors, each stepping along an arc of its own. Stepping them costs no call of
+/// libm.
 class Lanes {
  public:
-  alignas(32) Lane x, y;                    // in map
+  alignas(32) Lane x, y;  // in map
 
   explicit Lanes(const geometry::Pose2& base_in_map);
   /// The twists of the steps from now on.
@@ -39,10 +40,11 @@ class Lanes {
   void aim_chords();
   void step_sideways();
 
-  alignas(32) Lane cos_chord_, sin_chord_;  // the direction of the next step's chord: the heading, and half the step's turn
-  alignas(32) Lane cos_half_, sin_half_;    // of half a step's turn
-  alignas(32) Lane cos_turn_, sin_turn_;    // of all of it
-  alignas(32) Lane ahead_m_, left_m_;       // the chord
+  alignas(32) Lane cos_chord_,
+      sin_chord_;  // the direction of the next step's chord: the heading, and half the step's turn
+  alignas(32) Lane cos_half_, sin_half_;  // of half a step's turn
+  alignas(32) Lane cos_turn_, sin_turn_;  // of all of it
+  alignas(32) Lane ahead_m_, left_m_;     // the chord
   bool goes_sideways_{false};
 };
 
@@ -69,7 +71,8 @@ class Outlines {
   double radius_m() const { return scene_.radius_m; }
   const grid::ClearanceField& clearance() const { return scene_.clearance; }
   /// One disc's centres in four lanes, `first` and the next.
-  [[gnu::always_inline]] void find_centers(std::size_t disc, std::size_t first, geometry::Wide& x, geometry::Wide& y) const {
+  [[gnu::always_inline]] void find_centers(std::size_t disc, std::size_t first, geometry::Wide& x,
+                                           geometry::Wide& y) const {
     geometry::load(&lanes_->x[first], x);
     geometry::load(&lanes_->y[first], y);
     if (is_disc_) return;
@@ -89,11 +92,11 @@ class Outlines {
   const Lanes* lanes_{nullptr};
   bool is_disc_;
   bool is_turned_{false};
-  alignas(32) Lane cos_yaw_, sin_yaw_;      // where the lanes are now, once somebody has asked
+  alignas(32) Lane cos_yaw_, sin_yaw_;  // where the lanes are now, once somebody has asked
 };
 
-/// Looks up distances to walls along trajectories; where there was plenty a moment ago it does not look again: the distance shrinks by
-/// at most what was driven. Of several discs only those are looked up that can be too near.
+/// Looks up distances to walls along trajectories; where there was plenty a moment ago it does not look again: the
+/// distance shrinks by at most what was driven. Of several discs only those are looked up that can be too near.
 class WallWatch {
  public:
   /// @param gaps_m of the vehicle's discs, where all samples begin
@@ -111,10 +114,12 @@ class WallWatch {
   bool look_at_unknown(const Outlines& outlines);
 
   double radius_m_, enough_m_;
-  // Counted in metres driven since the beginning: until when a lane has enough surely, and until when each of its discs has.
+  // Counted in metres driven since the beginning: until when a lane has enough surely, and until when each of its discs
+  // has.
   alignas(32) Lane driven_m_, enough_until_m_, least_m_;
   alignas(32) std::array<Lane, kMostDiscs> far_until_m_;
-  std::array<std::size_t, kLanes / geometry::kWide> unknown_;     // the first of each four lanes of which one has no longer surely enough
+  std::array<std::size_t, kLanes / geometry::kWide>
+      unknown_;  // the first of each four lanes of which one has no longer surely enough
   std::size_t unknown_count_{0};
 };
 

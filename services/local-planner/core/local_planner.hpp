@@ -15,9 +15,10 @@ namespace aisle::local_planner {
 ///
 ///   inputs ─► guard ─► way (lane, detour, aside) ─► right of way ─► speed cap and target ─► dynamic window ─► command
 ///
-/// Keeps to the right, slows in bends, near walls and near people, waits where others go first, drives around what stands,
-/// steps aside for those whom it blocks, and asks for another plan when none of this helps. Whatever is missing or old in its
-/// inputs stops it, and the output says which. Deterministic: the same calls give the same outputs. Not for several threads.
+/// Keeps to the right, slows in bends, near walls and near people, waits where others go first, drives around what
+/// stands, steps aside for those whom it blocks, and asks for another plan when none of this helps. Whatever is missing
+/// or old in its inputs stops it, and the output says which. Deterministic: the same calls give the same outputs. Not
+/// for several threads.
 class LocalPlanner {
  public:
   explicit LocalPlanner(const Settings& settings = {}, Variant variant = wang());
@@ -25,7 +26,7 @@ class LocalPlanner {
   Output step(const Inputs& inputs, time::Stamp now);
 
  private:
-  struct Cycle;                                     // what one step works on
+  struct Cycle;  // what one step works on
 
   std::optional<std::pair<Phase, Reason>> guard(const Inputs& inputs, time::Stamp now);
   std::optional<std::pair<Phase, Reason>> guard_plan(const Inputs& inputs, time::Stamp now);
@@ -56,25 +57,25 @@ class LocalPlanner {
   Observer observer_;
   Way way_;
   geometry::Twist2 last_command_;
-  double steering_rad_{0.0};                        // of a tricycle, after the last command
+  double steering_rad_{0.0};  // of a tricycle, after the last command
   time::Stamp last_step_{};
-  time::Stamp late_{};                              // when a cycle last came too late
-  std::uint64_t plan_id_{0};                        // of the lane
-  std::vector<geometry::Point2> plan_waypoints_;    // as the plan had them
+  time::Stamp late_{};                            // when a cycle last came too late
+  std::uint64_t plan_id_{0};                      // of the lane
+  std::vector<geometry::Point2> plan_waypoints_;  // as the plan had them
   std::string goal_id_;
   geometry::Pose2 goal_in_map_;
   std::uint64_t lane_revision_{0};
   std::uint64_t seen_revision_{0};
   time::Stamp revision_changed_{};
   bool arrived_{false};
-  time::Stamp near_since_{};                        // within the goal's tolerance
+  time::Stamp near_since_{};  // within the goal's tolerance
   bool turning_{false};
-  bool lets_pass_{false};       // people who walk by refused all that moves, in the cycle before
-  time::Stamp moved_{};                             // when the vehicle last moved, or had no reason to
-  time::Stamp searched_{};                          // when detours were last looked for
+  bool lets_pass_{false};   // people who walk by refused all that moves, in the cycle before
+  time::Stamp moved_{};     // when the vehicle last moved, or had no reason to
+  time::Stamp searched_{};  // when detours were last looked for
   time::Stamp stepped_aside_{};
   Patience patience_;
-  bool backs_off_{false};       // the way aside is a recovery, and no courtesy
+  bool backs_off_{false};  // the way aside is a recovery, and no courtesy
   std::optional<Blocked> blocked_;
 };
 

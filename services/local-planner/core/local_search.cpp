@@ -20,7 +20,8 @@ class Lattice {
   std::size_t size() const { return static_cast<std::size_t>(width()) * static_cast<std::size_t>(width()); }
   bool contains(int x, int y) const { return std::abs(x) <= half_ && std::abs(y) <= half_; }
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y + half_) * static_cast<std::size_t>(width()) + static_cast<std::size_t>(x + half_);
+    return static_cast<std::size_t>(y + half_) * static_cast<std::size_t>(width()) +
+           static_cast<std::size_t>(x + half_);
   }
   int x_of(std::size_t i) const { return static_cast<int>(i) % width() - half_; }
   int y_of(std::size_t i) const { return static_cast<int>(i) / width() - half_; }
@@ -36,7 +37,9 @@ std::vector<Point2> straighten(const Room& room, const std::vector<Point2>& way)
   std::size_t kept = 0;
   while (kept + 1 < way.size()) {
     std::size_t next = kept + 1;
-    while (next + 1 < way.size() && geometry::distance(way[kept], way[next + 1]) < 4.0 && room.is_line_free(way[kept], way[next + 1])) ++next;
+    while (next + 1 < way.size() && geometry::distance(way[kept], way[next + 1]) < 4.0 &&
+           room.is_line_free(way[kept], way[next + 1]))
+      ++next;
     out.push_back(way[next]);
     kept = next;
   }
@@ -97,7 +100,7 @@ std::vector<Point2> search_way(const Room& room, Point2 from, Point2 towards, do
         if ((dx == 0 && dy == 0) || !lattice.contains(x, y)) continue;
         const std::size_t k = lattice.index(x, y);
         const double here = spare_at(k);
-        if (here < 0.0 && here < spare_at(i) + 1e-9) continue;      // out of too little room, never deeper into it
+        if (here < 0.0 && here < spare_at(i) + 1e-9) continue;  // out of too little room, never deeper into it
         const Point2 p = lattice.at(k);
         if (here >= 0.0 && here < 0.1 && spare_at(i) >= 0.0 && room.spare_m(0.5 * (lattice.at(i) + p)) < 0.0) continue;
         const double near = std::max(0.0, 0.3 - here) / 0.3;

@@ -20,16 +20,28 @@ constexpr double kTinyM = 1e-6;
 /// A bundle of samples that take up their speeds for one step and then brake along their arcs.
 class Braking {
  public:
-  Braking(const Scene& scene, const Needed& needed, const DwaSettings& settings, const Twist2* wanted, std::size_t count)
-      : scene_(scene), needed_(needed), dt_(settings.step_s), braking_mps2_(settings.braking_share * scene.limits.max_deceleration_mps2),
-        swing_(swing_m(scene)), count_(count), left_(count), lanes_(scene.base_in_map), outlines_(scene), walls_(outlines_, needed.wall_gaps_m, needed.wall), twists_(scene.twist) {
+  Braking(const Scene& scene, const Needed& needed, const DwaSettings& settings, const Twist2* wanted,
+          std::size_t count)
+      : scene_(scene),
+        needed_(needed),
+        dt_(settings.step_s),
+        braking_mps2_(settings.braking_share * scene.limits.max_deceleration_mps2),
+        swing_(swing_m(scene)),
+        count_(count),
+        left_(count),
+        lanes_(scene.base_in_map),
+        outlines_(scene),
+        walls_(outlines_, needed.wall_gaps_m, needed.wall),
+        twists_(scene.twist) {
     is_done_.fill(false);
     take_up(TwistLanes(wanted, count));
     was_ = speed_;
     const bool stands = fastest(scene.twist) < kStoodMps;
     for (std::size_t i = 0; i < count_; ++i) {
-      if (stands && speed_[i] < kStoodMps) finish(i, Obstruction::kNone);
-      else if (needed_.somebody_touches && speed_[i] > 0.5 * kStandingMps) finish(i, Obstruction::kMover);
+      if (stands && speed_[i] < kStoodMps)
+        finish(i, Obstruction::kNone);
+      else if (needed_.somebody_touches && speed_[i] > 0.5 * kStandingMps)
+        finish(i, Obstruction::kMover);
     }
   }
 
@@ -45,18 +57,22 @@ class Braking {
   }
 
  private:
-  /// Nobody is near, and the walls are farther than any of the samples drives until it stands: this step, and in whole steps while it brakes.
+  /// Nobody is near, and the walls are farther than any of the samples drives until it stands: this step, and in whole
+  /// steps while it brakes.
   AISLE_WIDE_VECTORS bool stand_before_anything() const {
     if (!needed_.peers.empty() || !needed_.movers.empty()) return false;
     double most_m = 0.0;
     for (std::size_t i = 0; i < kLanes; ++i) {
-      const double tip_mps = std::abs(twists_.linear_mps[i]) + std::abs(twists_.sideways_mps[i]) + swing_ * std::abs(twists_.angular_radps[i]);
+      const double tip_mps = std::abs(twists_.linear_mps[i]) + std::abs(twists_.sideways_mps[i]) +
+                             swing_ * std::abs(twists_.angular_radps[i]);
       most_m = most(most_m, driven_m_[i] + tip_mps * (0.5 * speed_[i] / braking_mps2_ + dt_));
     }
     return most_m < *std::min_element(needed_.wall_gaps_m.begin(), needed_.wall_gaps_m.end()) - needed_.wall;
   }
 
-  double fastest(const Twist2& twist) const { return std::max(speed_of(twist), swing_ * std::abs(twist.angular_radps)); }
+  double fastest(const Twist2& twist) const {
+    return std::max(speed_of(twist), swing_ * std::abs(twist.angular_radps));
+  }
 
   void take_up(const TwistLanes& wanted) {
     if (scene_.limits.model == kinematics::Model::kDifferential) {
@@ -64,7 +80,8 @@ class Braking {
     } else if (scene_.limits.model == kinematics::Model::kTricycle) {
       SteeringLanes(scene_.limits, scene_.steering_rad, wanted).follow_all(twists_, wanted, scene_.limits, dt_);
     } else {
-      for (std::size_t i = 0; i < kLanes; ++i) twists_.set(i, kinematics::follow({scene_.twist, scene_.steering_rad}, wanted.at(i), scene_.limits, dt_).twist);
+      for (std::size_t i = 0; i < kLanes; ++i)
+        twists_.set(i, kinematics::follow({scene_.twist, scene_.steering_rad}, wanted.at(i), scene_.limits, dt_).twist);
     }
     const TwistLanes now(scene_.twist);
     average(now.linear_mps, twists_.linear_mps, mean_.linear_mps);
@@ -80,8 +97,10 @@ class Braking {
 
   /// Of the fastest point of each vehicle.
   AISLE_WIDE_VECTORS void find_speeds() {
-    for (std::size_t i = 0; i < kLanes; ++i) speed_[i] = most(std::abs(twists_.linear_mps[i]), swing_ * std::abs(twists_.angular_radps[i]));
-    for (std::size_t i = 0; scene_.limits.model == kinematics::Model::kOmnidirectional && i < kLanes; ++i) speed_[i] = fastest(twists_.at(i));
+    for (std::size_t i = 0; i < kLanes; ++i)
+      speed_[i] = most(std::abs(twists_.linear_mps[i]), swing_ * std::abs(twists_.angular_radps[i]));
+    for (std::size_t i = 0; scene_.limits.model == kinematics::Model::kOmnidirectional && i < kLanes; ++i)
+      speed_[i] = fastest(twists_.at(i));
     standing_ = 0;
     for (std::size_t i = 0; i < kLanes; ++i) standing_ += speed_[i] < kStoodMps ? 1 : 0;
   }
@@ -138,20 +157,27 @@ class Braking {
   void look_at(const Mover& mover, double gap_m, double t_s, const Box& box) {
     const Point2 there = mover.position_in_map + t_s * mover.velocity_in_map;
     const double reach_m = mover.reach_m(t_s);
-    if (!is_near(box, there, scene_.radius_m + mover.radius_m + mover.margin_m + mover.growth_mps * t_s + reach_m + gap_m)) return;
+    if (!is_near(box, there,
+                 scene_.radius_m + mover.radius_m + mover.margin_m + mover.growth_mps * t_s + reach_m + gap_m))
+      return;
     Lane squared;
     outlines_.distances2_to(there, squared);
     for (std::size_t i = 0; i < count_; ++i) {
-      const bool stood = was_[i] <= kStandingMps;       // throughout this step
+      const bool stood = was_[i] <= kStandingMps;  // throughout this step
       if (stood && mover.velocity_in_map != Point2{}) continue;
-      const double reached_m = stood ? 0.0 : speed_[i] > kStandingMps ? reach_m : mover.reach_m(t_s - stands_since_s(i));
-      const double gap = std::sqrt(squared[i]) - scene_.radius_m - mover.radius_m - mover.margin_m - mover.growth_mps * t_s - reached_m;
+      const double reached_m = stood                      ? 0.0
+                               : speed_[i] > kStandingMps ? reach_m
+                                                          : mover.reach_m(t_s - stands_since_s(i));
+      const double gap = std::sqrt(squared[i]) - scene_.radius_m - mover.radius_m - mover.margin_m -
+                         mover.growth_mps * t_s - reached_m;
       if (gap < gap_m - kTinyM) finish(i, Obstruction::kMover);
     }
   }
 
   /// At the end of the step in which it came to stand.
-  double stands_since_s(std::size_t i) const { return was_[i] > speed_[i] ? dt_ * (kStandingMps - speed_[i]) / (was_[i] - speed_[i]) : 0.0; }
+  double stands_since_s(std::size_t i) const {
+    return was_[i] > speed_[i] ? dt_ * (kStandingMps - speed_[i]) / (was_[i] - speed_[i]) : 0.0;
+  }
 
   void brake() {
     was_ = speed_;
@@ -178,19 +204,21 @@ class Braking {
   Lanes lanes_;
   Outlines outlines_;
   WallWatch walls_;
-  TwistLanes twists_, mean_;              // at the end of the step, and over it
-  Lane speed_, was_, driven_m_;           // was_: speeds at the step's begin
-  int standing_{0}, stood_{0};            // lanes that stand, and did so at the step before
+  TwistLanes twists_, mean_;     // at the end of the step, and over it
+  Lane speed_, was_, driven_m_;  // was_: speeds at the step's begin
+  int standing_{0}, stood_{0};   // lanes that stand, and did so at the step before
   std::array<bool, kLanes> is_done_;
   std::array<Obstruction, kLanes> found_{};
 };
 
 }  // namespace
 
-std::vector<Obstruction> obstructions(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted, const DwaSettings& settings) {
+std::vector<Obstruction> obstructions(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted,
+                                      const DwaSettings& settings) {
   std::vector<Obstruction> found(wanted.size());
   for (std::size_t first = 0; first < wanted.size(); first += kLanes)
-    Braking(scene, needed, settings, wanted.data() + first, std::min(kLanes, wanted.size() - first)).run(found.data() + first);
+    Braking(scene, needed, settings, wanted.data() + first, std::min(kLanes, wanted.size() - first))
+        .run(found.data() + first);
   return found;
 }
 

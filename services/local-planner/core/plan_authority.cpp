@@ -6,9 +6,12 @@ namespace aisle::local_planner {
 
 const char* name(PlanVerdict verdict) {
   switch (verdict) {
-    case PlanVerdict::kAccepted: return "accepted";
-    case PlanVerdict::kOldEpoch: return "old_epoch";
-    case PlanVerdict::kOldSequence: return "old_sequence";
+    case PlanVerdict::kAccepted:
+      return "accepted";
+    case PlanVerdict::kOldEpoch:
+      return "old_epoch";
+    case PlanVerdict::kOldSequence:
+      return "old_sequence";
   }
   return "unknown";
 }

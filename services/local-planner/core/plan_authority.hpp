@@ -5,15 +5,16 @@ namespace aisle::local_planner {
 
 enum class PlanVerdict {
   kAccepted,
-  kOldEpoch,       // of a planner that was replaced
-  kOldSequence,    // overtaken by a later plan of the same planner
+  kOldEpoch,     // of a planner that was replaced
+  kOldSequence,  // overtaken by a later plan of the same planner
 };
 
 /// One word for logs and counters.
 const char* name(PlanVerdict verdict);
 
-/// Whose plans are followed: those of the newest planner epoch heard, for whichever vehicle it planned, and of one planner in its order.
-/// A plan that is already followed stays when a newer epoch is heard: whoever took over looks at it, and says it again or replaces it.
+/// Whose plans are followed: those of the newest planner epoch heard, for whichever vehicle it planned, and of one
+/// planner in its order. A plan that is already followed stays when a newer epoch is heard: whoever took over looks at
+/// it, and says it again or replaces it.
 class PlanAuthority {
  public:
   /// A plan for another vehicle was heard.

@@ -5,14 +5,16 @@
 namespace aisle::local_planner {
 namespace {
 
-constexpr double kLookAroundRad = 0.1;    // apart are the headings that are tried where walls refuse all that moves
-constexpr double kTryS = 3.0;             // of trying without getting on, besides a turn about on the spot
-constexpr double kLongerS = 4.0;          // after each time that did not help,
-constexpr int kMostLonger = 5;            // so often
-constexpr double kGoodPieceM = 0.5;       // nearer to the goal: it gets on
+constexpr double kLookAroundRad = 0.1;  // apart are the headings that are tried where walls refuse all that moves
+constexpr double kTryS = 3.0;           // of trying without getting on, besides a turn about on the spot
+constexpr double kLongerS = 4.0;        // after each time that did not help,
+constexpr int kMostLonger = 5;          // so often
+constexpr double kGoodPieceM = 0.5;     // nearer to the goal: it gets on
 
 /// Only walls refused something.
-bool is_walled(const Choice& choice) { return choice.rejected[static_cast<int>(Obstruction::kWall)] == choice.rejected_in_all(); }
+bool is_walled(const Choice& choice) {
+  return choice.rejected[static_cast<int>(Obstruction::kWall)] == choice.rejected_in_all();
+}
 
 Choice look_finer(const Refusal& refusal, const Variant& variant, DwaSettings settings) {
   settings.linear_samples = 2 * settings.linear_samples - 1;
@@ -27,7 +29,8 @@ std::optional<double> nearest_open_turn_rad(const Refusal& refusal, const DwaSet
       Scene turned = refusal.scene;
       turned.base_in_map.yaw = geometry::wrap(refusal.scene.base_in_map.yaw + turn);
       turned.twist = {};
-      if (obstruction(turned, {turned.limits.max_speed_mps, 0.0, 0.0}, settings) == Obstruction::kNone) return geometry::wrap(turn);
+      if (obstruction(turned, {turned.limits.max_speed_mps, 0.0, 0.0}, settings) == Obstruction::kNone)
+        return geometry::wrap(turn);
     }
   return std::nullopt;
 }
@@ -36,12 +39,17 @@ std::optional<double> nearest_open_turn_rad(const Refusal& refusal, const DwaSet
 
 const char* told(Grade grade) {
   switch (grade) {
-    case Grade::kSlower: return "recovers: slower";
-    case Grade::kFiner: return "recovers: looks finer";
-    case Grade::kTurn: return "recovers: turns to where there is room";
-    case Grade::kBackOff: return "recovers: backs off";
+    case Grade::kSlower:
+      return "recovers: slower";
+    case Grade::kFiner:
+      return "recovers: looks finer";
+    case Grade::kTurn:
+      return "recovers: turns to where there is room";
+    case Grade::kBackOff:
+      return "recovers: backs off";
     case Grade::kNone:
-    case Grade::kAsk: break;
+    case Grade::kAsk:
+      break;
   }
   return "";
 }
@@ -71,8 +79,10 @@ Grade Patience::look(const Attempt& attempt, time::Stamp now) {
     return attempt.is_closed ? Grade::kAsk : Grade::kNone;
   }
   const kinematics::Limits& limits = attempt.limits;
-  const double half_turn_s = geometry::kPi / limits.max_turn_radps + limits.max_turn_radps / limits.max_turn_acceleration_radps2;
-  if (time::seconds(now - progressed_) < kTryS + half_turn_s + kLongerS * std::min(recoveries_, kMostLonger)) return Grade::kNone;
+  const double half_turn_s =
+      geometry::kPi / limits.max_turn_radps + limits.max_turn_radps / limits.max_turn_acceleration_radps2;
+  if (time::seconds(now - progressed_) < kTryS + half_turn_s + kLongerS * std::min(recoveries_, kMostLonger))
+    return Grade::kNone;
   progressed_ = now;
   ++recoveries_;
   return Grade::kBackOff;

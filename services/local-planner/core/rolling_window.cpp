@@ -9,13 +9,13 @@ namespace {
 using geometry::Point2;
 
 constexpr double kStandingMps = 0.05;
-constexpr double kStepM = 0.2;            // along the route
-constexpr double kLeastMps = 0.4;         // at which who stands is expected to drive on
+constexpr double kStepM = 0.2;     // along the route
+constexpr double kLeastMps = 0.4;  // at which who stands is expected to drive on
 constexpr double kLeastWindowM = 0.5;
-constexpr double kDirectionRad = 0.08;    // apart are the directions looked in,
-constexpr int kDirections = 10;           // so many to each side of the route's,
-constexpr double kMostTurnRad = 0.8;      // none so far from the heading that the vehicle would stop to turn there
-constexpr double kAlongCosine = 0.7;      // of the angle between two directions that count as one line
+constexpr double kDirectionRad = 0.08;  // apart are the directions looked in,
+constexpr int kDirections = 10;         // so many to each side of the route's,
+constexpr double kMostTurnRad = 0.8;    // none so far from the heading that the vehicle would stop to turn there
+constexpr double kAlongCosine = 0.7;    // of the angle between two directions that count as one line
 
 Encounter kind_of(Point2 own_velocity, Point2 its_velocity) {
   const double own = geometry::norm(own_velocity);
@@ -23,25 +23,33 @@ Encounter kind_of(Point2 own_velocity, Point2 its_velocity) {
   if (its < kStandingMps) return Encounter::kStatic;
   if (own < kStandingMps) return Encounter::kCrossing;
   const double cosine = geometry::dot(own_velocity, its_velocity) / (own * its);
-  return cosine < -kAlongCosine ? Encounter::kOncoming : cosine > kAlongCosine ? Encounter::kOvertaking : Encounter::kCrossing;
+  return cosine < -kAlongCosine  ? Encounter::kOncoming
+         : cosine > kAlongCosine ? Encounter::kOvertaking
+                                 : Encounter::kCrossing;
 }
 
 }  // namespace
 
 const char* name(Encounter encounter) {
   switch (encounter) {
-    case Encounter::kStatic: return "standing";
-    case Encounter::kOncoming: return "oncoming";
-    case Encounter::kCrossing: return "crossing";
-    case Encounter::kOvertaking: return "slower";
-    case Encounter::kNone: break;
+    case Encounter::kStatic:
+      return "standing";
+    case Encounter::kOncoming:
+      return "oncoming";
+    case Encounter::kCrossing:
+      return "crossing";
+    case Encounter::kOvertaking:
+      return "slower";
+    case Encounter::kNone:
+      break;
   }
   return "none";
 }
 
 Approach closest_approach(Point2 relative_position, Point2 relative_velocity, double horizon_s) {
   const double speed2 = geometry::dot(relative_velocity, relative_velocity);
-  const double time_s = speed2 > 0.0 ? std::clamp(-geometry::dot(relative_position, relative_velocity) / speed2, 0.0, horizon_s) : 0.0;
+  const double time_s =
+      speed2 > 0.0 ? std::clamp(-geometry::dot(relative_position, relative_velocity) / speed2, 0.0, horizon_s) : 0.0;
   return {time_s, geometry::norm(relative_position + time_s * relative_velocity)};
 }
 
@@ -54,10 +62,12 @@ Meeting predict_meeting(const Scene& scene, double window_m, double horizon_s) {
     const Point2 p = mover.position_in_map - here;
     if (geometry::norm(p) > window_m) continue;
     const Approach approach = closest_approach(p, mover.velocity_in_map - velocity, horizon_s);
-    const double needed_m = scene.radius_m + mover.radius_m + mover.margin_m + mover.growth_mps * std::min(approach.time_s, 1.0);
+    const double needed_m =
+        scene.radius_m + mover.radius_m + mover.margin_m + mover.growth_mps * std::min(approach.time_s, 1.0);
     if (approach.distance_m >= needed_m) continue;
     if (first.encounter != Encounter::kNone && approach.time_s >= first.approach.time_s) continue;
-    first = {kind_of(velocity, mover.velocity_in_map), approach, mover.position_in_map + approach.time_s * mover.velocity_in_map};
+    first = {kind_of(velocity, mover.velocity_in_map), approach,
+             mover.position_in_map + approach.time_s * mover.velocity_in_map};
   }
   return first;
 }
@@ -88,7 +98,7 @@ std::optional<Point2> local_sub_target(const Window& window) {
   const double goal_m = geometry::distance(window.route.points().back(), here);
   for (const double share : {1.0, 0.7, 0.5, 0.35, 0.25, 0.15}) {
     const Point2 exit = exit_in_map(window, share * std::min(window.radius_m, std::max(goal_m, kLeastWindowM)));
-    for (int i = 0; i <= 2 * kDirections; ++i) {      // straight at it, then ever farther to either side
+    for (int i = 0; i <= 2 * kDirections; ++i) {  // straight at it, then ever farther to either side
       const double bearing = geometry::bearing(here, exit) + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * kDirectionRad;
       if (std::abs(geometry::wrap(bearing - window.scene.base_in_map.yaw)) > kMostTurnRad) continue;
       if (predict_towards(window, bearing).encounter != Encounter::kNone) continue;
@@ -100,7 +110,8 @@ std::optional<Point2> local_sub_target(const Window& window) {
 }
 
 std::optional<Point2> avoid(const Window& window, Point2 path_target_in_map) {
-  const Encounter met = predict_towards(window, geometry::bearing(window.scene.base_in_map.position(), path_target_in_map)).encounter;
+  const Encounter met =
+      predict_towards(window, geometry::bearing(window.scene.base_in_map.position(), path_target_in_map)).encounter;
   if (met == Encounter::kNone || met == Encounter::kOvertaking) return std::nullopt;
   return local_sub_target(window);
 }

@@ -15,7 +15,8 @@ Route::Route(const std::vector<Point2>& points_in_map) {
     points_.push_back(p);
   }
   if (!points_in_map.empty() && points_.size() > 1) points_.back() = points_in_map.back();
-  for (std::size_t i = 0; i + 1 < points_.size(); ++i) heading_rad_.push_back(geometry::bearing(points_[i], points_[i + 1]));
+  for (std::size_t i = 0; i + 1 < points_.size(); ++i)
+    heading_rad_.push_back(geometry::bearing(points_[i], points_[i + 1]));
 }
 
 std::size_t Route::point_before(double s_m) const {

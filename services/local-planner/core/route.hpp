@@ -35,7 +35,7 @@ class Route {
   std::size_t segment_at(double s_m) const;
   std::vector<geometry::Point2> points_;
   std::vector<double> along_m_;
-  std::vector<double> heading_rad_;     // of each segment
+  std::vector<double> heading_rad_;  // of each segment
 };
 
 /// Points every `step_m` along a polyline, ends included.

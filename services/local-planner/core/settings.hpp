@@ -9,15 +9,15 @@ namespace aisle::local_planner {
 /// Everything that a site may set, with its default, unit and bounds.
 struct Settings {
   double control_period_s{0.02};
-  double stale_state_s{0.2};            // older: stop
-  double stale_tracker_s{0.5};          // silent for longer: stop
-  double late_s{0.15};                  // a cycle that comes so long after the one before is late: stop,
-  double late_hold_s{0.5};              // and stand for so long after the last late one
-  double plan_update_s{0.5};            // a plan of an older map revision is driven slowly for so long, then not
-  double cautious_mps{0.3};             // speed meanwhile
-  double blocked_after_s{3.0};          // standing before something for so long: say so, and ask for a new plan
-  double comfort_mps2{0.6};             // braking before bends, goals and conflicts
-  bool slows_on_the_way{true};          // before bends and near walls; false: as the papers drive, by the dynamic window alone
+  double stale_state_s{0.2};    // older: stop
+  double stale_tracker_s{0.5};  // silent for longer: stop
+  double late_s{0.15};          // a cycle that comes so long after the one before is late: stop,
+  double late_hold_s{0.5};      // and stand for so long after the last late one
+  double plan_update_s{0.5};    // a plan of an older map revision is driven slowly for so long, then not
+  double cautious_mps{0.3};     // speed meanwhile
+  double blocked_after_s{3.0};  // standing before something for so long: say so, and ask for a new plan
+  double comfort_mps2{0.6};     // braking before bends, goals and conflicts
+  bool slows_on_the_way{true};  // before bends and near walls; false: as the papers drive, by the dynamic window alone
   LaneSettings lane;
   DwaSettings dwa;
   TrafficSettings traffic;

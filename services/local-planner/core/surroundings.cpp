@@ -11,9 +11,9 @@ using geometry::Point2;
 using geometry::Pose2;
 using geometry::Twist2;
 
-constexpr double kReactionS = 0.15;       // a peer may speed up for so long before it sees what we see
+constexpr double kReactionS = 0.15;  // a peer may speed up for so long before it sees what we see
 constexpr double kHonouredIntentS = 2.0;
-constexpr double kWalkedM = 0.75;         // what has come so far is no thing: another view of a thing moves its middle by less
+constexpr double kWalkedM = 0.75;  // what has come so far is no thing: another view of a thing moves its middle by less
 
 Mover mover_of(const SeenTrack& seen, const SurroundingsSettings& settings, time::Stamp now) {
   const auto& track = seen.track;
@@ -53,7 +53,8 @@ std::vector<Pose2> stopping_sweep(const PeerView& peer, const Peer& sample, doub
   while (std::abs(twist.linear_mps) > 1e-3) {
     const double next = std::max(0.0, std::abs(twist.linear_mps) - sample.limits.max_deceleration_mps2 * dt);
     const double share = next / std::abs(twist.linear_mps);
-    pose = kinematics::advance(pose, {0.5 * (1 + share) * twist.linear_mps, 0.5 * (1 + share) * twist.angular_radps, 0.0}, dt);
+    pose = kinematics::advance(
+        pose, {0.5 * (1 + share) * twist.linear_mps, 0.5 * (1 + share) * twist.angular_radps, 0.0}, dt);
     twist = {share * twist.linear_mps, share * twist.angular_radps, 0.0};
     sweep.push_back(pose);
   }
@@ -90,11 +91,14 @@ std::vector<IntentPoint> claim_of(const Peer& peer, const Pose2& base_in_map, ti
     if (d < best) best = d, nearest = j;
   }
   for (std::size_t j = nearest + 1; j < peer.intent.size(); ++j)
-    claim.push_back({std::max(0.05, peer.intent[j].offset_s - peer.intent[nearest].offset_s), peer.intent[j].base_in_map});
+    claim.push_back(
+        {std::max(0.05, peer.intent[j].offset_s - peer.intent[nearest].offset_s), peer.intent[j].base_in_map});
   return claim;
 }
 
-bool means_to_move(Phase phase) { return phase == Phase::kTurning || phase == Phase::kDriving || phase == Phase::kAvoiding || phase == Phase::kBlocked; }
+bool means_to_move(Phase phase) {
+  return phase == Phase::kTurning || phase == Phase::kDriving || phase == Phase::kAvoiding || phase == Phase::kBlocked;
+}
 
 }  // namespace
 
@@ -104,7 +108,8 @@ PeerView Observer::view(const Peer& peer, time::Stamp now) {
   const bool silent = age > settings_.peer_silent_s;
   view.id = peer.id;
   view.radius_m = peer.radius_m;
-  view.base_in_map = silent ? peer.state.base_in_map : kinematics::advance(peer.state.base_in_map, peer.state.twist, age);
+  view.base_in_map =
+      silent ? peer.state.base_in_map : kinematics::advance(peer.state.base_in_map, peer.state.twist, age);
   view.speed_mps = silent ? 0.0 : std::abs(peer.state.twist.linear_mps);
   view.stopping_m = kinematics::stopping_distance_m(view.speed_mps, peer.limits.max_deceleration_mps2);
   const bool yields = peer.phase == Phase::kWaiting && peer.reason == Reason::kYielding;
@@ -123,12 +128,14 @@ bool Observer::has_walked(const SeenTrack& seen) {
 
 void Observer::forget_all_but(const std::vector<SeenTrack>& tracks) {
   for (auto it = first_seen_in_map_.begin(); it != first_seen_in_map_.end();) {
-    const bool is_there = std::any_of(tracks.begin(), tracks.end(), [&](const SeenTrack& seen) { return seen.track.id == it->first; });
+    const bool is_there =
+        std::any_of(tracks.begin(), tracks.end(), [&](const SeenTrack& seen) { return seen.track.id == it->first; });
     it = is_there ? std::next(it) : first_seen_in_map_.erase(it);
   }
 }
 
-Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, double step_s, int steps, time::Stamp now) {
+Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, double step_s, int steps,
+                               time::Stamp now) {
   Surroundings out;
   for (const SeenTrack& seen : inputs.tracks) {
     Mover mover = mover_of(seen, settings_, now);
@@ -142,9 +149,11 @@ Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, 
     PeerView seen = view(peer, now);
     const std::vector<Pose2> stopping_in_map = stopping_sweep(seen, peer, settings_.dead_time_s);
     std::vector<Pose2> intended_in_map;
-    for (int k = 0; k <= steps; ++k) intended_in_map.push_back(claimed_at(seen.claim, settings_.dead_time_s + k * step_s));
+    for (int k = 0; k <= steps; ++k)
+      intended_in_map.push_back(claimed_at(seen.claim, settings_.dead_time_s + k * step_s));
     const bool stays = (!seen.has_goal && seen.speed_mps < 0.05) || seen.standing_s > settings_.peer_patience_s;
-    const geometry::CoveringDiscs discs = geometry::covering_discs(peer.rectangle ? *peer.rectangle : geometry::disc(peer.radius_m));
+    const geometry::CoveringDiscs discs =
+        geometry::covering_discs(peer.rectangle ? *peer.rectangle : geometry::disc(peer.radius_m));
     for (const double ahead_m : discs.ahead_m) {
       PeerMotion motion;
       motion.radius_m = discs.radius_m;

@@ -11,27 +11,27 @@
 namespace aisle::local_planner {
 
 struct SurroundingsSettings {
-  double dead_time_s{0.1};          // from a command to the wheels
-  double track_latency_s{0.05};     // from the scan to the track's arrival
+  double dead_time_s{0.1};       // from a command to the wheels
+  double track_latency_s{0.05};  // from the scan to the track's arrival
   double mover_margin_m{0.12};
-  double mover_growth_mps{0.2};     // besides the track's own uncertainty of velocity
+  double mover_growth_mps{0.2};  // besides the track's own uncertainty of velocity
   double standing_margin_m{0.05};
-  double standing_mps{0.15};        // slower tracks stand
-  double peer_patience_s{3.0};      // a peer with a goal that stands for so long is driven around
-  double peer_silent_s{0.5};        // then it is taken to stand where it can have come to
+  double standing_mps{0.15};    // slower tracks stand
+  double peer_patience_s{3.0};  // a peer with a goal that stands for so long is driven around
+  double peer_silent_s{0.5};    // then it is taken to stand where it can have come to
 };
 
 /// What stands in the way and must be driven around.
 struct Standing {
   Disc disc;
-  std::string vehicle_id;           // empty: not a vehicle
+  std::string vehicle_id;  // empty: not a vehicle
 };
 
-/// The inputs as geometry, at two moments: `now` for people and for the fleet's rules, and `dead_time_s` later, when the next
-/// command acts, for the dynamic window.
+/// The inputs as geometry, at two moments: `now` for people and for the fleet's rules, and `dead_time_s` later, when
+/// the next command acts, for the dynamic window.
 struct Surroundings {
-  std::vector<Mover> movers;        // all tracks
-  std::vector<PeerMotion> peer_motions;   // one of each disc that its footprint is covered by
+  std::vector<Mover> movers;             // all tracks
+  std::vector<PeerMotion> peer_motions;  // one of each disc that its footprint is covered by
   std::vector<PeerView> peers;
   std::vector<Standing> standing;
 };
@@ -47,8 +47,8 @@ class Observer {
   bool has_walked(const SeenTrack& seen);
   void forget_all_but(const std::vector<SeenTrack>& tracks);
   SurroundingsSettings settings_;
-  std::map<std::string, time::Stamp> moved_;    // when each peer last moved
-  std::map<std::uint64_t, geometry::Point2> first_seen_in_map_;     // each track, by its id
+  std::map<std::string, time::Stamp> moved_;                     // when each peer last moved
+  std::map<std::uint64_t, geometry::Point2> first_seen_in_map_;  // each track, by its id
 };
 
 }  // namespace aisle::local_planner

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kIntentM = 24.0;
 constexpr std::size_t kIntentPoints = 60;
-constexpr double kSlowestMps = 0.25;      // for times: it will not stand there for long
+constexpr double kSlowestMps = 0.25;  // for times: it will not stand there for long
 
 }  // namespace
 

@@ -28,7 +28,8 @@ struct Box {
   }
   bool is_within(double distance_m, Point2 p) const { return is_within(distance_m, Box{p, p}); }
   bool is_within(double distance_m, const Box& other) const {
-    const Point2 apart{std::max({0.0, low.x - other.high.x, other.low.x - high.x}), std::max({0.0, low.y - other.high.y, other.low.y - high.y})};
+    const Point2 apart{std::max({0.0, low.x - other.high.x, other.low.x - high.x}),
+                       std::max({0.0, low.y - other.high.y, other.low.y - high.y})};
     const double reach_m = distance_m + kRounding_m;
     return geometry::dot(apart, apart) < reach_m * reach_m;
   }
@@ -37,13 +38,15 @@ struct Box {
   static constexpr double kRounding_m = 1e-6;
 };
 
-/// A claim, looked at from many points: groups of its segments with a box around each, so that what lies far off is passed over.
+/// A claim, looked at from many points: groups of its segments with a box around each, so that what lies far off is
+/// passed over.
 class ClaimedWay {
  public:
   explicit ClaimedWay(const std::vector<IntentPoint>& claim) : claim_(claim) {
     for (std::size_t first = 0; first < claim.size(); first += kGroup) {
       Group group{first, {}};
-      for (std::size_t j = first; j <= std::min(first + kGroup, claim.size() - 1); ++j) group.box.hold(claim[j].base_in_map.position());
+      for (std::size_t j = first; j <= std::min(first + kGroup, claim.size() - 1); ++j)
+        group.box.hold(claim[j].base_in_map.position());
       groups_.push_back(group);
     }
   }
@@ -58,7 +61,8 @@ class ClaimedWay {
 
   /// False: no point of the box is as near.
   bool may_come_near(const Box& box, double within_m) const {
-    return std::any_of(groups_.begin(), groups_.end(), [&](const Group& group) { return group.box.is_within(within_m, box); });
+    return std::any_of(groups_.begin(), groups_.end(),
+                       [&](const Group& group) { return group.box.is_within(within_m, box); });
   }
 
  private:
@@ -89,13 +93,13 @@ class ClaimedWay {
 
 /// A stretch of my way that a peer's claim comes near to.
 struct Conflict {
-  double begin_m{0.0}, end_m{0.0};              // s
+  double begin_m{0.0}, end_m{0.0};  // s
   double my_in_s{0.0}, my_out_s{0.0};
   double its_in_s{1e18}, its_out_s{0.0};
-  double alignment{0.0};                        // mean cosine between the two directions
+  double alignment{0.0};  // mean cosine between the two directions
   int points{0};
-  bool it_is_inside{false};                     // it stands on this stretch or cannot stop before it
-  bool reaches_me{false};                       // the claim runs through where I am
+  bool it_is_inside{false};  // it stands on this stretch or cannot stop before it
+  bool reaches_me{false};    // the claim runs through where I am
 };
 
 /// My way as far as I look ahead, every kStepM: the same for every peer.
@@ -103,7 +107,7 @@ struct OwnStretch {
   struct Point {
     double s_m;
     Point2 in_map;
-    double time_s;                              // from now
+    double time_s;  // from now
   };
   std::vector<Point> points;
   Box box;
@@ -121,7 +125,8 @@ struct OwnStretch {
   }
 };
 
-std::vector<Conflict> conflicts_with(const OwnWay& own, const OwnStretch& stretch, const PeerView& peer, const TrafficSettings& settings) {
+std::vector<Conflict> conflicts_with(const OwnWay& own, const OwnStretch& stretch, const PeerView& peer,
+                                     const TrafficSettings& settings) {
   std::vector<Conflict> found;
   const double near = own.radius_m + peer.radius_m + settings.margin_m;
   const ClaimedWay claim(peer.claim);
@@ -144,7 +149,8 @@ std::vector<Conflict> conflicts_with(const OwnWay& own, const OwnStretch& stretc
     c.alignment += geometry::dot(pass.direction, {std::cos(yaw), std::sin(yaw)});
     ++c.points;
     c.reaches_me = c.reaches_me || s == own.s_m;
-    c.it_is_inside = c.it_is_inside || geometry::distance(p, peer.base_in_map.position()) < near + peer.stopping_m * (pass.time_s < 1.5 ? 1.0 : 0.0);
+    c.it_is_inside = c.it_is_inside || geometry::distance(p, peer.base_in_map.position()) <
+                                           near + peer.stopping_m * (pass.time_s < 1.5 ? 1.0 : 0.0);
   }
   for (Conflict& c : found) c.alignment /= c.points;
   return found;

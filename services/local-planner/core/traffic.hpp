@@ -10,9 +10,10 @@ namespace aisle::local_planner {
 
 struct TrafficSettings {
   double look_ahead_m{12.0};
-  double margin_m{0.15};            // ways of two vehicles conflict where their discs come nearer than this
-  double time_gap_s{2.0};           // whoever must wait may go first when it is out of the conflict so long before the other comes
-  double patience_s{4.0};           // a claim of a peer that stands, not in the conflict, is honoured for so long
+  double margin_m{0.15};  // ways of two vehicles conflict where their discs come nearer than this
+  double time_gap_s{
+      2.0};  // whoever must wait may go first when it is out of the conflict so long before the other comes
+  double patience_s{4.0};  // a claim of a peer that stands, not in the conflict, is honoured for so long
   double following_gap_m{0.35};
 };
 
@@ -20,12 +21,12 @@ struct TrafficSettings {
 struct PeerView {
   std::string id;
   double radius_m{0.35};
-  geometry::Pose2 base_in_map;                  // now
+  geometry::Pose2 base_in_map;  // now
   double speed_mps{0.0};
   double stopping_m{0.0};
-  double standing_s{0.0};                       // how long it has stood
-  bool has_goal{false};                         // means to move on
-  std::vector<IntentPoint> claim;               // from now on; the first is where it is
+  double standing_s{0.0};          // how long it has stood
+  bool has_goal{false};            // means to move on
+  std::vector<IntentPoint> claim;  // from now on; the first is where it is
 };
 
 /// My way: from `s_m` on, at these speeds, standing or not.
@@ -37,21 +38,22 @@ struct OwnWay {
   double stopping_m{0.0};
   geometry::Point2 position_in_map;
   const Route& route;
-  const std::vector<double>& profile_mps;       // at the route's points
+  const std::vector<double>& profile_mps;  // at the route's points
 };
 
 /// What the fleet's rules ask of this vehicle.
 struct Advice {
-  double stop_at_m{std::numeric_limits<double>::infinity()};   // do not pass this s
-  std::string yields_to;                        // empty: nobody
+  double stop_at_m{std::numeric_limits<double>::infinity()};  // do not pass this s
+  std::string yields_to;                                      // empty: nobody
   geometry::Point2 conflict_in_map;
-  bool follows{false};                          // the stop is behind a peer that goes the same way
-  std::vector<std::string> gives_way_to;        // peers whose claim runs through where this vehicle stands, and who go first
+  bool follows{false};                    // the stop is behind a peer that goes the same way
+  std::vector<std::string> gives_way_to;  // peers whose claim runs through where this vehicle stands, and who go first
 };
 
-/// Right of way, decided by each vehicle for itself and the same way: ways conflict where they come near; who is already in
-/// the conflict goes on; otherwise, and when both are in it, the smaller id does. Whoever must wait does so before the
-/// conflict, and may go first when it is through well before the other comes. Behind a vehicle on the same way one follows.
+/// Right of way, decided by each vehicle for itself and the same way: ways conflict where they come near; who is
+/// already in the conflict goes on; otherwise, and when both are in it, the smaller id does. Whoever must wait does so
+/// before the conflict, and may go first when it is through well before the other comes. Behind a vehicle on the same
+/// way one follows.
 Advice advise(const OwnWay& own, const std::vector<PeerView>& peers, const TrafficSettings& settings);
 
 /// Is the point within `distance_m` of the way that is claimed?

@@ -46,7 +46,10 @@ TwistLanes::TwistLanes(const Twist2* twists, std::size_t count) {
 AISLE_WIDE_VECTORS int count_differing(const TwistLanes& twists, const TwistLanes& wanted) {
   int differing = 0;
   for (std::size_t i = 0; i < kLanes; ++i)
-    differing += (twists.linear_mps[i] != wanted.linear_mps[i]) | (twists.angular_radps[i] != wanted.angular_radps[i]) | (twists.sideways_mps[i] != wanted.sideways_mps[i]) ? 1 : 0;
+    differing += (twists.linear_mps[i] != wanted.linear_mps[i]) | (twists.angular_radps[i] != wanted.angular_radps[i]) |
+                         (twists.sideways_mps[i] != wanted.sideways_mps[i])
+                     ? 1
+                     : 0;
   return differing;
 }
 
@@ -71,20 +74,24 @@ SteeringLanes::SteeringLanes(const kinematics::Limits& limits, double steering_r
   if (limits.model != kinematics::Model::kTricycle) return;
   steering_rad_.fill(steering_rad);
   tangent_.fill(std::tan(steering_rad));
-  for (std::size_t i = 0; i < kLanes; ++i) target_rad_[i] = kinematics::steering_for_rad(limits.axle, wanted.at(i), steering_rad);
+  for (std::size_t i = 0; i < kLanes; ++i)
+    target_rad_[i] = kinematics::steering_for_rad(limits.axle, wanted.at(i), steering_rad);
 }
 
-void SteeringLanes::follow_all(TwistLanes& twists, const TwistLanes& wanted, const kinematics::Limits& limits, double dt_s) {
+void SteeringLanes::follow_all(TwistLanes& twists, const TwistLanes& wanted, const kinematics::Limits& limits,
+                               double dt_s) {
   turn(limits.axle.max_steering_rate_radps * dt_s);
   drive(twists, wanted, limits, dt_s);
 }
 
-void SteeringLanes::follow(TwistLanes& twists, const TwistLanes& wanted, const kinematics::Limits& limits, double dt_s) {
+void SteeringLanes::follow(TwistLanes& twists, const TwistLanes& wanted, const kinematics::Limits& limits,
+                           double dt_s) {
   const SteeringLanes before = *this;
   const TwistLanes twists_before = twists;
   follow_all(twists, wanted, limits, dt_s);
   for (std::size_t i = 0; i < kLanes; ++i) {
-    const bool is_there = twists_before.linear_mps[i] == wanted.linear_mps[i] && twists_before.angular_radps[i] == wanted.angular_radps[i] &&
+    const bool is_there = twists_before.linear_mps[i] == wanted.linear_mps[i] &&
+                          twists_before.angular_radps[i] == wanted.angular_radps[i] &&
                           twists_before.sideways_mps[i] == wanted.sideways_mps[i];
     if (!is_there) continue;
     twists.set(i, twists_before.at(i));
@@ -108,16 +115,19 @@ void SteeringLanes::turn(double most_rad) {
 }
 
 /// Where the wheel is turned so far that the vehicle would turn too fast it drives slower.
-AISLE_WIDE_VECTORS void SteeringLanes::drive(TwistLanes& twists, const TwistLanes& wanted, const kinematics::Limits& limits, double dt_s) const {
+AISLE_WIDE_VECTORS void SteeringLanes::drive(TwistLanes& twists, const TwistLanes& wanted,
+                                             const kinematics::Limits& limits, double dt_s) const {
   const double wheelbase_m = limits.axle.wheelbase_m, sign = limits.axle.is_rear ? -1.0 : 1.0;
   Lane to;
   for (std::size_t i = 0; i < kLanes; ++i) {
     const double per_metre = std::abs(tangent_[i] / wheelbase_m);
     const double fastest_mps = per_metre > 1e-9 ? limits.max_turn_radps / per_metre : 1e9;
-    to[i] = bounded(wanted.linear_mps[i], -least(limits.max_reverse_mps, fastest_mps), least(limits.max_speed_mps, fastest_mps));
+    to[i] = bounded(wanted.linear_mps[i], -least(limits.max_reverse_mps, fastest_mps),
+                    least(limits.max_speed_mps, fastest_mps));
   }
   approach(twists.linear_mps, to, limits.max_acceleration_mps2, limits.max_deceleration_mps2, dt_s);
-  for (std::size_t i = 0; i < kLanes; ++i) twists.angular_radps[i] = sign * (twists.linear_mps[i] * tangent_[i] / wheelbase_m);
+  for (std::size_t i = 0; i < kLanes; ++i)
+    twists.angular_radps[i] = sign * (twists.linear_mps[i] * tangent_[i] / wheelbase_m);
   twists.sideways_mps.fill(0.0);
 }
 
@@ -129,7 +139,8 @@ AISLE_WIDE_VECTORS void driven_m(const TwistLanes& twists, double swing_m, doubl
     sideways += twists.sideways_mps[i] != 0.0 ? 1 : 0;
   }
   if (sideways == 0) return;
-  for (std::size_t i = 0; i < kLanes; ++i) driven_m[i] = speed_of(twists.at(i)) * dt_s + swing_m * std::abs(twists.angular_radps[i]) * dt_s;
+  for (std::size_t i = 0; i < kLanes; ++i)
+    driven_m[i] = speed_of(twists.at(i)) * dt_s + swing_m * std::abs(twists.angular_radps[i]) * dt_s;
 }
 
 }  // namespace aisle::local_planner

@@ -13,7 +13,9 @@ struct TwistLanes {
   /// The last of them again where there are fewer than lanes. @pre count > 0
   TwistLanes(const geometry::Twist2* twists, std::size_t count);
   geometry::Twist2 at(std::size_t i) const { return {linear_mps[i], angular_radps[i], sideways_mps[i]}; }
-  void set(std::size_t i, const geometry::Twist2& twist) { linear_mps[i] = twist.linear_mps, angular_radps[i] = twist.angular_radps, sideways_mps[i] = twist.sideways_mps; }
+  void set(std::size_t i, const geometry::Twist2& twist) {
+    linear_mps[i] = twist.linear_mps, angular_radps[i] = twist.angular_radps, sideways_mps[i] = twist.sideways_mps;
+  }
 };
 
 /// How many of the twists are not what is wanted.
@@ -42,7 +44,8 @@ class SteeringLanes {
   bool is_turning_{false};
 };
 
-/// What the farthest point of each vehicle drives in a step, at most: the base's way and `swing_m` of its turn, in metres.
+/// What the farthest point of each vehicle drives in a step, at most: the base's way and `swing_m` of its turn, in
+/// metres.
 void driven_m(const TwistLanes& twists, double swing_m, double dt_s, Lane& driven_m);
 
 }  // namespace aisle::local_planner

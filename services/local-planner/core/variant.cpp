@@ -5,12 +5,14 @@
 namespace aisle::local_planner {
 
 bool Variant::asks_for(Critic critic) const {
-  return std::any_of(critics.begin(), critics.end(), [&](const WeightedCritic& weighted) { return weighted.score == critic; });
+  return std::any_of(critics.begin(), critics.end(),
+                     [&](const WeightedCritic& weighted) { return weighted.score == critic; });
 }
 
 const Variant* find_variant(const std::string& name) {
   const std::vector<Variant>& variants = all_variants();
-  const auto found = std::find_if(variants.begin(), variants.end(), [&](const Variant& variant) { return variant.name == name; });
+  const auto found =
+      std::find_if(variants.begin(), variants.end(), [&](const Variant& variant) { return variant.name == name; });
   return found == variants.end() ? nullptr : &*found;
 }
 

@@ -20,7 +20,8 @@ void Way::adopt(Route lane, Point2 position_in_map, bool is_same_plan) {
   const double about_m = is_same_plan ? lane_.route.length_m() - left_m : 0.0;
   lane_.s_m = lane_.route.project(position_in_map, about_m - 5.0, about_m + 5.0);
   // A plan that was kept while we were not there to follow it, e.g. over a restart: we are somewhere along it.
-  if (geometry::distance(lane_.route.at(lane_.s_m), position_in_map) > 1.5) lane_.s_m = lane_.route.project(position_in_map, 0.0, lane_.route.length_m());
+  if (geometry::distance(lane_.route.at(lane_.s_m), position_in_map) > 1.5)
+    lane_.s_m = lane_.route.project(position_in_map, 0.0, lane_.route.length_m());
 }
 
 void Way::detour(const std::vector<Point2>& points, double rejoin_m) {
@@ -44,17 +45,21 @@ double Way::speed_at(double s_m) const {
 }
 
 void Way::progress(Point2 position_in_map) {
-  if (!lane_.route.empty() && !aside_) lane_.s_m = lane_.route.project(position_in_map, lane_.s_m - 0.3, lane_.s_m + 1.5);
-  if (aside_ && !aside_->route.empty()) aside_->s_m = aside_->route.project(position_in_map, aside_->s_m - 0.3, aside_->s_m + 1.5);
+  if (!lane_.route.empty() && !aside_)
+    lane_.s_m = lane_.route.project(position_in_map, lane_.s_m - 0.3, lane_.s_m + 1.5);
+  if (aside_ && !aside_->route.empty())
+    aside_->s_m = aside_->route.project(position_in_map, aside_->s_m - 0.3, aside_->s_m + 1.5);
 }
 
 void Way::profile(const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits) {
-  if (lane_.profile_mps.size() != lane_.route.points().size()) lane_.profile_mps = speed_profile(lane_.route, clearance, radius_m, limits);
+  if (lane_.profile_mps.size() != lane_.route.points().size())
+    lane_.profile_mps = speed_profile(lane_.route, clearance, radius_m, limits);
   if (aside_ && aside_->profile_mps.size() != aside_->route.points().size())
     aside_->profile_mps = speed_profile(aside_->route, clearance, radius_m, limits);
 }
 
-std::optional<Obstructed> first_obstructed(const Route& route, double s_m, double ahead_m, const Room& room, double least_spare_m) {
+std::optional<Obstructed> first_obstructed(const Route& route, double s_m, double ahead_m, const Room& room,
+                                           double least_spare_m) {
   if (route.empty()) return std::nullopt;
   std::optional<Obstructed> found;
   double free_since = -1.0;

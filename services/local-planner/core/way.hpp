@@ -9,14 +9,15 @@
 
 namespace aisle::local_planner {
 
-/// The way that is being driven: the plan's lane, with detours spliced into it, or for a while a way aside to let others pass.
+/// The way that is being driven: the plan's lane, with detours spliced into it, or for a while a way aside to let
+/// others pass.
 class Way {
  public:
   bool empty() const { return current().empty(); }
   void clear();
 
-  /// A new lane; keeps a way aside, if one is being driven. The lane begins near here, but for one that is made anew from the same
-  /// plan: then about as much of it is left as before.
+  /// A new lane; keeps a way aside, if one is being driven. The lane begins near here, but for one that is made anew
+  /// from the same plan: then about as much of it is left as before.
   void adopt(Route lane, geometry::Point2 position_in_map, bool is_same_plan);
   /// Leaves the lane at once for `points` and comes back to it further on, at `rejoin_m` of the current lane.
   void detour(const std::vector<geometry::Point2>& points, double rejoin_m);
@@ -54,9 +55,10 @@ class Way {
 /// First stretch of the route from `s_m` on, within `ahead_m`, that has less than `least_spare_m` to spare.
 struct Obstructed {
   double begin_m{0.0};
-  double end_m{0.0};            // from here on there is room again; beyond the route's end: there is none
+  double end_m{0.0};  // from here on there is room again; beyond the route's end: there is none
   geometry::Point2 at_in_map;
 };
-std::optional<Obstructed> first_obstructed(const Route& route, double s_m, double ahead_m, const Room& room, double least_spare_m);
+std::optional<Obstructed> first_obstructed(const Route& route, double s_m, double ahead_m, const Room& room,
+                                           double least_spare_m);
 
 }  // namespace aisle::local_planner

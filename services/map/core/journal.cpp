@@ -37,10 +37,12 @@ class Statement {
   Statement& bind(std::int64_t value) { return check(sqlite3_bind_int64(statement_, ++bound_, value)); }
   Statement& bind(double value) { return check(sqlite3_bind_double(statement_, ++bound_, value)); }
   Statement& bind(const std::string& value) {
-    return check(sqlite3_bind_text(statement_, ++bound_, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
+    return check(
+        sqlite3_bind_text(statement_, ++bound_, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
   }
   Statement& bind(const std::vector<double>& values) {
-    return check(sqlite3_bind_blob(statement_, ++bound_, values.data(), static_cast<int>(values.size() * sizeof(double)), SQLITE_TRANSIENT));
+    return check(sqlite3_bind_blob(statement_, ++bound_, values.data(),
+                                   static_cast<int>(values.size() * sizeof(double)), SQLITE_TRANSIENT));
   }
   /// False when there is no further row.
   bool step() {
@@ -52,7 +54,8 @@ class Statement {
   double real(int column) const { return sqlite3_column_double(statement_, column); }
   std::string text(int column) const {
     const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
-    return bytes == nullptr ? std::string() : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)));
+    return bytes == nullptr ? std::string()
+                            : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)));
   }
   std::vector<double> reals(int column) const {
     const std::string bytes = text(column);
@@ -97,16 +100,20 @@ void store(sqlite3* database, const std::string& name, const std::string& value)
 
 void Journal::Close::operator()(sqlite3* handle) const { sqlite3_close(handle); }
 
-Journal::Journal(const std::filesystem::path& file, const std::string& map_id, std::uint64_t base_hash, const Options& options) : file_(file) {
+Journal::Journal(const std::filesystem::path& file, const std::string& map_id, std::uint64_t base_hash,
+                 const Options& options)
+    : file_(file) {
   try {
     open(options);
     bind_to_map(map_id, base_hash);
   } catch (const SqlError& error) {
     const std::string name = "journal " + file_.string();
     if (error.code == SQLITE_NOTADB || error.code == SQLITE_CORRUPT) {
-      throw config::BadInput(name + ": is not a journal of aisle-map (" + error.what() + "): name another file, or move this one away");
+      throw config::BadInput(name + ": is not a journal of aisle-map (" + error.what() +
+                             "): name another file, or move this one away");
     }
-    if (error.code == SQLITE_BUSY) throw config::BadEnvironment(name + ": another process has it open: stop that, or name another file");
+    if (error.code == SQLITE_BUSY)
+      throw config::BadEnvironment(name + ": another process has it open: stop that, or name another file");
     throw config::BadEnvironment(name + ": cannot be used: " + error.what() + ": check folder, permissions and space");
   }
 }
@@ -124,7 +131,8 @@ void Journal::open(const Options& options) {
   execute(handle, "PRAGMA synchronous = FULL");
   Statement page_size(handle, "PRAGMA page_size");
   page_size.step();
-  execute(handle, "PRAGMA max_page_count = " + std::to_string(std::max<std::int64_t>(16, options.max_bytes / page_size.integer(0))));
+  execute(handle, "PRAGMA max_page_count = " +
+                      std::to_string(std::max<std::int64_t>(16, options.max_bytes / page_size.integer(0))));
 }
 
 void Journal::bind_to_map(const std::string& map_id, std::uint64_t base_hash) {
@@ -132,7 +140,8 @@ void Journal::bind_to_map(const std::string& map_id, std::uint64_t base_hash) {
   execute(database, "BEGIN IMMEDIATE");
   execute(database, "CREATE TABLE IF NOT EXISTS about(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID");
   execute(database,
-          "CREATE TABLE IF NOT EXISTS edits(revision INTEGER PRIMARY KEY, edit_id TEXT NOT NULL UNIQUE, action INTEGER NOT NULL, "
+          "CREATE TABLE IF NOT EXISTS edits(revision INTEGER PRIMARY KEY, edit_id TEXT NOT NULL UNIQUE, action INTEGER "
+          "NOT NULL, "
           "shape INTEGER NOT NULL, points BLOB NOT NULL, radius_m REAL NOT NULL, changed_cells INTEGER NOT NULL, "
           "source_id TEXT NOT NULL, stamp_ns INTEGER NOT NULL)");
   const std::string schema = stored(database, "schema");
@@ -147,24 +156,26 @@ void Journal::bind_to_map(const std::string& map_id, std::uint64_t base_hash) {
     throw config::BadInput(name + ": schema " + schema + " is not " + std::to_string(kSchema) + remedy);
   }
   if (stored(database, "map_id") != map_id) {
-    throw config::BadInput(name + ": belongs to map '" + stored(database, "map_id") + "', not to '" + map_id + "'" + remedy);
+    throw config::BadInput(name + ": belongs to map '" + stored(database, "map_id") + "', not to '" + map_id + "'" +
+                           remedy);
   }
   if (stored(database, "base_hash") != hexadecimal(base_hash)) {
-    throw config::BadInput(name + ": was written over another content of the map file (hash " + stored(database, "base_hash") + ", now " +
-                           hexadecimal(base_hash) + ")" + remedy);
+    throw config::BadInput(name + ": was written over another content of the map file (hash " +
+                           stored(database, "base_hash") + ", now " + hexadecimal(base_hash) + ")" + remedy);
   }
   execute(database, "COMMIT");
 }
 
 std::vector<JournalEntry> Journal::entries() const {
   const auto broken = [&](std::uint64_t revision, const std::string& why) {
-    return config::BadInput("journal " + file_.string() + ": entry of revision " + std::to_string(revision) + " " + why +
-                            ": restore the file from a copy, or move it away to drop its edits");
+    return config::BadInput("journal " + file_.string() + ": entry of revision " + std::to_string(revision) + " " +
+                            why + ": restore the file from a copy, or move it away to drop its edits");
   };
   std::vector<JournalEntry> entries;
   const std::string map_id = stored(database_.get(), "map_id");
   Statement statement(database_.get(),
-                      "SELECT revision, edit_id, action, shape, points, radius_m, changed_cells, source_id, stamp_ns FROM edits ORDER BY revision");
+                      "SELECT revision, edit_id, action, shape, points, radius_m, changed_cells, source_id, stamp_ns "
+                      "FROM edits ORDER BY revision");
   while (statement.step()) {
     JournalEntry entry;
     entry.revision = static_cast<std::uint64_t>(statement.integer(0));
@@ -172,12 +183,15 @@ std::vector<JournalEntry> Journal::entries() const {
     entry.edit.map_id = map_id;
     const std::int64_t action = statement.integer(2);
     const std::int64_t shape = statement.integer(3);
-    if (action < 0 || action > 1 || shape < 0 || shape > 2) throw broken(entry.revision, "has an unknown action or shape");
-    if (!entries.empty() && entry.revision != entries.back().revision + 1) throw broken(entry.revision, "does not follow on the one before");
+    if (action < 0 || action > 1 || shape < 0 || shape > 2)
+      throw broken(entry.revision, "has an unknown action or shape");
+    if (!entries.empty() && entry.revision != entries.back().revision + 1)
+      throw broken(entry.revision, "does not follow on the one before");
     entry.edit.action = static_cast<MapEdit::Action>(action);
     entry.edit.shape = static_cast<MapEdit::Shape>(shape);
     const std::vector<double> points = statement.reals(4);
-    for (std::size_t i = 0; i + 1 < points.size(); i += 2) entry.edit.points_in_map.push_back({points[i], points[i + 1]});
+    for (std::size_t i = 0; i + 1 < points.size(); i += 2)
+      entry.edit.points_in_map.push_back({points[i], points[i + 1]});
     entry.edit.radius_m = statement.real(5);
     entry.changed_cells = static_cast<std::uint32_t>(statement.integer(6));
     entry.source_id = statement.text(7);

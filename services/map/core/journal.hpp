@@ -23,12 +23,12 @@ struct JournalEntry {
   std::uint64_t revision{0};
   grid::MapEdit edit;
   std::uint32_t changed_cells{0};
-  std::string source_id;         // who asked for it
-  std::int64_t stamp_ns{0};      // when it was accepted; for people
+  std::string source_id;     // who asked for it
+  std::int64_t stamp_ns{0};  // when it was accepted; for people
 };
 
-/// The accepted edits of one map, in SQLite: an entry is on the disk when append() returns, or not at all (write-ahead log,
-/// synchronous=FULL). Belongs to one map id and to one content of the map file, and to one process at a time.
+/// The accepted edits of one map, in SQLite: an entry is on the disk when append() returns, or not at all (write-ahead
+/// log, synchronous=FULL). Belongs to one map id and to one content of the map file, and to one process at a time.
 class Journal {
  public:
   struct Options {
@@ -38,7 +38,8 @@ class Journal {
   /// Opens the journal or makes it. `base_hash`: of the map file's cells, see grid::map_hash.
   /// @throws config::BadInput when the file is no journal, or one of another map or of another content of the map file;
   /// config::BadEnvironment when it cannot be opened or written, or another process has it open
-  Journal(const std::filesystem::path& file, const std::string& map_id, std::uint64_t base_hash, const Options& options);
+  Journal(const std::filesystem::path& file, const std::string& map_id, std::uint64_t base_hash,
+          const Options& options);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;

@@ -17,9 +17,11 @@ MapStore::MapStore(SiteMap base, std::unique_ptr<Journal> journal, const Limits&
   for (const JournalEntry& entry : journal_->entries()) {
     // Limits may have been lowered since; what was acknowledged is kept.
     std::string reason = refusal_of(entry.edit, map_, {std::numeric_limits<int>::max()});
-    if (reason.empty() && entry.revision != map_.revision() + 1) reason = "has revision " + std::to_string(entry.revision);
+    if (reason.empty() && entry.revision != map_.revision() + 1)
+      reason = "has revision " + std::to_string(entry.revision);
     if (!reason.empty()) {
-      throw config::BadInput("journal " + journal_->file().string() + ": edit '" + entry.edit.edit_id + "' does not fit the map: " + reason);
+      throw config::BadInput("journal " + journal_->file().string() + ": edit '" + entry.edit.edit_id +
+                             "' does not fit the map: " + reason);
     }
     map_.apply(rasterise(entry.edit, map_.grid().geometry()), entry.edit.action);
     applied_[entry.edit.edit_id] = {entry.revision, entry.changed_cells, content_hash(entry.edit)};
@@ -36,14 +38,16 @@ MapStore::Answer MapStore::take(const MapEdit& edit, const std::string& source_i
   std::string reason = refusal_of(edit, map_, limits_.edit);
   if (!reason.empty()) return refused(reason);
   if (const auto known = applied_.find(edit.edit_id); known != applied_.end()) {
-    if (known->second.content_hash != content_hash(edit)) return refused("edit_id was used before, for another edit: give each edit its own");
+    if (known->second.content_hash != content_hash(edit))
+      return refused("edit_id was used before, for another edit: give each edit its own");
     answer.result.outcome = MapEditResult::Outcome::kAlreadyApplied;
     answer.result.revision = known->second.revision;
     answer.result.changed_cells = known->second.changed_cells;
     return answer;
   }
   if (applied_.size() >= static_cast<std::size_t>(limits_.max_edits)) {
-    return refused("the map holds " + std::to_string(limits_.max_edits) + " edits, the most allowed: save it and start with a new journal");
+    return refused("the map holds " + std::to_string(limits_.max_edits) +
+                   " edits, the most allowed: save it and start with a new journal");
   }
   const std::vector<CellRun> runs = rasterise(edit, map_.grid().geometry());
   const JournalEntry entry{map_.revision() + 1, edit, map_.count_changes(runs, edit.action), source_id, stamp_ns};

@@ -10,13 +10,13 @@
 
 namespace aisle::map {
 
-/// The site's map with its edits: each is applied once, is in the journal before it is applied, and raises the revision by one.
-/// Without a journal edits last until the process ends.
+/// The site's map with its edits: each is applied once, is in the journal before it is applied, and raises the revision
+/// by one. Without a journal edits last until the process ends.
 class MapStore {
  public:
   struct Limits {
     EditLimits edit;
-    int max_edits{200000};   // of this map, ever; beyond, save the map and start a new journal
+    int max_edits{200000};  // of this map, ever; beyond, save the map and start a new journal
   };
   struct Answer {
     grid::MapEditResult result;

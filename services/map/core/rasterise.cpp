@@ -34,7 +34,8 @@ void add_run(std::vector<CellRun>& runs, int y, std::pair<int, int> x) {
 std::vector<CellRun> rectangle(Point2 a, Point2 b, const grid::Geometry& g) {
   std::vector<CellRun> runs;
   const auto rows = overlapped(std::min(a.y, b.y), std::max(a.y, b.y), g.height);
-  for (int y = rows.first; y < rows.second; ++y) add_run(runs, y, overlapped(std::min(a.x, b.x), std::max(a.x, b.x), g.width));
+  for (int y = rows.first; y < rows.second; ++y)
+    add_run(runs, y, overlapped(std::min(a.x, b.x), std::max(a.x, b.x), g.width));
   return runs;
 }
 
@@ -52,7 +53,8 @@ std::vector<CellRun> disc(Point2 center, double radius, const grid::Geometry& g)
 /// One row of a polygon: the cells that its edges pass through, and those between its crossings of the row's middle.
 class PolygonRow {
  public:
-  PolygonRow(const std::vector<Point2>& corners, const grid::Geometry& g) : corners_(corners), width_(g.width), covered_(static_cast<std::size_t>(g.width)) {}
+  PolygonRow(const std::vector<Point2>& corners, const grid::Geometry& g)
+      : corners_(corners), width_(g.width), covered_(static_cast<std::size_t>(g.width)) {}
 
   void add_runs(int y, std::vector<CellRun>& runs) {
     std::fill(covered_.begin(), covered_.end(), std::uint8_t{0});
@@ -96,7 +98,8 @@ class PolygonRow {
 
 std::vector<CellRun> polygon(const std::vector<Point2>& corners, const grid::Geometry& g) {
   std::vector<CellRun> runs;
-  const auto [lowest, highest] = std::minmax_element(corners.begin(), corners.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
+  const auto [lowest, highest] =
+      std::minmax_element(corners.begin(), corners.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
   const auto rows = overlapped(lowest->y, highest->y, g.height);
   PolygonRow row(corners, g);
   for (int y = rows.first; y < rows.second; ++y) row.add_runs(y, runs);
@@ -108,9 +111,12 @@ std::vector<CellRun> polygon(const std::vector<Point2>& corners, const grid::Geo
 std::vector<CellRun> rasterise(const grid::MapEdit& edit, const grid::Geometry& geometry) {
   const std::vector<Point2> points = to_cells(edit, geometry);
   switch (edit.shape) {
-    case grid::MapEdit::Shape::kRectangle: return rectangle(points[0], points[1], geometry);
-    case grid::MapEdit::Shape::kPolygon: return polygon(points, geometry);
-    case grid::MapEdit::Shape::kDisc: return disc(points[0], edit.radius_m / geometry.resolution_m, geometry);
+    case grid::MapEdit::Shape::kRectangle:
+      return rectangle(points[0], points[1], geometry);
+    case grid::MapEdit::Shape::kPolygon:
+      return polygon(points, geometry);
+    case grid::MapEdit::Shape::kDisc:
+      return disc(points[0], edit.radius_m / geometry.resolution_m, geometry);
   }
   return {};
 }

@@ -13,9 +13,9 @@ struct CellRun {
   int x_end;
 };
 
-/// The cells whose squares the shape overlaps (more than touches), clipped to the grid; each cell once. A block therefore covers
-/// at least its shape, and an unblock of the same shape frees the same cells. Polygons may be concave; where they cross
-/// themselves the even-odd rule holds. @pre finite numbers; as many points as the shape needs
+/// The cells whose squares the shape overlaps (more than touches), clipped to the grid; each cell once. A block
+/// therefore covers at least its shape, and an unblock of the same shape frees the same cells. Polygons may be concave;
+/// where they cross themselves the even-odd rule holds. @pre finite numbers; as many points as the shape needs
 std::vector<CellRun> rasterise(const grid::MapEdit& edit, const grid::Geometry& geometry);
 
 }  // namespace aisle::map

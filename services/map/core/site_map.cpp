@@ -14,7 +14,9 @@ using grid::Cell;
 using grid::MapEdit;
 using grid::Occupancy;
 
-Occupancy after(MapEdit::Action action) { return action == MapEdit::Action::kBlock ? Occupancy::kOccupied : Occupancy::kFree; }
+Occupancy after(MapEdit::Action action) {
+  return action == MapEdit::Action::kBlock ? Occupancy::kOccupied : Occupancy::kFree;
+}
 
 std::string text(double value) {
   char buffer[32];
@@ -36,14 +38,16 @@ std::string refusal_of_form(const MapEdit& edit) {
       return points >= 3 && points <= 64 ? "" : "a polygon has 3 to 64 corners, this has " + std::to_string(points);
     case MapEdit::Shape::kDisc:
       if (points != 1) return "a disc has 1 centre, this has " + std::to_string(points);
-      return std::isfinite(edit.radius_m) && edit.radius_m > 0.0 ? "" : "radius_m = " + text(edit.radius_m) + " is not more than 0";
+      return std::isfinite(edit.radius_m) && edit.radius_m > 0.0
+                 ? ""
+                 : "radius_m = " + text(edit.radius_m) + " is not more than 0";
   }
   return "unknown shape";
 }
 
 std::string extent(const grid::Geometry& g) {
-  return "x " + text(g.origin_in_map.x) + " to " + text(g.origin_in_map.x + g.width * g.resolution_m) + " m, y " + text(g.origin_in_map.y) +
-         " to " + text(g.origin_in_map.y + g.height * g.resolution_m) + " m";
+  return "x " + text(g.origin_in_map.x) + " to " + text(g.origin_in_map.x + g.width * g.resolution_m) + " m, y " +
+         text(g.origin_in_map.y) + " to " + text(g.origin_in_map.y + g.height * g.resolution_m) + " m";
 }
 
 }  // namespace
@@ -52,7 +56,8 @@ SiteMap::SiteMap(std::string map_id, grid::OccupancyGrid grid, std::uint64_t rev
   summary_.map_id = std::move(map_id);
   summary_.revision = revision;
   summary_.tiling = {64, grid_.geometry()};
-  for (int i = 0; i < tiles(); ++i) summary_.tile_hashes.push_back(grid::tile_hash(grid::tile_cells(grid_, summary_.tiling, i)));
+  for (int i = 0; i < tiles(); ++i)
+    summary_.tile_hashes.push_back(grid::tile_hash(grid::tile_cells(grid_, summary_.tiling, i)));
   summary_.hash = grid::map_hash(summary_.tile_hashes);
   tile_revisions_.assign(summary_.tile_hashes.size(), revision);
 }
@@ -85,7 +90,8 @@ std::vector<int> SiteMap::apply(const std::vector<CellRun>& runs, MapEdit::Actio
   }
   ++summary_.revision;
   for (const int tile : changed) {
-    summary_.tile_hashes[static_cast<std::size_t>(tile)] = grid::tile_hash(grid::tile_cells(grid_, summary_.tiling, tile));
+    summary_.tile_hashes[static_cast<std::size_t>(tile)] =
+        grid::tile_hash(grid::tile_cells(grid_, summary_.tiling, tile));
     tile_revisions_[static_cast<std::size_t>(tile)] = summary_.revision;
   }
   summary_.hash = grid::map_hash(summary_.tile_hashes);
@@ -100,7 +106,8 @@ std::string refusal_of(const MapEdit& edit, const SiteMap& map, const EditLimits
   for (const CellRun& run : rasterise(edit, map.grid().geometry())) cells += run.x_end - run.x_begin;
   if (cells == 0) return "covers no cell: it has no area or lies outside the map, " + extent(map.grid().geometry());
   if (cells > limits.max_cells) {
-    return "covers " + std::to_string(cells) + " cells, one edit may cover " + std::to_string(limits.max_cells) + ": cut it into smaller ones";
+    return "covers " + std::to_string(cells) + " cells, one edit may cover " + std::to_string(limits.max_cells) +
+           ": cut it into smaller ones";
   }
   return {};
 }

@@ -26,8 +26,8 @@ class SiteMap {
   /// How many cells would change.
   std::uint32_t count_changes(const std::vector<CellRun>& runs, grid::MapEdit::Action action) const;
 
-  /// Blocks the cells, or makes them free (walls of the map file and unknown cells as well); raises the revision by one, also when
-  /// nothing changes. Returns the tiles that changed.
+  /// Blocks the cells, or makes them free (walls of the map file and unknown cells as well); raises the revision by
+  /// one, also when nothing changes. Returns the tiles that changed.
   std::vector<int> apply(const std::vector<CellRun>& runs, grid::MapEdit::Action action);
 
  private:

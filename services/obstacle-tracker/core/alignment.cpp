@@ -31,8 +31,10 @@ Knowledge prior(const SensorNoise& noise) {
 }
 
 /// What one detection says of it.
-std::optional<Knowledge> told_by(const Detection& detection, const Prediction& prediction, const Effect& effect, double gate) {
-  const Eigen::Vector2d residual = Eigen::Vector2d(detection.position_in_map.x, detection.position_in_map.y) - prediction.position;
+std::optional<Knowledge> told_by(const Detection& detection, const Prediction& prediction, const Effect& effect,
+                                 double gate) {
+  const Eigen::Vector2d residual =
+      Eigen::Vector2d(detection.position_in_map.x, detection.position_in_map.y) - prediction.position;
   const Eigen::Matrix2d whole = prediction.covariance + detection.covariance;
   if (residual.dot(whole.inverse() * residual) > gate) return std::nullopt;
   const Eigen::Matrix2d weight = (prediction.covariance + detection.view_covariance).inverse();
@@ -44,8 +46,8 @@ std::optional<Knowledge> told_by(const Detection& detection, const Prediction& p
 
 }  // namespace
 
-void align(std::vector<Detection>& detections, const std::vector<std::optional<Prediction>>& predictions, geometry::Point2 sensor_in_map,
-           const SensorNoise& noise, double gate) {
+void align(std::vector<Detection>& detections, const std::vector<std::optional<Prediction>>& predictions,
+           geometry::Point2 sensor_in_map, const SensorNoise& noise, double gate) {
   Knowledge all = prior(noise);
   std::vector<std::optional<Knowledge>> told(detections.size());
   for (std::size_t d = 0; d < detections.size(); ++d) {

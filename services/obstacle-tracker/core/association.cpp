@@ -103,7 +103,8 @@ void solve_crowd(const std::vector<Candidate>& crowd, double alone, std::vector<
 std::vector<int> assign(int rows, int columns, const std::vector<Candidate>& candidates, double alone) {
   const auto nodes = static_cast<std::size_t>(rows + columns);
   DisjointSets sets(nodes);
-  for (const Candidate& c : candidates) sets.join(static_cast<std::size_t>(c.row), static_cast<std::size_t>(rows + c.column));
+  for (const Candidate& c : candidates)
+    sets.join(static_cast<std::size_t>(c.row), static_cast<std::size_t>(rows + c.column));
   std::vector<std::vector<Candidate>> crowds(nodes);
   for (const Candidate& c : candidates) crowds[sets.root(static_cast<std::size_t>(c.row))].push_back(c);
   std::vector<int> column_of_row(static_cast<std::size_t>(rows), -1);

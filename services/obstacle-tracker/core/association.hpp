@@ -11,8 +11,8 @@ struct Candidate {
 };
 
 /// For each row its column, or -1: the set of pairs with the least total cost, where a row left alone costs `alone`.
-/// Rows and columns that no candidate links are solved apart, so the time grows with the largest crowd, not with the site.
-/// Shortest augmenting paths (Jonker, Volgenant 1987), O(n^3) a crowd.
+/// Rows and columns that no candidate links are solved apart, so the time grows with the largest crowd, not with the
+/// site. Shortest augmenting paths (Jonker, Volgenant 1987), O(n^3) a crowd.
 std::vector<int> assign(int rows, int columns, const std::vector<Candidate>& candidates, double alone);
 
 }  // namespace aisle::obstacle_tracker

@@ -55,9 +55,10 @@ bool is_cut(const Scan& scan, const SortedScan& sorted, const Hit& hit, int dire
   return beyond_m < -kClearlyNearer_m || (end != RayEnd::kUnknown && beyond_m < kAlongside_m);
 }
 
-/// Joins the few hits on a side that the rays graze to the front that it belongs to: single hits, each behind the one before,
-/// next to the edge of a front too wide for a person.
-void join_grazed_sides(const Scan& scan, const std::vector<Hit>& hits, const Clustering& clustering, DisjointSets& sets) {
+/// Joins the few hits on a side that the rays graze to the front that it belongs to: single hits, each behind the one
+/// before, next to the edge of a front too wide for a person.
+void join_grazed_sides(const Scan& scan, const std::vector<Hit>& hits, const Clustering& clustering,
+                       DisjointSets& sets) {
   std::vector<int> hit_of_ray(scan.ranges_m.size(), -1);
   std::vector<Extent> extent_of_root(hits.size());
   for (std::size_t i = 0; i < hits.size(); ++i) {
@@ -71,7 +72,8 @@ void join_grazed_sides(const Scan& scan, const std::vector<Hit>& hits, const Clu
   const bool wraps = is_full_turn(scan);
   const std::vector<Extent> extents = extent_of_root;
   for (const Extent& front : extents) {
-    if (front.hits < 3 || geometry::distance(hits[front.first].in_map, hits[front.last].in_map) < clustering.front_m) continue;
+    if (front.hits < 3 || geometry::distance(hits[front.first].in_map, hits[front.last].in_map) < clustering.front_m)
+      continue;
     for (const int direction : {-1, 1}) {
       std::size_t edge = direction < 0 ? front.first : front.last;
       for (int step = 0; step < count; ++step) {
@@ -82,7 +84,8 @@ void join_grazed_sides(const Scan& scan, const std::vector<Hit>& hits, const Clu
         const auto side = static_cast<std::size_t>(next);
         const bool is_few = extent_of_root[sets.root(side)].hits <= kFewHits;
         const bool is_behind = hits[side].range_m > hits[edge].range_m;
-        if (!is_few || !is_behind || geometry::distance(hits[side].in_map, hits[edge].in_map) > clustering.side_gap_m) break;
+        if (!is_few || !is_behind || geometry::distance(hits[side].in_map, hits[edge].in_map) > clustering.side_gap_m)
+          break;
         sets.join(side, front.first);  // its own root goes; the front's stays
         edge = side;
       }

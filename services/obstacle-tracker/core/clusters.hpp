@@ -8,11 +8,13 @@ namespace aisle::obstacle_tracker {
 /// Hits that lie together, by increasing bearing (seen from the sensor: from right to left).
 struct Cluster {
   std::vector<Hit> hits;
-  bool is_cut_right{false};  // the thing may go on beyond the first hit: hidden there, removed as explained, or out of view
-  bool is_cut_left{false};   // the same beyond the last
+  bool is_cut_right{
+      false};  // the thing may go on beyond the first hit: hidden there, removed as explained, or out of view
+  bool is_cut_left{false};  // the same beyond the last
 };
 
-/// Two hits belong together when they are nearer than base + per_gap x the distance between neighbouring rays at that range.
+/// Two hits belong together when they are nearer than base + per_gap x the distance between neighbouring rays at that
+/// range.
 struct Clustering {
   double base_m{0.12};
   double per_gap{1.8};

@@ -14,7 +14,9 @@ using geometry::Point2;
 constexpr time::Stamp kNever = time::Stamp::min();
 constexpr double kTurn_rad = 2.0 * geometry::kPi;
 
-int coarse_cells(int cells, double resolution_m, double coarse_m) { return static_cast<int>(std::ceil(cells * resolution_m / coarse_m - 1e-9)); }
+int coarse_cells(int cells, double resolution_m, double coarse_m) {
+  return static_cast<int>(std::ceil(cells * resolution_m / coarse_m - 1e-9));
+}
 
 }  // namespace
 
@@ -35,7 +37,7 @@ struct Coverage::Look {
     step_rad = scan.angle_step_rad + (rays > 1.0 ? scan.twist.angular_radps * scan.sweep_s / (rays - 1.0) : 0.0);
     free_m.reserve(scan.ranges_m.size());
     for (const float range_m : scan.ranges_m) {
-      const bool is_near = static_cast<double>(range_m) < scan.range_min_m;   // something at the sensor itself
+      const bool is_near = static_cast<double>(range_m) < scan.range_min_m;  // something at the sensor itself
       free_m.push_back(is_near ? 0.0F : std::min(range_m, static_cast<float>(scan.range_max_m)));
     }
   }
@@ -103,17 +105,24 @@ void Coverage::take(const Scan& scan) {
     return static_cast<std::uint32_t>(std::clamp(std::floor(from_low_m / tile_m), 0.0, most));
   };
   const Point2 from_low = look.from_in_map - map_.origin_in_map;
-  for (std::uint32_t y = tile_of(from_low.y - look.far_m, height_cells_); y <= tile_of(from_low.y + look.far_m, height_cells_); ++y)
-    for (std::uint32_t x = tile_of(from_low.x - look.far_m, width_cells_); x <= tile_of(from_low.x + look.far_m, width_cells_); ++x) look_over(look, {x, y});
+  for (std::uint32_t y = tile_of(from_low.y - look.far_m, height_cells_);
+       y <= tile_of(from_low.y + look.far_m, height_cells_); ++y)
+    for (std::uint32_t x = tile_of(from_low.x - look.far_m, width_cells_);
+         x <= tile_of(from_low.x + look.far_m, width_cells_); ++x)
+      look_over(look, {x, y});
 }
 
-int Coverage::cells_of(std::uint32_t tile, int ground_cells) const { return std::min(kTileCells, ground_cells - static_cast<int>(tile) * kTileCells); }
+int Coverage::cells_of(std::uint32_t tile, int ground_cells) const {
+  return std::min(kTileCells, ground_cells - static_cast<int>(tile) * kTileCells);
+}
 
 /// Null when there are too many already.
 Coverage::Tile* Coverage::new_tile(Place place) {
   if (tiles_.size() >= kMostTiles) return nullptr;
   Tile tile;
-  tile.seen.assign(static_cast<std::size_t>(cells_of(place.first, width_cells_)) * static_cast<std::size_t>(cells_of(place.second, height_cells_)), kNever);
+  tile.seen.assign(static_cast<std::size_t>(cells_of(place.first, width_cells_)) *
+                       static_cast<std::size_t>(cells_of(place.second, height_cells_)),
+                   kNever);
   return &tiles_.emplace(place, std::move(tile)).first->second;
 }
 
@@ -121,17 +130,24 @@ void Coverage::look_over(const Look& look, Place place) {
   const double cell_m = params_.cell_m;
   const int width = cells_of(place.first, width_cells_);
   const int height = cells_of(place.second, height_cells_);
-  const Point2 low_in_map = map_.origin_in_map + kTileCells * cell_m * Point2{static_cast<double>(place.first), static_cast<double>(place.second)};
+  const Point2 low_in_map =
+      map_.origin_in_map +
+      kTileCells * cell_m * Point2{static_cast<double>(place.first), static_cast<double>(place.second)};
   const Point2 low = low_in_map - look.from_in_map;  // from the sensor
-  const auto first = [&](double low_m, int cells) { return std::clamp(static_cast<int>(std::floor((-look.far_m - low_m) / cell_m)), 0, cells); };
-  const auto last = [&](double low_m, int cells) { return std::clamp(static_cast<int>(std::ceil((look.far_m - low_m) / cell_m)), 0, cells); };
+  const auto first = [&](double low_m, int cells) {
+    return std::clamp(static_cast<int>(std::floor((-look.far_m - low_m) / cell_m)), 0, cells);
+  };
+  const auto last = [&](double low_m, int cells) {
+    return std::clamp(static_cast<int>(std::ceil((look.far_m - low_m) / cell_m)), 0, cells);
+  };
   const time::Stamp lately = look.stamp - time::from_seconds(0.5 * params_.look_every_s);
   const auto known = tiles_.find(place);
   Tile* tile = known == tiles_.end() ? nullptr : &known->second;
   for (int y = first(low.y, height); y < last(low.y, height); ++y) {
     for (int x = first(low.x, width); x < last(low.x, width); ++x) {
-      const std::size_t cell = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
-      if (tile != nullptr && tile->seen[cell] > lately) continue;   // by another vehicle: no need to look again
+      const std::size_t cell =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+      if (tile != nullptr && tile->seen[cell] > lately) continue;  // by another vehicle: no need to look again
       if (!look.sees(low + cell_m * Point2{x + 0.5, y + 0.5}, 0.25 * cell_m)) continue;
       if (tile == nullptr) tile = new_tile(place);
       if (tile == nullptr) return;
@@ -151,7 +167,9 @@ std::vector<CoverageTile> Coverage::due(time::Stamp now) {
     told.tile_x = place.first;
     told.tile_y = place.second;
     told.cell_m = params_.cell_m;
-    told.low_in_map = map_.origin_in_map + kTileCells * params_.cell_m * Point2{static_cast<double>(place.first), static_cast<double>(place.second)};
+    told.low_in_map =
+        map_.origin_in_map +
+        kTileCells * params_.cell_m * Point2{static_cast<double>(place.first), static_cast<double>(place.second)};
     told.width_cells = cells_of(place.first, width_cells_);
     told.height_cells = cells_of(place.second, height_cells_);
     told.ages.reserve(tile.seen.size());

@@ -14,10 +14,10 @@ namespace aisle::obstacle_tracker {
 /// A square of coarse cells, and how long ago each was last seen.
 struct CoverageTile {
   std::uint32_t tile_x{0}, tile_y{0};
-  geometry::Point2 low_in_map;       // lower left corner of its first cell
+  geometry::Point2 low_in_map;  // lower left corner of its first cell
   double cell_m{0.5};
   int width_cells{0}, height_cells{0};
-  std::vector<std::uint8_t> ages;    // row by row from the bottom, see age_code()
+  std::vector<std::uint8_t> ages;  // row by row from the bottom, see age_code()
 };
 
 /// Ages in steps of half a second, rounded up: a cell was seen at most so long ago.
@@ -28,42 +28,47 @@ std::uint8_t age_code(time::Stamp seen, time::Stamp now);
 
 /// Which places the lidars of all vehicles looked at, and when: where nobody looked is not free of movers.
 ///
-/// A coarse cell counts as seen by a scan when every ray towards its middle (a disc of half its size) got as far as its centre.
-/// What stands in front, wall, vehicle or person, hides it. It claims too little rather than too much: a cell that somebody stands
-/// in is not seen, but then a track is there; nor is one mostly inside a wall.
+/// A coarse cell counts as seen by a scan when every ray towards its middle (a disc of half its size) got as far as its
+/// centre. What stands in front, wall, vehicle or person, hides it. It claims too little rather than too much: a cell
+/// that somebody stands in is not seen, but then a track is there; nor is one mostly inside a wall.
 ///
-/// Grows with the places that were ever seen: a tile takes 32 KiB, and there are at most 1024. No clock: moments come with the scans.
+/// Grows with the places that were ever seen: a tile takes 32 KiB, and there are at most 1024. No clock: moments come
+/// with the scans.
 class Coverage {
  public:
   struct Params {
     double cell_m{0.5};
-    double look_every_s{0.4};        // of each vehicle's scans, not more are looked at
-    double tell_again_s{10.0};       // a tile that nobody sees any more is told again so often
+    double look_every_s{0.4};   // of each vehicle's scans, not more are looked at
+    double tell_again_s{10.0};  // a tile that nobody sees any more is told again so often
 
     template <class Reader>
     void describe(Reader& r) {
-      r.field("cell_m", cell_m, 0.25, 1.0).field("look_every_s", look_every_s, 0.0, 1.0).field("tell_again_s", tell_again_s, 1.0, 60.0);
+      r.field("cell_m", cell_m, 0.25, 1.0)
+          .field("look_every_s", look_every_s, 0.0, 1.0)
+          .field("tell_again_s", tell_again_s, 1.0, 60.0);
     }
   };
-  static constexpr int kTileCells = 64;          // edge of a tile
+  static constexpr int kTileCells = 64;  // edge of a tile
   static constexpr std::size_t kMostTiles = 1024;
 
   Coverage() = default;
   explicit Coverage(const Params& params) : params_(params) {}
 
-  /// The ground that counts. Another one than before: all is forgotten, and the tiles told so far are returned, to be disposed.
+  /// The ground that counts. Another one than before: all is forgotten, and the tiles told so far are returned, to be
+  /// disposed.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> set_ground(const grid::Geometry& map);
 
   /// A scan that was found good (find_fault). Does nothing before set_ground.
   void take(const Scan& scan);
 
-  /// The tiles to tell now: those with something seen since they were told, and those told long ago. They count as told.
+  /// The tiles to tell now: those with something seen since they were told, and those told long ago. They count as
+  /// told.
   std::vector<CoverageTile> due(time::Stamp now);
 
  private:
   using Place = std::pair<std::uint32_t, std::uint32_t>;  // tile_x, tile_y
   struct Tile {
-    std::vector<time::Stamp> seen;   // kNever: never
+    std::vector<time::Stamp> seen;  // kNever: never
     bool has_news{false};
     time::Stamp told{time::Stamp::min()};
   };

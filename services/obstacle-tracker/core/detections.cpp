@@ -40,7 +40,8 @@ View look_at(const std::vector<Hit>& hits, Point2 sensor_in_map) {
     view.left_m = std::max(view.left_m, offset_m);
   }
   std::sort(depths_m.begin(), depths_m.end());
-  const std::size_t nearest = (depths_m.size() + 2) / 3;  // the mean of the nearest third: one noisy hit moves it little
+  const std::size_t nearest =
+      (depths_m.size() + 2) / 3;  // the mean of the nearest third: one noisy hit moves it little
   for (std::size_t i = 0; i < nearest; ++i) view.near_m += depths_m[i] / static_cast<double>(nearest);
   return view;
 }
@@ -65,15 +66,16 @@ Eigen::Matrix2d covariance_of(const View& view, double along_variance, double ac
   return axes * Eigen::Vector2d(along_variance, across_variance).asDiagonal() * axes.transpose();
 }
 
-/// Covariance of a detection's position: noise of the ranges, and what the view does not show. `ends_open`: at how many of its ends the
-/// thing may go on; from one end that shows it is measured to within the doubt about its size.
-Eigen::Matrix2d doubt_of_view(const View& view, const Detection& detection, int ends_open, double ray_gap_m, const SensorNoise& noise,
-                              const Shape& shape) {
+/// Covariance of a detection's position: noise of the ranges, and what the view does not show. `ends_open`: at how many
+/// of its ends the thing may go on; from one end that shows it is measured to within the doubt about its size.
+Eigen::Matrix2d doubt_of_view(const View& view, const Detection& detection, int ends_open, double ray_gap_m,
+                              const SensorNoise& noise, const Shape& shape) {
   const double size_m = 0.015 + 0.25 * std::max(0.0, detection.radius_m - shape.usual_radius_m);
   double hidden_m = ends_open > 0 ? 0.05 : 0.0;
   if (ends_open == 2) hidden_m += 0.7 * std::max(0.0, detection.radius_m - 0.5 * (view.left_m - view.right_m));
   const double along_variance =
-      noise.range_m * noise.range_m / std::max(1.0, static_cast<double>(detection.surface_in_map.size()) / 3.0) + size_m * size_m;
+      noise.range_m * noise.range_m / std::max(1.0, static_cast<double>(detection.surface_in_map.size()) / 3.0) +
+      size_m * size_m;
   return covariance_of(view, along_variance, ray_gap_m * ray_gap_m / 24.0 + size_m * size_m + hidden_m * hidden_m);
 }
 
@@ -134,12 +136,14 @@ Point2 middle_of_large(const std::vector<Hit>& hits, Point2 sensor_in_map) {
   for (const Hit& hit : hits) sum = sum + hit.in_map;
   const Point2 on_front = (1.0 / static_cast<double>(hits.size())) * sum;
   const Point2 on_chord = 0.5 * (hits.front().in_map + hits.back().in_map);
-  const Point2 front = on_chord + geometry::dot(on_front - on_chord, behind) * behind;  // the mean depth, midway between the ends
+  const Point2 front =
+      on_chord + geometry::dot(on_front - on_chord, behind) * behind;  // the mean depth, midway between the ends
   return front + std::min(0.5 * length_m, kDeepestGuess_m) * behind;
 }
 
 /// One disc for all these hits.
-Detection fit_disc(const Cluster& cluster, const Scan& scan, Point2 sensor_in_map, const SensorNoise& noise, const Shape& shape) {
+Detection fit_disc(const Cluster& cluster, const Scan& scan, Point2 sensor_in_map, const SensorNoise& noise,
+                   const Shape& shape) {
   const View view = look_at(cluster.hits, sensor_in_map);
   const double ray_gap_m = view.range_m * scan.angle_step_rad;
   const double chord_m = geometry::distance(cluster.hits.front().in_map, cluster.hits.back().in_map);
@@ -149,11 +153,13 @@ Detection fit_disc(const Cluster& cluster, const Scan& scan, Point2 sensor_in_ma
   for (const Hit& hit : cluster.hits) detection.surface_in_map.push_back(hit.in_map);
   if (is_small) {
     const Round round = guess_round(cluster, view, ray_gap_m, shape);
-    detection.position_in_map = sensor_in_map + (view.near_m + round.radius_m) * view.along + round.middle_m * view.across;
+    detection.position_in_map =
+        sensor_in_map + (view.near_m + round.radius_m) * view.along + round.middle_m * view.across;
     detection.radius_m = std::max(round.radius_m, furthest_m(cluster.hits, detection.position_in_map) - noise.range_m);
   } else {
     detection.position_in_map = middle_of_large(cluster.hits, sensor_in_map);
-    detection.radius_m = furthest_m(cluster.hits, detection.position_in_map) + 0.5 * ray_gap_m;  // a corner may lie between two rays
+    detection.radius_m =
+        furthest_m(cluster.hits, detection.position_in_map) + 0.5 * ray_gap_m;  // a corner may lie between two rays
   }
   detection.is_partial = cluster.is_cut_left || cluster.is_cut_right;
   detection.offset_s = cluster.hits[cluster.hits.size() / 2].offset_s;
@@ -178,7 +184,8 @@ int claimant(const Hit& hit, const std::vector<Expected>& expected, const Shape&
 }
 
 /// The hits of each claimant, and unclaimed ones in runs. Parts inside the cluster are cut where they meet the next.
-std::vector<Cluster> divide_by_claims(const Cluster& cluster, const std::vector<Expected>& expected, const Shape& shape) {
+std::vector<Cluster> divide_by_claims(const Cluster& cluster, const std::vector<Expected>& expected,
+                                      const Shape& shape) {
   constexpr int kUnclaimed = 1'000'000;
   std::map<int, Cluster> parts;
   int run = kUnclaimed;
@@ -210,7 +217,8 @@ std::vector<Cluster> divide_by_length(const Cluster& cluster, double piece_m) {
     const auto piece = static_cast<std::size_t>(along_m[i] / (along_m.back() + 1e-9) * static_cast<double>(pieces));
     divided[std::min(piece, pieces - 1)].hits.push_back(cluster.hits[i]);
   }
-  divided.erase(std::remove_if(divided.begin(), divided.end(), [](const Cluster& c) { return c.hits.empty(); }), divided.end());
+  divided.erase(std::remove_if(divided.begin(), divided.end(), [](const Cluster& c) { return c.hits.empty(); }),
+                divided.end());
   divided.front().is_cut_right = cluster.is_cut_right;
   divided.back().is_cut_left = cluster.is_cut_left;
   return divided;
@@ -231,7 +239,8 @@ std::vector<Expected> near_to(const Cluster& cluster, const std::vector<Expected
 }  // namespace
 
 std::vector<Detection> find_detections(const Scan& scan, const SortedScan& sorted, const std::vector<Cluster>& clusters,
-                                       const std::vector<Expected>& expected, const SensorNoise& noise, const Shape& shape) {
+                                       const std::vector<Expected>& expected, const SensorNoise& noise,
+                                       const Shape& shape) {
   std::vector<Detection> detections;
   const auto fit = [&](const Cluster& c) { return fit_disc(c, scan, sorted.sensor_in_map, noise, shape); };
   const auto add = [&](const Cluster& part, double largest_m) {
@@ -244,14 +253,16 @@ std::vector<Detection> find_detections(const Scan& scan, const SortedScan& sorte
   };
   for (const Cluster& cluster : clusters) {
     const double across_m = geometry::distance(cluster.hits.front().in_map, cluster.hits.back().in_map);
-    const bool may_be_several = across_m > 2.6 * shape.usual_radius_m || fit(cluster).radius_m > shape.max_disc_radius_m;
+    const bool may_be_several =
+        across_m > 2.6 * shape.usual_radius_m || fit(cluster).radius_m > shape.max_disc_radius_m;
     const std::vector<Expected> near = may_be_several ? near_to(cluster, expected, shape) : std::vector<Expected>{};
     if (near.size() == 1) {
       add(cluster, shape.keep_whole * shape.max_disc_radius_m);
     } else if (near.empty()) {
       add(cluster, shape.max_disc_radius_m);
     } else {
-      for (const Cluster& part : divide_by_claims(cluster, near, shape)) add(part, shape.keep_whole * shape.max_disc_radius_m);
+      for (const Cluster& part : divide_by_claims(cluster, near, shape))
+        add(part, shape.keep_whole * shape.max_disc_radius_m);
     }
   }
   return detections;

@@ -11,10 +11,10 @@ struct Detection {
   geometry::Point2 position_in_map;
   Eigen::Matrix2d covariance{Eigen::Matrix2d::Zero()};       // of the position
   Eigen::Matrix2d view_covariance{Eigen::Matrix2d::Zero()};  // the part of it that is not the vehicle's pose
-  double radius_m{0.25};                                // covers every hit it was made from
-  double offset_s{0.0};                                 // measured this long after the scan's stamp
-  std::vector<geometry::Point2> surface_in_map;         // the hits it was made from
-  bool is_partial{false};                               // it may be larger than seen
+  double radius_m{0.25};                                     // covers every hit it was made from
+  double offset_s{0.0};                                      // measured this long after the scan's stamp
+  std::vector<geometry::Point2> surface_in_map;              // the hits it was made from
+  bool is_partial{false};                                    // it may be larger than seen
 };
 
 /// Where the tracker expects a thing; keeps apart what touches.
@@ -45,12 +45,14 @@ struct Shape {
   }
 };
 
-/// Makes discs of clusters. A scan shows the near side only, so the centre of a small thing, and of a flat front, lies half the
-/// seen width behind it; of a large thing that shows two sides or a bulge it is the middle of the least disc around the hits:
-/// right for a person, for a square seen flat, and for one seen from a corner. A view cut at one side is measured from the
-/// other; the covariance grows across the view. A cluster too large for one disc is divided: first among the expected
-/// things that claim its hits (two people who touch stay two, the pieces of a long thing stay where they are), then by length.
+/// Makes discs of clusters. A scan shows the near side only, so the centre of a small thing, and of a flat front, lies
+/// half the seen width behind it; of a large thing that shows two sides or a bulge it is the middle of the least disc
+/// around the hits: right for a person, for a square seen flat, and for one seen from a corner. A view cut at one side
+/// is measured from the other; the covariance grows across the view. A cluster too large for one disc is divided: first
+/// among the expected things that claim its hits (two people who touch stay two, the pieces of a long thing stay where
+/// they are), then by length.
 std::vector<Detection> find_detections(const Scan& scan, const SortedScan& sorted, const std::vector<Cluster>& clusters,
-                                       const std::vector<Expected>& expected, const SensorNoise& noise, const Shape& shape);
+                                       const std::vector<Expected>& expected, const SensorNoise& noise,
+                                       const Shape& shape);
 
 }  // namespace aisle::obstacle_tracker

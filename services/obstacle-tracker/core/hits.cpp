@@ -18,7 +18,8 @@ struct Body {
 };
 
 /// The other vehicles that the scan may show, moved on to the moment of its stamp.
-std::vector<Body> bodies_in_reach(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const Explained& explained) {
+std::vector<Body> bodies_in_reach(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
+                                  const Explained& explained) {
   std::vector<Body> bodies;
   for (const KnownVehicle& vehicle : vehicles) {
     const double age_s = time::seconds(scan.stamp - vehicle.stamp);
@@ -26,7 +27,8 @@ std::vector<Body> bodies_in_reach(const Scan& scan, const std::vector<KnownVehic
     const Pose2 base_in_map = kinematics::advance(vehicle.base_in_map, vehicle.twist, age_s);
     const double reach_m = scan.range_max_m + vehicle.radius_m + 2.0;
     if (geometry::distance(base_in_map.position(), scan.base_in_map.position()) > reach_m) continue;
-    bodies.push_back({&vehicle, base_in_map, explained.vehicle_margin_m + explained.vehicle_growth_mps * std::abs(age_s)});
+    bodies.push_back(
+        {&vehicle, base_in_map, explained.vehicle_margin_m + explained.vehicle_growth_mps * std::abs(age_s)});
   }
   return bodies;
 }
@@ -63,7 +65,8 @@ double SensorNoise::across_m(double range_m_of_hit) const {
 }
 
 double distance_to_body_m(const KnownVehicle& vehicle, const Pose2& base_in_map, Point2 in_map) {
-  if (!vehicle.is_rectangle) return std::max(0.0, geometry::distance(base_in_map.position(), in_map) - vehicle.radius_m);
+  if (!vehicle.is_rectangle)
+    return std::max(0.0, geometry::distance(base_in_map.position(), in_map) - vehicle.radius_m);
   const Point2 in_base = geometry::from_map(base_in_map, in_map);
   const double beyond_x_m = std::max(0.0, std::abs(in_base.x - vehicle.ahead_m) - 0.5 * vehicle.length_m);
   const double beyond_y_m = std::max(0.0, std::abs(in_base.y) - 0.5 * vehicle.width_m);
@@ -90,7 +93,8 @@ SortedScan sort_rays(const Scan& scan, const grid::ClearanceField& clearance, co
     const double offset_s = sweep.offset_s(ray);
     const Pose2 base_in_map = sweep.base_in_map(offset_s);
     const double bearing_rad = base_in_map.yaw + scan.first_angle_rad + scan.angle_step_rad * static_cast<double>(ray);
-    const Point2 hit_in_map{base_in_map.x + range_m * std::cos(bearing_rad), base_in_map.y + range_m * std::sin(bearing_rad)};
+    const Point2 hit_in_map{base_in_map.x + range_m * std::cos(bearing_rad),
+                            base_in_map.y + range_m * std::sin(bearing_rad)};
     const double blur_m = explained.sigmas * noise.across_m(range_m);
     if (clearance.clearance_m(hit_in_map) <= explained.wall_margin_m + blur_m) {
       sorted.ends[ray] = RayEnd::kWall;

@@ -25,7 +25,8 @@ struct SensorNoise {
   }
 };
 
-/// What counts as explained by the map or by a vehicle of the fleet: nearer to it than margin + `sigmas` x noise at that range.
+/// What counts as explained by the map or by a vehicle of the fleet: nearer to it than margin + `sigmas` x noise at
+/// that range.
 struct Explained {
   double wall_margin_m{0.10};
   double vehicle_margin_m{0.12};
@@ -68,8 +69,8 @@ struct SortedScan {
   std::vector<Hit> hits;                    // in the order of the rays
 };
 
-/// Turns the ranges into points in map, each with the pose the vehicle had at that ray, and sorts them by what explains them.
-/// `vehicles` may hold the scanning vehicle itself; it is left out.
+/// Turns the ranges into points in map, each with the pose the vehicle had at that ray, and sorts them by what explains
+/// them. `vehicles` may hold the scanning vehicle itself; it is left out.
 SortedScan sort_rays(const Scan& scan, const grid::ClearanceField& clearance, const std::vector<KnownVehicle>& vehicles,
                      const SensorNoise& noise, const Explained& explained);
 

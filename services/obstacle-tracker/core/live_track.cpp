@@ -9,7 +9,9 @@ namespace {
 Eigen::Vector2d vector_of(geometry::Point2 p) { return {p.x, p.y}; }
 
 /// At most two: a scan's noise is one noise, however many rays it bends.
-int rays_of(const Detection& detection) { return static_cast<int>(std::min<std::size_t>(2, detection.surface_in_map.size())); }
+int rays_of(const Detection& detection) {
+  return static_cast<int>(std::min<std::size_t>(2, detection.surface_in_map.size()));
+}
 
 }  // namespace
 
@@ -28,7 +30,9 @@ geometry::Point2 LiveTrack::position_before(double lag_s) const {
   return {x(0) - lag_s * x(2), x(1) - lag_s * x(3)};
 }
 
-double LiveTrack::position_sigma_m() const { return std::sqrt(0.5 * filter_->covariance().topLeftCorner<2, 2>().trace()); }
+double LiveTrack::position_sigma_m() const {
+  return std::sqrt(0.5 * filter_->covariance().topLeftCorner<2, 2>().trace());
+}
 
 void LiveTrack::move_on(time::Stamp from, time::Stamp to) {
   constexpr double kLookedAway_s = 0.25;
@@ -44,7 +48,8 @@ void LiveTrack::move_on(time::Stamp from, time::Stamp to) {
 void LiveTrack::take(const Detection& detection, time::Stamp measured, time::Stamp moment, const Lifecycle& lifecycle) {
   const Eigen::Vector2d position = vector_of(detection.position_in_map);
   const double lag_s = time::seconds(moment - measured);
-  const bool has_turned = knows_its_speed() && filter_->innovation(position, detection.covariance, lag_s).distance2 > lifecycle.turn_gate;
+  const bool has_turned =
+      knows_its_speed() && filter_->innovation(position, detection.covariance, lag_s).distance2 > lifecycle.turn_gate;
   if (has_turned) filter_->loosen(lifecycle.turn_speed_sigma_mps);
   filter_->update(position, detection.covariance, lag_s);
   ++seen_scans_;
@@ -66,7 +71,8 @@ bool LiveTrack::is_standing() const {
 
 double LiveTrack::reach_to_cover(const Detection& detection) const {
   double reach_m = 0.0;
-  for (const geometry::Point2 hit : detection.surface_in_map) reach_m = std::max(reach_m, geometry::distance(hit, position_in_map()));
+  for (const geometry::Point2 hit : detection.surface_in_map)
+    reach_m = std::max(reach_m, geometry::distance(hit, position_in_map()));
   return reach_m;
 }
 
@@ -100,8 +106,8 @@ bool LiveTrack::is_looked_through(const Lifecycle& lifecycle) const {
 bool LiveTrack::is_overdue(time::Stamp now, const Lifecycle& lifecycle) const {
   // What was seen for a moment is not carried on for longer than that: a wrong speed would make it wander.
   const double seen_s = time::seconds(last_seen_ - born_);
-  double limit_s =
-      std::clamp(seen_s, lifecycle.unconfirmed_timeout_s, std::max(lifecycle.unconfirmed_timeout_s, lifecycle.unseen_timeout_s));
+  double limit_s = std::clamp(seen_s, lifecycle.unconfirmed_timeout_s,
+                              std::max(lifecycle.unconfirmed_timeout_s, lifecycle.unseen_timeout_s));
   if (!is_confirmed(lifecycle)) limit_s = lifecycle.unconfirmed_timeout_s;
   if (is_static_) limit_s = lifecycle.static_timeout_s;
   return time::seconds(now - last_seen_) > limit_s;

@@ -15,8 +15,8 @@ struct Lifecycle {
   double gate_speed_mps{5.0};  // a thing may turn round at once: whatever the gate says, it reaches this far
   double turn_gate{9.2};       // beyond it (99 %) the thing turned or started, and more doubt is put on its velocity
   double turn_speed_sigma_mps{0.3};  // more, and a chance outlier of every hundred sets the velocity wrong
-  int confirming_scans{2};  // scans that must show it before it is published
-  int confirming_rays{3};   // and rays in all, at most two a scan counted
+  int confirming_scans{2};           // scans that must show it before it is published
+  int confirming_rays{3};            // and rays in all, at most two a scan counted
   double unconfirmed_timeout_s{0.5};
   double unseen_timeout_s{2.0};   // at most, of a thing that moved when last seen; and not longer than it had been seen
   double static_timeout_s{30.0};  // of one that stood: it is remembered while nobody looks
@@ -25,7 +25,8 @@ struct Lifecycle {
   double static_reach_m{0.25};  // it stands while it stays this near to where it was
   double merge_m{0.28};         // two tracks nearer than this are one
   double max_radius_m{1.5};
-  double mark_gate{6.0};  // squared Mahalanobis distance within which a track tells of the error of the vehicle's pose; 0: none does
+  double mark_gate{
+      6.0};  // squared Mahalanobis distance within which a track tells of the error of the vehicle's pose; 0: none does
 
   template <class Reader>
   void describe(Reader& r) {

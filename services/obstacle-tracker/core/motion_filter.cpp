@@ -7,7 +7,8 @@ namespace aisle::obstacle_tracker {
 
 const Filter* find_filter(const std::string& name) {
   const std::vector<Filter>& filters = all_filters();
-  const auto found = std::find_if(filters.begin(), filters.end(), [&](const Filter& filter) { return filter.name == name; });
+  const auto found =
+      std::find_if(filters.begin(), filters.end(), [&](const Filter& filter) { return filter.name == name; });
   return found == filters.end() ? nullptr : &*found;
 }
 
@@ -17,17 +18,21 @@ std::string filter_names() {
   return names;
 }
 
-Gaussian<4> first_belief(const MotionModel& motion, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance) {
+Gaussian<4> first_belief(const MotionModel& motion, const Eigen::Vector2d& position,
+                         const Eigen::Matrix2d& covariance) {
   Gaussian<4> first;
   first.mean.head<2>() = position;
   first.covariance.topLeftCorner<2, 2>() = covariance;
-  first.covariance.bottomRightCorner<2, 2>() = Eigen::Matrix2d::Identity() * motion.first_speed_sigma_mps * motion.first_speed_sigma_mps;
+  first.covariance.bottomRightCorner<2, 2>() =
+      Eigen::Matrix2d::Identity() * motion.first_speed_sigma_mps * motion.first_speed_sigma_mps;
   return first;
 }
 
-std::unique_ptr<MotionFilter> make_filter(const MotionModel& motion, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance) {
+std::unique_ptr<MotionFilter> make_filter(const MotionModel& motion, const Eigen::Vector2d& position,
+                                          const Eigen::Matrix2d& covariance) {
   const Filter* filter = find_filter(motion.filter);
-  if (filter == nullptr) throw std::invalid_argument("filter: '" + motion.filter + "' is unknown; there are " + filter_names());
+  if (filter == nullptr)
+    throw std::invalid_argument("filter: '" + motion.filter + "' is unknown; there are " + filter_names());
   return filter->make(motion, first_belief(motion, position, covariance));
 }
 

@@ -20,8 +20,8 @@ struct MotionModel {
   void describe(Reader& r);
 };
 
-/// One track's motion: what is believed of (x, y, vx, vy) in map, metres and seconds, at one moment. A filter is one file in
-/// core/filters/ and says there how things move; it overrides the private functions.
+/// One track's motion: what is believed of (x, y, vx, vy) in map, metres and seconds, at one moment. A filter is one
+/// file in core/filters/ and says there how things move; it overrides the private functions.
 class MotionFilter {
  public:
   virtual ~MotionFilter() = default;
@@ -30,7 +30,8 @@ class MotionFilter {
   void predict(double dt_s) { move(dt_s), belief_ = summary(); }
   /// The same for a thing that stands: it stays, and little doubt is added.
   void stand(double dt_s) { rest(dt_s), belief_ = summary(); }
-  /// Takes in a position measured `lag_s` before the belief's moment: compared with where the belief says the thing then was.
+  /// Takes in a position measured `lag_s` before the belief's moment: compared with where the belief says the thing
+  /// then was.
   void update(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance, double lag_s) {
     observe(position, covariance, lag_s), belief_ = summary();
   }
@@ -58,7 +59,8 @@ class MotionFilter {
   Gaussian<4> belief_;
 };
 
-/// One file in core/filters/ a filter: `stem.cpp` defines `Filter stem()`, and the build writes the table from the files.
+/// One file in core/filters/ a filter: `stem.cpp` defines `Filter stem()`, and the build writes the table from the
+/// files.
 struct Filter {
   std::string name;     // as in configuration files
   std::string summary;  // one line
@@ -74,8 +76,10 @@ std::string filter_names();
 
 /// What is believed of a thing just found.
 Gaussian<4> first_belief(const MotionModel& motion, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance);
-/// The filter that `motion` names, for a thing just found. @throws std::invalid_argument when there is none of this name
-std::unique_ptr<MotionFilter> make_filter(const MotionModel& motion, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance);
+/// The filter that `motion` names, for a thing just found. @throws std::invalid_argument when there is none of this
+/// name
+std::unique_ptr<MotionFilter> make_filter(const MotionModel& motion, const Eigen::Vector2d& position,
+                                          const Eigen::Matrix2d& covariance);
 
 template <class Reader>
 void MotionModel::describe(Reader& r) {

@@ -5,7 +5,8 @@
 
 namespace aisle::obstacle_tracker {
 
-std::vector<Track> Outbox::due(const std::vector<Track>& tracks, const std::vector<std::uint64_t>& seen, time::Stamp now) {
+std::vector<Track> Outbox::due(const std::vector<Track>& tracks, const std::vector<std::uint64_t>& seen,
+                               time::Stamp now) {
   std::vector<Track> due;
   for (const Track& track : tracks) {
     const bool is_seen = std::find(seen.begin(), seen.end(), track.id) != seen.end();

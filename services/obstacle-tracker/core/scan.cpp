@@ -67,15 +67,16 @@ const char* explain(DropReason reason) {
 }
 
 std::optional<DropReason> find_fault(const Scan& scan) {
-  if (!geometry::is_finite(scan.base_in_map) || !is_finite(scan.twist) || !std::isfinite(scan.position_sigma_m) || !std::isfinite(scan.yaw_sigma_rad) ||
-      !std::isfinite(scan.first_angle_rad) ||
+  if (!geometry::is_finite(scan.base_in_map) || !is_finite(scan.twist) || !std::isfinite(scan.position_sigma_m) ||
+      !std::isfinite(scan.yaw_sigma_rad) || !std::isfinite(scan.first_angle_rad) ||
       !std::isfinite(scan.angle_step_rad) || !std::isfinite(scan.sweep_s) || !std::isfinite(scan.range_min_m) ||
       !std::isfinite(scan.range_max_m)) {
     return DropReason::kNotFinite;
   }
   if (scan.angle_step_rad <= 0.0 || scan.sweep_s < 0.0 || scan.sweep_s > kMaxSweepS || scan.range_min_m < 0.0 ||
-      scan.range_max_m <= scan.range_min_m || scan.range_max_m > kMaxRangeM || std::abs(scan.base_in_map.x) > kMaxCoordinateM ||
-      std::abs(scan.base_in_map.y) > kMaxCoordinateM || std::abs(scan.first_angle_rad) > 4.0 * geometry::kPi) {
+      scan.range_max_m <= scan.range_min_m || scan.range_max_m > kMaxRangeM ||
+      std::abs(scan.base_in_map.x) > kMaxCoordinateM || std::abs(scan.base_in_map.y) > kMaxCoordinateM ||
+      std::abs(scan.first_angle_rad) > 4.0 * geometry::kPi) {
     return DropReason::kBadGeometry;
   }
   if (scan.position_sigma_m < 0.0 || scan.position_sigma_m > kMaxPositionSigmaM || scan.yaw_sigma_rad < 0.0 ||
@@ -83,9 +84,12 @@ std::optional<DropReason> find_fault(const Scan& scan) {
     return DropReason::kBadGeometry;
   }
   const double turn_rad = scan.angle_step_rad * static_cast<double>(scan.ranges_m.size());
-  if (scan.ranges_m.empty() || turn_rad > 2.0 * geometry::kPi + 1.5 * scan.angle_step_rad) return DropReason::kWrongCount;
-  if (std::any_of(scan.ranges_m.begin(), scan.ranges_m.end(), [](float r) { return std::isnan(r); })) return DropReason::kNotFinite;
-  if (std::any_of(scan.ranges_m.begin(), scan.ranges_m.end(), [](float r) { return r < 0.0F; })) return DropReason::kNegativeRange;
+  if (scan.ranges_m.empty() || turn_rad > 2.0 * geometry::kPi + 1.5 * scan.angle_step_rad)
+    return DropReason::kWrongCount;
+  if (std::any_of(scan.ranges_m.begin(), scan.ranges_m.end(), [](float r) { return std::isnan(r); }))
+    return DropReason::kNotFinite;
+  if (std::any_of(scan.ranges_m.begin(), scan.ranges_m.end(), [](float r) { return r < 0.0F; }))
+    return DropReason::kNegativeRange;
   return std::nullopt;
 }
 

@@ -13,8 +13,8 @@ namespace aisle::obstacle_tracker {
 /// One turn of a vehicle's lidar, which sits in the origin of the vehicle's frame.
 struct Scan {
   std::string agv_id;
-  time::Stamp stamp{};          // of the first ray, on the tracker's clock (see ScanClock)
-  geometry::Pose2 base_in_map;  // where the vehicle believed to be at `stamp`
+  time::Stamp stamp{};           // of the first ray, on the tracker's clock (see ScanClock)
+  geometry::Pose2 base_in_map;   // where the vehicle believed to be at `stamp`
   double position_sigma_m{0.0};  // how sure it was: standard deviation of each axis; 0: it does not say
   double yaw_sigma_rad{0.0};
   geometry::Twist2 twist;       // constant during the sweep

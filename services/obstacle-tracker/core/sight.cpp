@@ -5,7 +5,8 @@
 
 namespace aisle::obstacle_tracker {
 
-Sight look_for(const Scan& scan, const SortedScan& sorted, geometry::Point2 place_in_map, double radius_m, double doubt_m) {
+Sight look_for(const Scan& scan, const SortedScan& sorted, geometry::Point2 place_in_map, double radius_m,
+               double doubt_m) {
   constexpr double kMargin_m = 0.15;
   const double away_m = geometry::distance(sorted.sensor_in_map, place_in_map);
   // Rays that graze the rim may miss a thing that is there: only the inner half of it must show, or miss, it.

@@ -10,8 +10,9 @@ enum class Sight {
   kFree,       // rays go through: nothing is there
 };
 
-/// Looks at the disc of `radius_m` around `place_in_map`, made wider by `doubt_m`: kFree only if nearly every ray towards it
-/// comes out behind it.
-Sight look_for(const Scan& scan, const SortedScan& sorted, geometry::Point2 place_in_map, double radius_m, double doubt_m);
+/// Looks at the disc of `radius_m` around `place_in_map`, made wider by `doubt_m`: kFree only if nearly every ray
+/// towards it comes out behind it.
+Sight look_for(const Scan& scan, const SortedScan& sorted, geometry::Point2 place_in_map, double radius_m,
+               double doubt_m);
 
 }  // namespace aisle::obstacle_tracker

@@ -21,11 +21,13 @@ constexpr time::Stamp kMaxFuture = 50ms;
 
 Eigen::Vector2d vector_of(Point2 p) { return {p.x, p.y}; }
 
-time::Stamp moment_of(const Detection& detection, const Scan& scan) { return scan.stamp + time::from_seconds(detection.offset_s); }
+time::Stamp moment_of(const Detection& detection, const Scan& scan) {
+  return scan.stamp + time::from_seconds(detection.offset_s);
+}
 
 /// Where nothing can stand that nobody sees: inside a wall, or inside a vehicle.
-bool is_taken(Point2 in_map, const Scan& scan, const grid::ClearanceField& clearance, const std::vector<KnownVehicle>& vehicles,
-              const Explained& explained) {
+bool is_taken(Point2 in_map, const Scan& scan, const grid::ClearanceField& clearance,
+              const std::vector<KnownVehicle>& vehicles, const Explained& explained) {
   if (clearance.clearance_m(in_map) <= 0.0) return true;
   return std::any_of(vehicles.begin(), vehicles.end(), [&](const KnownVehicle& vehicle) {
     const bool is_fresh = std::abs(time::seconds(scan.stamp - vehicle.stamp)) <= explained.vehicle_max_age_s;
@@ -33,8 +35,9 @@ bool is_taken(Point2 in_map, const Scan& scan, const grid::ClearanceField& clear
   });
 }
 
-/// Solid things do not walk into each other: where predictions come to overlap, both are expected just apart, on the line on which they
-/// came. `before`: where each was a moment ago; what stands may overlap (a disc is more than the thing it covers).
+/// Solid things do not walk into each other: where predictions come to overlap, both are expected just apart, on the
+/// line on which they came. `before`: where each was a moment ago; what stands may overlap (a disc is more than the
+/// thing it covers).
 void keep_apart(std::vector<Expected>& expected, const std::vector<Point2>& before) {
   constexpr double kTouching = 0.9;  // x the sum of the radii: people are no discs
   constexpr double kComing_m = 0.05;
@@ -53,8 +56,8 @@ void keep_apart(std::vector<Expected>& expected, const std::vector<Point2>& befo
   }
 }
 
-/// Two people of two velocities, and both are known: they will soon be apart again. What is larger is seen a piece at a time, and its
-/// pieces wander.
+/// Two people of two velocities, and both are known: they will soon be apart again. What is larger is seen a piece at a
+/// time, and its pieces wander.
 bool are_passing(const LiveTrack& a, const LiveTrack& b, const Shape& shape) {
   constexpr double kDiffers_mps = 0.8;
   const auto is_walker = [&](const LiveTrack& track) {
@@ -67,8 +70,8 @@ bool are_passing(const LiveTrack& a, const LiveTrack& b, const Shape& shape) {
 
 Tracker::Tracker(const TrackerParams& params, std::uint64_t first_id) : params_(params), next_id_(first_id) {}
 
-TakeResult Tracker::take(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const grid::ClearanceField* clearance,
-                         time::Stamp now) {
+TakeResult Tracker::take(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
+                         const grid::ClearanceField* clearance, time::Stamp now) {
   TakeResult result;
   result.dropped = why_drop(scan, vehicles, clearance, now);
   if (result.dropped) {
@@ -80,7 +83,8 @@ TakeResult Tracker::take(const Scan& scan, const std::vector<KnownVehicle>& vehi
   const SensorNoise noise = params_.noise.in(scan);
   const SortedScan sorted = sort_rays(scan, *clearance, vehicles, noise, params_.explained);
   const std::vector<Cluster> clusters = find_clusters(scan, sorted, params_.clustering);
-  std::vector<Detection> detections = find_detections(scan, sorted, clusters, expected_at(scan.stamp), noise, params_.shape);
+  std::vector<Detection> detections =
+      find_detections(scan, sorted, clusters, expected_at(scan.stamp), noise, params_.shape);
   Matching matching = match(detections, scan);
   if (params_.lifecycle.mark_gate > 0.0) take_out_pose_error(detections, matching, scan, sorted);
   take_in(detections, scan, matching, result);
@@ -90,7 +94,9 @@ TakeResult Tracker::take(const Scan& scan, const std::vector<KnownVehicle>& vehi
   constexpr double kLookedAway_s = 0.3;
   bury(
       [&](const LiveTrack& track) {
-        if (track.is_replaced() || track.is_looked_through(params_.lifecycle) || track.is_overdue(moment_, params_.lifecycle)) return true;
+        if (track.is_replaced() || track.is_looked_through(params_.lifecycle) ||
+            track.is_overdue(moment_, params_.lifecycle))
+          return true;
         const bool is_unseen = time::seconds(moment_ - track.last_seen()) > kLookedAway_s;
         return is_unseen && is_taken(track.position_in_map(), scan, *clearance, vehicles, params_.explained);
       },
@@ -100,8 +106,8 @@ TakeResult Tracker::take(const Scan& scan, const std::vector<KnownVehicle>& vehi
 
 std::optional<DropReason> Tracker::why_drop(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
                                             const grid::ClearanceField* clearance, time::Stamp now) {
-  const bool is_known =
-      std::any_of(vehicles.begin(), vehicles.end(), [&](const KnownVehicle& vehicle) { return vehicle.agv_id == scan.agv_id; });
+  const bool is_known = std::any_of(vehicles.begin(), vehicles.end(),
+                                    [&](const KnownVehicle& vehicle) { return vehicle.agv_id == scan.agv_id; });
   if (!is_known) return DropReason::kUnknownVehicle;
   if (clearance == nullptr) return DropReason::kNoMap;
   if (const auto fault = find_fault(scan)) return fault;
@@ -162,7 +168,8 @@ std::vector<Expected> Tracker::expected_at(time::Stamp moment) const {
   return expected;
 }
 
-/// A few hits on the disc of a large standing thing, of which the scan shows more elsewhere, are one of its sides, seen at a slant.
+/// A few hits on the disc of a large standing thing, of which the scan shows more elsewhere, are one of its sides, seen
+/// at a slant.
 void Tracker::absorb_pieces(std::vector<Detection>& detections, const Scan& scan) {
   constexpr std::size_t kFewHits = 5;
   constexpr double kOverhang_m = 0.1;
@@ -196,7 +203,8 @@ Tracker::Matching Tracker::match(const std::vector<Detection>& detections, const
   constexpr double kLongestWait_s = 0.3;
   constexpr double kUnconfirmedHandicap = 14.0;
   const Lifecycle& lifecycle = params_.lifecycle;
-  const double alone = lifecycle.gate + kUnconfirmedHandicap + 2.0;  // more than any pair: nobody is left alone without need
+  const double alone =
+      lifecycle.gate + kUnconfirmedHandicap + 2.0;  // more than any pair: nobody is left alone without need
   std::vector<Candidate> candidates;
   for (std::size_t d = 0; d < detections.size(); ++d) {
     const Detection& detection = detections[d];
@@ -204,7 +212,8 @@ Tracker::Matching Tracker::match(const std::vector<Detection>& detections, const
     for (std::size_t t = 0; t < live_.size(); ++t) {
       const double away_m = geometry::distance(live_[t].position_before(lag_s), detection.position_in_map);
       if (away_m > kFarthest_m) continue;
-      const auto innovation = live_[t].filter().innovation(vector_of(detection.position_in_map), detection.covariance, lag_s);
+      const auto innovation =
+          live_[t].filter().innovation(vector_of(detection.position_in_map), detection.covariance, lag_s);
       const double waited_s = std::clamp(time::seconds(moment_ - live_[t].last_seen()), 0.0, kLongestWait_s);
       if (innovation.distance2 > lifecycle.gate && away_m > lifecycle.gate_speed_mps * waited_s) continue;
       const double likelihood =
@@ -236,7 +245,8 @@ void Tracker::take_out_pose_error(std::vector<Detection>& detections, const Matc
   align(detections, predictions, sorted.sensor_in_map, params_.noise.in(scan), params_.lifecycle.mark_gate);
 }
 
-void Tracker::take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching, TakeResult& result) {
+void Tracker::take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching,
+                      TakeResult& result) {
   std::vector<LiveTrack> born;
   for (std::size_t d = 0; d < detections.size(); ++d) {
     const Detection& detection = detections[d];
@@ -284,8 +294,9 @@ void Tracker::look_for_unmatched(const Scan& scan, const SortedScan& sorted, con
   }
 }
 
-/// Two tracks in one place are one thing, but for two that pass each other. Where one scan shows both, what it shows says how far apart
-/// they are: who stops short of another is carried on into them for a moment, and is still somebody else.
+/// Two tracks in one place are one thing, but for two that pass each other. Where one scan shows both, what it shows
+/// says how far apart they are: who stops short of another is carried on into them for a moment, and is still somebody
+/// else.
 void Tracker::merge_doubles(const std::vector<Detection>& detections, const Matching& matching) {
   std::vector<const Detection*> shown(live_.size(), nullptr);
   for (std::size_t d = 0; d < detections.size(); ++d) {
@@ -298,7 +309,8 @@ void Tracker::merge_doubles(const std::vector<Detection>& detections, const Matc
       if (is_double[j] || are_passing(live_[i], live_[j], params_.shape)) continue;
       const double away_m = geometry::distance(live_[i].position_in_map(), live_[j].position_in_map());
       const bool both_seen = shown[i] != nullptr && shown[j] != nullptr;  // as two, by one scan
-      const double shown_m = both_seen ? geometry::distance(shown[i]->position_in_map, shown[j]->position_in_map) : away_m;
+      const double shown_m =
+          both_seen ? geometry::distance(shown[i]->position_in_map, shown[j]->position_in_map) : away_m;
       const double smaller_m = std::min(live_[i].radius_m(), live_[j].radius_m());
       const double larger_m = std::max(live_[i].radius_m(), live_[j].radius_m());
       const bool is_inside = larger_m > 1.5 * smaller_m && away_m + 0.8 * smaller_m < larger_m;
@@ -314,7 +326,8 @@ void Tracker::merge_doubles(const std::vector<Detection>& detections, const Matc
 
 template <class IsGone>
 void Tracker::bury(IsGone is_gone, std::vector<std::uint64_t>& lost) {
-  const auto gone = std::stable_partition(live_.begin(), live_.end(), [&](const LiveTrack& track) { return !is_gone(track); });
+  const auto gone =
+      std::stable_partition(live_.begin(), live_.end(), [&](const LiveTrack& track) { return !is_gone(track); });
   for (auto track = gone; track != live_.end(); ++track) {
     if (track->is_confirmed(params_.lifecycle)) lost.push_back(track->id());
   }
@@ -335,6 +348,8 @@ std::vector<Track> Tracker::tracks(time::Stamp now) const {
   return published;
 }
 
-std::uint64_t Tracker::scans_dropped() const { return std::accumulate(dropped_.begin(), dropped_.end(), std::uint64_t{0}); }
+std::uint64_t Tracker::scans_dropped() const {
+  return std::accumulate(dropped_.begin(), dropped_.end(), std::uint64_t{0});
+}
 
 }  // namespace aisle::obstacle_tracker

@@ -38,8 +38,9 @@ struct TakeResult {
 
 /// Turns the scans of all vehicles into one set of tracks: one a real obstacle, whoever sees it.
 ///
-/// A scan is taken whole, at once: its rays less what map and fleet explain, clustered, made into discs, assigned to tracks.
-/// Scans of several vehicles may come a little out of order: a late one is compared with where the tracks were at its moment.
+/// A scan is taken whole, at once: its rays less what map and fleet explain, clustered, made into discs, assigned to
+/// tracks. Scans of several vehicles may come a little out of order: a late one is compared with where the tracks were
+/// at its moment.
 ///
 ///   born ──2 scans──► published ──3 s in one place──► static
 ///     │                  │  ▲ seen again                 │
@@ -48,13 +49,14 @@ struct TakeResult {
 /// No clock, no threads: moments come with the scans and with `now`, all on one clock. Time only moves forward.
 class Tracker {
  public:
-  /// Ids count from `first_id`: a restarted tracker takes others, so that nobody confuses them with those of its former life.
+  /// Ids count from `first_id`: a restarted tracker takes others, so that nobody confuses them with those of its former
+  /// life.
   explicit Tracker(const TrackerParams& params = {}, std::uint64_t first_id = 1);
 
   /// `vehicles`: those that vehicle_info made known, with their newest state; the scanning one must be among them.
   /// `clearance`: of the newest complete map; nullptr: there is none yet, the scan is dropped.
-  [[nodiscard]] TakeResult take(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const grid::ClearanceField* clearance,
-                                time::Stamp now);
+  [[nodiscard]] TakeResult take(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
+                                const grid::ClearanceField* clearance, time::Stamp now);
 
   /// Gives up what is overdue when no scans come. Returns the ids that were published and are gone.
   [[nodiscard]] std::vector<std::uint64_t> give_up_overdue(time::Stamp now);
@@ -85,15 +87,16 @@ class Tracker {
     std::vector<char> is_matched;  // one a track
   };
 
-  std::optional<DropReason> why_drop(const Scan& scan, const std::vector<KnownVehicle>& vehicles, const grid::ClearanceField* clearance,
-                                     time::Stamp now);
+  std::optional<DropReason> why_drop(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
+                                     const grid::ClearanceField* clearance, time::Stamp now);
   void forget_who_left(const std::vector<KnownVehicle>& vehicles);
   bool has_usual_count(Sensor& sensor, std::size_t rays) const;
   void move_on(time::Stamp to);
   std::vector<Expected> expected_at(time::Stamp moment) const;
   void absorb_pieces(std::vector<Detection>& detections, const Scan& scan);
   Matching match(const std::vector<Detection>& detections, const Scan& scan) const;
-  void take_out_pose_error(std::vector<Detection>& detections, const Matching& matching, const Scan& scan, const SortedScan& sorted) const;
+  void take_out_pose_error(std::vector<Detection>& detections, const Matching& matching, const Scan& scan,
+                           const SortedScan& sorted) const;
   void take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching, TakeResult& result);
   bool is_part_of_known(const Detection& detection, time::Stamp measured, Matching& matching);
   void look_for_unmatched(const Scan& scan, const SortedScan& sorted, const Matching& matching);

@@ -1,4 +1,5 @@
-// Map files with bytes changed, cut, doubled and spliced: each is read, or refused in one line. AISLE_FUZZ_RUNS sets how many.
+// Map files with bytes changed, cut, doubled and spliced: each is read, or refused in one line. AISLE_FUZZ_RUNS sets
+// how many.
 #include <gtest/gtest.h>
 #include <png.h>
 
@@ -29,19 +30,35 @@ class Mutator {
 
  private:
   int pick(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
-  std::size_t place(const std::string& text) { return static_cast<std::size_t>(pick(0, static_cast<int>(text.size()))); }
+  std::size_t place(const std::string& text) {
+    return static_cast<std::size_t>(pick(0, static_cast<int>(text.size())));
+  }
 
   void mutate(std::string& text, const std::vector<std::string>& tokens) {
     const std::size_t at = place(text);
     const auto length = static_cast<std::size_t>(pick(1, 12));
     switch (pick(0, 6)) {
-      case 0: if (at < text.size()) text[at] = static_cast<char>(pick(0, 255)); break;
-      case 1: if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << pick(0, 7))); break;
-      case 2: text.erase(at, length); break;
-      case 3: text.insert(at, text.substr(place(text), length)); break;
-      case 4: text.resize(at); break;
-      case 5: text.insert(at, tokens[static_cast<std::size_t>(pick(0, static_cast<int>(tokens.size()) - 1))]); break;
-      default: text.insert(at, std::string(length, static_cast<char>(pick(0, 255)))); break;
+      case 0:
+        if (at < text.size()) text[at] = static_cast<char>(pick(0, 255));
+        break;
+      case 1:
+        if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << pick(0, 7)));
+        break;
+      case 2:
+        text.erase(at, length);
+        break;
+      case 3:
+        text.insert(at, text.substr(place(text), length));
+        break;
+      case 4:
+        text.resize(at);
+        break;
+      case 5:
+        text.insert(at, tokens[static_cast<std::size_t>(pick(0, static_cast<int>(tokens.size()) - 1))]);
+        break;
+      default:
+        text.insert(at, std::string(length, static_cast<char>(pick(0, 255))));
+        break;
     }
   }
   std::mt19937 random_;
@@ -57,10 +74,13 @@ class MapFileFuzz : public ::testing::Test {
   }
   ~MapFileFuzz() override { fs::remove_all(folder_); }
 
-  void write(const std::string& name, const std::string& content) const { std::ofstream(folder_ / name, std::ios::binary) << content; }
+  void write(const std::string& name, const std::string& content) const {
+    std::ofstream(folder_ / name, std::ios::binary) << content;
+  }
 
   /// Damages `seed`, stores it as `name`, and reads the map `file`.
-  void run(const std::string& seed, const std::string& name, const std::string& file, const std::vector<std::string>& tokens) const {
+  void run(const std::string& seed, const std::string& name, const std::string& file,
+           const std::vector<std::string>& tokens) const {
     int refused = 0;
     for (int i = 0; i < runs_; ++i) {
       const std::string damaged = Mutator(static_cast<unsigned>(i))(seed, tokens);
@@ -68,7 +88,8 @@ class MapFileFuzz : public ::testing::Test {
       try {
         const OccupancyGrid grid = read_map_file(folder_ / file);
         ASSERT_EQ(grid.cells().size(), grid.geometry().cells()) << "seed " << i;
-        ASSERT_TRUE(std::all_of(grid.cells().begin(), grid.cells().end(), [](Occupancy cell) { return cell <= Occupancy::kUnknown; }));
+        ASSERT_TRUE(std::all_of(grid.cells().begin(), grid.cells().end(),
+                                [](Occupancy cell) { return cell <= Occupancy::kUnknown; }));
         ASSERT_GT(grid.geometry().resolution_m, 0.0) << "seed " << i;
         ASSERT_TRUE(geometry::is_finite(grid.geometry().origin_in_map)) << "seed " << i;
       } catch (const config::BadInput& bad) {
@@ -81,11 +102,14 @@ class MapFileFuzz : public ::testing::Test {
 
   fs::path folder_;
   int runs_;
-  const std::vector<std::string> numbers_{"0", "-1", "65536", "4294967296", "99999999999999999999", "1e308", ".nan", ".inf", "\r\n", "\xEF\xBB\xBF", "#", " "};
+  const std::vector<std::string> numbers_{"0",     "-1",   "65536", "4294967296", "99999999999999999999",
+                                          "1e308", ".nan", ".inf",  "\r\n",       "\xEF\xBB\xBF",
+                                          "#",     " "};
 };
 
 constexpr const char* kYaml =
-    "image: room.pgm\nmode: trinary\nresolution: 0.05\norigin: [-1.0, 2.5, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+    "image: room.pgm\nmode: trinary\nresolution: 0.05\norigin: [-1.0, 2.5, 0.0]\nnegate: 0\noccupied_thresh: "
+    "0.65\nfree_thresh: 0.196\n";
 
 TEST_F(MapFileFuzz, MovingAi) {
   run("type octile\nheight 4\nwidth 6\nmap\n..@@..\n......\n.TTSGW\nO.....\n", "a.map", "a.map", numbers_);
@@ -121,7 +145,8 @@ TEST_F(MapFileFuzz, Png) {
   png.format = PNG_FORMAT_GA;
   ASSERT_NE(png_image_write_to_file(&png, (folder_ / "seed.png").c_str(), 0, pixels.data(), 0, nullptr), 0);
   std::ifstream in(folder_ / "seed.png", std::ios::binary);
-  run(std::string((std::istreambuf_iterator<char>(in)), {}), "room.png", "room.yaml", {"IDAT", "IEND", "PLTE", "tRNS", std::string("\0\0\0\x0d", 4)});
+  run(std::string((std::istreambuf_iterator<char>(in)), {}), "room.png", "room.yaml",
+      {"IDAT", "IEND", "PLTE", "tRNS", std::string("\0\0\0\x0d", 4)});
 }
 
 }  // namespace

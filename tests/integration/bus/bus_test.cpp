@@ -52,7 +52,8 @@ TEST(Bus, GivesALateJoinerEveryMapTile) {
   }
   Bus late(loopback(201));
   std::set<std::pair<std::uint32_t, std::uint32_t>> got;
-  late.on<topics::MapTile>([&](const aisle::MapTile& sample, const SampleInfo&) { got.emplace(sample.tile_x(), sample.tile_y()); });
+  late.on<topics::MapTile>(
+      [&](const aisle::MapTile& sample, const SampleInfo&) { got.emplace(sample.tile_x(), sample.tile_y()); });
   EXPECT_TRUE(run_until({&sender, &late}, [&] { return got.size() == kTiles; })) << got.size();
 }
 
@@ -60,7 +61,8 @@ TEST(Bus, KeepsAHundredVehiclesApart) {
   Bus sender(loopback(202)), receiver(loopback(202));
   auto states = sender.writer<topics::VehicleState>();
   std::set<std::string> got;
-  receiver.on<topics::VehicleState>([&](const aisle::VehicleState& state, const SampleInfo&) { got.insert(state.agv_id().to_string()); });
+  receiver.on<topics::VehicleState>(
+      [&](const aisle::VehicleState& state, const SampleInfo&) { got.insert(state.agv_id().to_string()); });
   sender.every(20ms, [&] {
     for (int i = 0; i < 100; ++i) states.write(state_of("agv-" + std::to_string(i)));
   });
@@ -121,12 +123,16 @@ TEST(Bus, DeliversEachEditOfAQueueOnce) {
   });
   ASSERT_TRUE(run_until({&sender, &receiver}, [&] { return edits.matched_readers() == 1; }));
   int sent = 0;
-  EXPECT_TRUE(run_until({&sender, &receiver}, [&] {
-    aisle::MapEdit edit;
-    edit.edit_id("edit-" + std::to_string(sent));
-    if (sent < kEdits && edits.write(edit)) ++sent;
-    return got.size() == kEdits;
-  }, 60s)) << sent << " sent, " << got.size() << " got";
+  EXPECT_TRUE(run_until(
+      {&sender, &receiver},
+      [&] {
+        aisle::MapEdit edit;
+        edit.edit_id("edit-" + std::to_string(sent));
+        if (sent < kEdits && edits.write(edit)) ++sent;
+        return got.size() == kEdits;
+      },
+      60s))
+      << sent << " sent, " << got.size() << " got";
   EXPECT_EQ(std::set<std::string>(got.begin(), got.end()).size(), static_cast<std::size_t>(kEdits));
 }
 

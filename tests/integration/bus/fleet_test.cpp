@@ -28,13 +28,16 @@ TEST(Fleet, ThirtyParticipantsMeetAndStaySmall) {
   constexpr int kMembers = 30;
   Bus listener(loopback(212, "listener"));
   std::set<std::string> heard;
-  listener.on<topics::VehicleState>([&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
+  listener.on<topics::VehicleState>(
+      [&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
   std::vector<std::unique_ptr<test_support::ChildProcess>> members;
   for (int i = 0; i < kMembers; ++i) {
     members.push_back(std::make_unique<test_support::ChildProcess>(
         std::vector<std::string>{BUS_TEST_PEER, "212", "", "member-" + std::to_string(i), "member"}));
   }
-  EXPECT_TRUE(run_until({&listener}, [&] { return heard.size() == kMembers; }, 60s)) << heard.size();
+  EXPECT_TRUE(run_until(
+      {&listener}, [&] { return heard.size() == kMembers; }, 60s))
+      << heard.size();
   EXPECT_EQ(listener.participants().size(), static_cast<std::size_t>(kMembers));
   for (const auto& member : members) EXPECT_LT(resident_mb(member->pid()), test_support::kSanitized ? 100.0 : 25.0);
 }
@@ -44,11 +47,13 @@ TEST(Fleet, PartitionsKeepSitesApart) {
   here.partition = "site-a";
   Bus listener(here);
   std::set<std::string> heard;
-  listener.on<topics::VehicleState>([&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
+  listener.on<topics::VehicleState>(
+      [&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
   const test_support::ChildProcess other({BUS_TEST_PEER, "213", "site-b", "other", "member"});
   const test_support::ChildProcess ours({BUS_TEST_PEER, "213", "site-a", "ours", "member"});
   ASSERT_TRUE(run_until({&listener}, [&] { return listener.participants().size() == 2 && heard.count("ours") > 0; }));
-  run_until({&listener}, [] { return false; }, 500ms);
+  run_until(
+      {&listener}, [] { return false; }, 500ms);
   EXPECT_EQ(heard, std::set<std::string>{"ours"});
 }
 

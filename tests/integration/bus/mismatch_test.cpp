@@ -24,11 +24,14 @@ class Truncated final : public aisle::GoalPubSubType {
  public:
   Truncated() { set_name(); }
 #if AISLE_FASTDDS_MAJOR >= 3
-  bool serialize(const void* const data, fast::rtps::SerializedPayload_t& payload, dds::DataRepresentationId_t id) override {
+  bool serialize(const void* const data, fast::rtps::SerializedPayload_t& payload,
+                 dds::DataRepresentationId_t id) override {
     return GoalPubSubType::serialize(data, payload, id) && cut(payload);
   }
 #else
-  bool serialize(void* data, fast::rtps::SerializedPayload_t* payload) override { return GoalPubSubType::serialize(data, payload) && cut(*payload); }
+  bool serialize(void* data, fast::rtps::SerializedPayload_t* payload) override {
+    return GoalPubSubType::serialize(data, payload) && cut(*payload);
+  }
 #endif
 
  private:
@@ -67,16 +70,20 @@ class Stranger {
 /// A bus that reads goals and keeps its incidents.
 struct GoalReader {
   explicit GoalReader(int domain) : bus(loopback(domain)) {
-    bus.on<topics::Goal>([this](const aisle::Goal& goal, const bus::SampleInfo&) { goals.push_back(goal.agv_id().to_string()); });
+    bus.on<topics::Goal>(
+        [this](const aisle::Goal& goal, const bus::SampleInfo&) { goals.push_back(goal.agv_id().to_string()); });
     bus.on_incident([this](const bus::Incident& incident) { incidents.push_back(incident); });
   }
   bool reports(bus::Incident::Kind kind, const std::vector<std::string>& words) {
-    return run_until({&bus}, [&] {
-      return std::any_of(incidents.begin(), incidents.end(), [&](const bus::Incident& incident) {
-        const auto has = [&](const std::string& word) { return incident.text.find(word) != std::string::npos; };
-        return incident.kind == kind && incident.topic == "goal" && std::all_of(words.begin(), words.end(), has);
-      });
-    }, 5s);
+    return run_until(
+        {&bus},
+        [&] {
+          return std::any_of(incidents.begin(), incidents.end(), [&](const bus::Incident& incident) {
+            const auto has = [&](const std::string& word) { return incident.text.find(word) != std::string::npos; };
+            return incident.kind == kind && incident.topic == "goal" && std::all_of(words.begin(), words.end(), has);
+          });
+        },
+        5s);
   }
   Bus bus;
   std::vector<std::string> goals;
@@ -115,8 +122,8 @@ TEST(Mismatch, BytesThatAreNoSampleAreDroppedAndGoodOnesStillArrive) {
 }
 
 TEST(Mismatch, PoliciesAreComparedAsDdsDoes) {
-  using bus::qos_conflict;
   using bus::Qos;
+  using bus::qos_conflict;
   const Qos plan = topics::Plan::kQos;
   EXPECT_EQ(qos_conflict(plan, true, plan, true), "");
   EXPECT_EQ(qos_conflict(topics::kState, false, topics::kStream, false), "");
@@ -131,7 +138,8 @@ TEST(Mismatch, PoliciesAreComparedAsDdsDoes) {
   offered.durability = bus::Durability::kVolatile;
   EXPECT_NE(qos_conflict(offered, true, plan, true).find("durability"), std::string::npos);
   Qos asked = topics::VehicleState::kQos;
-  EXPECT_NE(qos_conflict(topics::kStream, false, asked, false).find("deadline: none is offered, 200 ms"), std::string::npos);
+  EXPECT_NE(qos_conflict(topics::kStream, false, asked, false).find("deadline: none is offered, 200 ms"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -87,20 +87,21 @@ void be_a_site(bus::Bus& bus, const std::string& name) {
   tile.revision(7);
   tile.hash(42);
   tile.cells().resize(64 * 64, 1);
-  bus.every(100ms, [=, infos = bus.writer<topics::MapInfo>(), tiles = bus.writer<topics::MapTile>(), vehicles = bus.writer<topics::VehicleInfo>(),
-                     coverages = bus.writer<topics::Coverage>()]() mutable {
-    infos.write(info);
-    tiles.write(tile);
-    vehicles.write(forklift(name));
-    coverages.write(coverage_of(name));
-  });
+  bus.every(100ms,
+            [=, infos = bus.writer<topics::MapInfo>(), tiles = bus.writer<topics::MapTile>(),
+             vehicles = bus.writer<topics::VehicleInfo>(), coverages = bus.writer<topics::Coverage>()]() mutable {
+              infos.write(info);
+              tiles.write(tile);
+              vehicles.write(forklift(name));
+              coverages.write(coverage_of(name));
+            });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 5) return 2;
-  prctl(PR_SET_PDEATHSIG, SIGKILL);   // no orphan when the test dies first
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // no orphan when the test dies first
   std::signal(SIGTERM, [](int) { stop = true; });
   const std::string name = argv[3];
   const std::string role = argv[4];

@@ -31,7 +31,8 @@ class PlanListener {
     bus_.on_incident([this](const bus::Incident& incident) { incidents_.push_back(incident); });
   }
   bool hears(const std::string& source, std::chrono::milliseconds limit = 10s) {
-    return run_until({&bus_}, [&] { return source_ == source; }, limit);
+    return run_until(
+        {&bus_}, [&] { return source_ == source; }, limit);
   }
   /// Since when nobody else was heard: at the last sample.
   Clock::time_point heard_at() const { return heard_at_; }
@@ -51,7 +52,8 @@ class PlanListener {
 };
 
 test_support::ChildProcess planner(int domain, const std::string& name, int strength) {
-  return test_support::ChildProcess({BUS_TEST_PEER, std::to_string(domain), "", name, "plan", std::to_string(strength)});
+  return test_support::ChildProcess(
+      {BUS_TEST_PEER, std::to_string(domain), "", name, "plan", std::to_string(strength)});
 }
 
 /// How long nobody was heard, from the last sample of `strong` to the first of `weak`.

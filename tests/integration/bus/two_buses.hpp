@@ -24,7 +24,8 @@ inline bus::Settings loopback(int domain, const std::string& name = "test") {
 }
 
 /// Runs the loops until `done`, at most `limit`.
-inline bool run_until(std::initializer_list<Bus*> buses, const std::function<bool()>& done, std::chrono::milliseconds limit = 10s) {
+inline bool run_until(std::initializer_list<Bus*> buses, const std::function<bool()>& done,
+                      std::chrono::milliseconds limit = 10s) {
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!done()) {
     if (std::chrono::steady_clock::now() >= end) return false;

@@ -108,13 +108,15 @@ class CliSite : public ::testing::Test {
     });
     bus_.on<topics::Goal>([this](const Goal& goal, const bus::SampleInfo& info) {
       if (info.kind != bus::SampleKind::kData) return;
-      if (goal.goal_id().to_string() == status_.goal_id().to_string() && !goal.cancelled()) return;   // said again
+      if (goal.goal_id().to_string() == status_.goal_id().to_string() && !goal.cancelled()) return;  // said again
       Plan plan;
       plan.agv_id(goal.agv_id().to_string());
       plan.goal_id(goal.goal_id().to_string());
       plan.length_m(12.5);
       const bool is_outside = goal.pose_in_map().x_m() > 100.0;
-      plan.outcome(goal.cancelled() ? PlanOutcome::PLAN_CANCELLED : is_outside ? PlanOutcome::PLAN_OUT_OF_MAP : PlanOutcome::PLAN_FOUND);
+      plan.outcome(goal.cancelled() ? PlanOutcome::PLAN_CANCELLED
+                   : is_outside     ? PlanOutcome::PLAN_OUT_OF_MAP
+                                    : PlanOutcome::PLAN_FOUND);
       plan.detail(std::string(is_outside ? "x = 500 is beyond 40" : ""));
       plans_.write(plan);
       status_.agv_id(goal.agv_id().to_string());
@@ -144,7 +146,8 @@ class CliSite : public ::testing::Test {
     summary.revision = 5;
     summary.tiling = tiling;
     for (int index = 0; index < tiling.count(); ++index) {
-      grid::Tile tile{"hall", index % tiling.tiles_x(), index / tiling.tiles_x(), 5, 0, grid::tile_cells(grid_, tiling, index)};
+      grid::Tile tile{
+          "hall", index % tiling.tiles_x(), index / tiling.tiles_x(), 5, 0, grid::tile_cells(grid_, tiling, index)};
       tile.hash = grid::tile_hash(tile.cells);
       summary.tile_hashes.push_back(tile.hash);
       tiles_.write(wire::encode(tile));
@@ -161,7 +164,9 @@ class CliSite : public ::testing::Test {
       result.map_id(edit.map_id().to_string());
       const bool is_new = applied_.insert(edit.edit_id().to_string()).second;
       const bool is_outside = edit.points()[0].x_m() > 100.0;
-      result.outcome(is_outside ? EditOutcome::EDIT_REFUSED : is_new ? EditOutcome::EDIT_APPLIED : EditOutcome::EDIT_ALREADY_APPLIED);
+      result.outcome(is_outside ? EditOutcome::EDIT_REFUSED
+                     : is_new   ? EditOutcome::EDIT_APPLIED
+                                : EditOutcome::EDIT_ALREADY_APPLIED);
       result.detail(std::string(is_outside ? "outside the map" : ""));
       result.revision(6);
       result.changed_cells(42);
@@ -200,7 +205,7 @@ class CliSite : public ::testing::Test {
   }
 
   static int next_domain() {
-    static int domain = 29;   // 30 and the next ones are this suite's
+    static int domain = 29;  // 30 and the next ones are this suite's
     return ++domain;
   }
 
@@ -239,7 +244,8 @@ TEST_F(CliSite, TopicListCountsWritersAndReaders) {
     EXPECT_EQ(row["writers"], 1);
     EXPECT_EQ(row["readers"], 0);
   }
-  EXPECT_THAT(run({"topic", "list", "--wait", "0.5"}).out, HasSubstr("velocity_command   0        0        aisle::VelocityCommand"));
+  EXPECT_THAT(run({"topic", "list", "--wait", "0.5"}).out,
+              HasSubstr("velocity_command   0        0        aisle::VelocityCommand"));
 }
 
 TEST_F(CliSite, TopicInfoNamesThePeersOfOneTopic) {
@@ -252,7 +258,9 @@ TEST_F(CliSite, TopicEchoPrintsSamplesOfOneInstance) {
   play_vehicles();
   const Outcome text = run({"topic", "echo", "vehicle_state", "--once", "--key", "agv-2"});
   EXPECT_EQ(text.code, 0) << text.err;
-  EXPECT_THAT(text.out, AllOf(HasSubstr("agv_id: agv-2\n"), HasSubstr("twist: {linear_mps: 0.75, angular_radps: 0, sideways_mps: 0}\n"), HasSubstr("hold: none\n")));
+  EXPECT_THAT(text.out, AllOf(HasSubstr("agv_id: agv-2\n"),
+                              HasSubstr("twist: {linear_mps: 0.75, angular_radps: 0, sideways_mps: 0}\n"),
+                              HasSubstr("hold: none\n")));
   const Outcome lines = run({"topic", "echo", "vehicle_state", "--count", "3", "--json"});
   EXPECT_EQ(lines.code, 0);
   EXPECT_EQ(std::count(lines.out.begin(), lines.out.end(), '\n'), 3);
@@ -272,9 +280,10 @@ TEST_F(CliSite, TopicRatesAreMeasuredByInstance) {
   const json first = json::parse(hz.out.substr(0, hz.out.find('\n')));
   EXPECT_EQ(first["key"], "agv-1");
   EXPECT_GT(first["hz"].get<double>(), 0.0);
-  EXPECT_LT(first["hz"].get<double>(), 25.0);   // 20 of each vehicle, fewer on a loaded machine; never both together
+  EXPECT_LT(first["hz"].get<double>(), 25.0);  // 20 of each vehicle, fewer on a loaded machine; never both together
   EXPECT_GT(first["mean_bytes"].get<double>(), 100.0);
-  EXPECT_THAT(run({"topic", "bw", "vehicle_state", "--seconds", "3"}).out, AllOf(HasSubstr("KB/S"), HasSubstr("agv-2")));
+  EXPECT_THAT(run({"topic", "bw", "vehicle_state", "--seconds", "3"}).out,
+              AllOf(HasSubstr("KB/S"), HasSubstr("agv-2")));
   EXPECT_EQ(run({"topic", "hz", "scan", "--seconds", "0.3"}).code, 1);
 }
 
@@ -310,7 +319,7 @@ TEST_F(CliSite, GoalSendWithWaitFollowsTheVehicle) {
   EXPECT_THAT(outcome.err, HasSubstr("agv-1 driving, 9.0 m"));
   EXPECT_THAT(outcome.out, HasSubstr("agv-1 arrived\n"));
   ASSERT_FALSE(goals_.empty());
-  EXPECT_EQ(goals_[0].yaw_tolerance_rad(), 0.0);   // any heading
+  EXPECT_EQ(goals_[0].yaw_tolerance_rad(), 0.0);  // any heading
 }
 
 TEST_F(CliSite, GoalSendSaysWhyItIsImpossible) {
@@ -350,9 +359,11 @@ TEST_F(CliSite, MapInfoAndSave) {
   play_map();
   const Outcome info = run({"map", "info"});
   EXPECT_EQ(info.code, 0) << info.err;
-  EXPECT_THAT(info.out, AllOf(HasSubstr("map_id: hall"), HasSubstr("revision: 5"), HasSubstr("tiles: 4"), HasSubstr("width_m: 10")));
+  EXPECT_THAT(info.out, AllOf(HasSubstr("map_id: hall"), HasSubstr("revision: 5"), HasSubstr("tiles: 4"),
+                              HasSubstr("width_m: 10")));
 
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / ("aisle_cli_" + std::to_string(getpid()));
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("aisle_cli_" + std::to_string(getpid()));
   std::filesystem::create_directory(folder);
   const Outcome saved = run({"map", "save", (folder / "hall.yaml").string()});
   EXPECT_EQ(saved.code, 0) << saved.err;
@@ -371,7 +382,8 @@ TEST_F(CliSite, MapEditsAreRepeatedUntilAnsweredAndAppliedOnce) {
   EXPECT_EQ(blocked.code, 0) << blocked.err;
   EXPECT_EQ(blocked.out, "applied: 42 cells changed, the map is at revision 6 now (edit e1)\n");
   EXPECT_GE(edits_heard_, 2);
-  EXPECT_EQ(run({"map", "block", "--rect", "-1,0,4,2", "--id", "e1"}).out, "was applied before, in revision 6 (edit e1)\n");
+  EXPECT_EQ(run({"map", "block", "--rect", "-1,0,4,2", "--id", "e1"}).out,
+            "was applied before, in revision 6 (edit e1)\n");
   const Outcome refused = run({"map", "unblock", "--disc", "500,0,1"});
   EXPECT_EQ(refused.code, 1);
   EXPECT_THAT(refused.err, HasSubstr("refused: outside the map"));
@@ -426,7 +438,7 @@ TEST_F(CliSite, TopicEchoDrawsCoverage) {
   tile.cell_m(0.5);
   tile.age_step_s(0.5);
   tile.ages({0, 2, 3, 20, 254, 255});
-  coverages_.write(tile);                  // a late joiner gets it
+  coverages_.write(tile);  // a late joiner gets it
   const Outcome text = run({"topic", "echo", "coverage", "--once"});
   EXPECT_EQ(text.code, 0) << text.err;
   EXPECT_THAT(text.out, HasSubstr("cells_seen_in_1_s: 2\ncells_never_seen: 1\n"));
@@ -446,8 +458,11 @@ TEST_F(CliSite, HealthIsOneServicesExitCode) {
 }
 
 TEST(CliHealth, ReadsWhatAServiceOfThisHostKeeps) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("aisle_kept_" + std::to_string(getpid()) + ".json");
-  const auto check = [&](const std::string& instance) { return run_alone({"health", instance, "--file", file.string()}); };
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("aisle_kept_" + std::to_string(getpid()) + ".json");
+  const auto check = [&](const std::string& instance) {
+    return run_alone({"health", instance, "--file", file.string()});
+  };
   EXPECT_THAT(check("map").err, HasSubstr("is not a health file of 'map'"));
   ASSERT_TRUE(service::keep(file, {"map", ServiceState::SERVICE_READY, "", "", process::wall_clock_ns()}));
   EXPECT_EQ(check("map").code, 0);
@@ -455,7 +470,8 @@ TEST(CliHealth, ReadsWhatAServiceOfThisHostKeeps) {
   ASSERT_TRUE(service::keep(file, {"map", ServiceState::SERVICE_WAITING, "its disk", "", process::wall_clock_ns()}));
   EXPECT_EQ(check("map").code, 1);
   EXPECT_EQ(check("map").out, "map: waiting, waits for its disk\n");
-  ASSERT_TRUE(service::keep(file, {"map", ServiceState::SERVICE_READY, "", "", process::wall_clock_ns() - 10'000'000'000}));
+  ASSERT_TRUE(
+      service::keep(file, {"map", ServiceState::SERVICE_READY, "", "", process::wall_clock_ns() - 10'000'000'000}));
   EXPECT_EQ(check("map").code, 1);
   EXPECT_THAT(check("map").out, ContainsRegex("^map: silent for 1[0-9]\\.[0-9] s"));
   std::filesystem::remove(file);
@@ -474,12 +490,14 @@ TEST_F(CliSite, DoctorSaysWhatIsWrong) {
   play_vehicles();
   play_service("global-planner", ServiceState::SERVICE_WAITING, "map_info");
   service::OriginStamper other("truck", 6);
-  bus_.every(milliseconds(70), [&] {     // out of step with the other, so that of a reader that keeps one sample neither is always the one lost
-    VehicleState state;
-    state.agv_id(std::string("agv-1"));
-    state.by(other.next());
-    states_.write(state);
-  });
+  bus_.every(
+      milliseconds(70),
+      [&] {  // out of step with the other, so that of a reader that keeps one sample neither is always the one lost
+        VehicleState state;
+        state.agv_id(std::string("agv-1"));
+        state.by(other.next());
+        states_.write(state);
+      });
   const Outcome outcome = run({"doctor", "--wait", "5", "--json"});
   EXPECT_EQ(outcome.code, 1);
   std::set<std::string> about;
@@ -492,13 +510,16 @@ TEST_F(CliSite, DoctorNamesTheDomainWhereSomebodyIs) {
   bus::Bus elsewhere(on_loopback(13));
   const Outcome outcome = run_alone({"doctor", "--wait", "3", "--domain", "68", "--interface", "127.0.0.1"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("nobody seen in domain 68"), HasSubstr("13"), HasSubstr("use --domain or AISLE_DOMAIN")));
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("nobody seen in domain 68"), HasSubstr("13"), HasSubstr("use --domain or AISLE_DOMAIN")));
 }
 
 TEST_F(CliSite, DoctorNamesThePartitionThatOthersUse) {
   const Outcome outcome = run({"doctor", "--wait", "4", "--partition", "hall-2"});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("partition: nobody uses partition 'hall-2'; others use '': set --partition or AISLE_PARTITION"));
+  EXPECT_THAT(
+      outcome.out,
+      HasSubstr("partition: nobody uses partition 'hall-2'; others use '': set --partition or AISLE_PARTITION"));
 }
 
 TEST(CliInput, ThatIsBadIsNamedWithExitCode2) {
@@ -521,7 +542,8 @@ TEST(CliInput, ThatIsBadIsNamedWithExitCode2) {
 
 TEST(CliInput, WithoutASiteEndsWithExitCode3) {
   const std::vector<std::string> nowhere{"--domain", "69", "--interface", "127.0.0.1"};
-  for (std::vector<std::string> arguments : {std::vector<std::string>{"goal", "send", "agv-1", "1,2"}, {"map", "info", "--timeout", "1"},
+  for (std::vector<std::string> arguments : {std::vector<std::string>{"goal", "send", "agv-1", "1,2"},
+                                             {"map", "info", "--timeout", "1"},
                                              {"map", "block", "--disc", "1,2,3", "--timeout", "1"}}) {
     arguments.insert(arguments.end(), nowhere.begin(), nowhere.end());
     const Outcome outcome = run_alone(arguments);
@@ -531,9 +553,10 @@ TEST(CliInput, WithoutASiteEndsWithExitCode3) {
 }
 
 TEST(CliInput, EveryVerbHasHelpAndJson) {
-  const std::vector<std::vector<std::string>> verbs{{"topic", "list"}, {"topic", "info"}, {"topic", "echo"}, {"topic", "hz"},   {"topic", "bw"},
-                                                    {"fleet"},         {"goal", "send"},  {"goal", "cancel"}, {"map", "info"},  {"map", "block"},
-                                                    {"map", "unblock"}, {"map", "save"},  {"doctor"},         {"health"}};
+  const std::vector<std::vector<std::string>> verbs{
+      {"topic", "list"},  {"topic", "info"}, {"topic", "echo"},  {"topic", "hz"}, {"topic", "bw"},
+      {"fleet"},          {"goal", "send"},  {"goal", "cancel"}, {"map", "info"}, {"map", "block"},
+      {"map", "unblock"}, {"map", "save"},   {"doctor"},         {"health"}};
   for (std::vector<std::string> verb : verbs) {
     verb.push_back("--help");
     const Outcome outcome = run_alone(verb);
@@ -546,7 +569,7 @@ TEST_F(CliSite, AnEndlessEchoStopsCleanlyOnASignal) {
   ChildProcess aisle(command_in(domain_, {"topic", "echo", "plan"}));
   ASSERT_TRUE(aisle.wait_for_output("no sample on 'plan' yet", seconds(20)));
   aisle.signal(SIGINT);
-  EXPECT_EQ(aisle.wait(seconds(5)), 1);   // none came
+  EXPECT_EQ(aisle.wait(seconds(5)), 1);  // none came
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // aisle drive as a program: the same seed drives the same trace; what is misspelt is named.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,8 +13,6 @@
 #include <optional>
 #include <string>
 #include <vector>
-
-#include <unistd.h>
 
 #include "tests/support/child_process.hpp"
 
@@ -37,8 +36,9 @@ TEST(Drive, TheSameSeedDrivesTheSameTraceAndAnotherAnother) {
   const nlohmann::json other = drive({"--scenario", "crossing", "--seed", "4"});
   EXPECT_EQ(once["trace_hash"], again["trace_hash"]);
   EXPECT_NE(once["trace_hash"], other["trace_hash"]);
-  for (const char* key : {"local", "global", "runs", "goals_assigned", "goals_reached", "contacts", "contacts_moving_vehicle", "least_clearance_m", "distance_m",
-                          "time_s", "omega_sign_changes", "jerk_rms", "realtime_factor"}) {
+  for (const char* key :
+       {"local", "global", "runs", "goals_assigned", "goals_reached", "contacts", "contacts_moving_vehicle",
+        "least_clearance_m", "distance_m", "time_s", "omega_sign_changes", "jerk_rms", "realtime_factor"}) {
     EXPECT_TRUE(once.contains(key)) << key;
   }
   EXPECT_EQ(once["goals_reached"], once["goals_assigned"]);
@@ -47,8 +47,10 @@ TEST(Drive, TheSameSeedDrivesTheSameTraceAndAnotherAnother) {
 }
 
 TEST(Drive, TakesPlannersByNameAndDrawsThePicture) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("aisle-drive-" + std::to_string(getpid()) + ".svg");
-  const nlohmann::json report = drive({"--scenario", "crossing", "--local", "qu", "--global", "astar", "--svg", file.string()});
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("aisle-drive-" + std::to_string(getpid()) + ".svg");
+  const nlohmann::json report =
+      drive({"--scenario", "crossing", "--local", "qu", "--global", "astar", "--svg", file.string()});
   EXPECT_EQ(report["local"], "qu");
   EXPECT_EQ(report["global"], "astar");
   std::ifstream in(file);
@@ -88,7 +90,7 @@ TEST(Drive, NamesWhatIsMisspelt) {
 
 TEST(Drive, APictureThatCannotBeWrittenIsRefusedBeforeTheRun) {
   for (const std::string file : {"/no-such-folder/drive.svg", "/tmp"}) {
-    const Refusal refused = refusal({"--scenario", "none.yaml", "--svg", file});   // not even read
+    const Refusal refused = refusal({"--scenario", "none.yaml", "--svg", file});  // not even read
     EXPECT_EQ(refused.code, 3);
     EXPECT_THAT(refused.err, HasSubstr(file + ": cannot be written"));
   }
@@ -109,8 +111,11 @@ TEST(Drive, AFullDiskBehindStdoutIsNoSuccess) {
 /// A scenario of one vehicle in the room, beside the test's other files.
 class OwnScenario {
  public:
-  OwnScenario(const std::string& vehicle, const std::string& goal) : file_(std::filesystem::temp_directory_path() / ("aisle-own-" + std::to_string(getpid()) + ".yml")) {
-    std::ofstream(file_) << "map: " AISLE_SOURCE_DIR "/deploy/maps/room.txt\nmoving_ai_cell_m: 0.5\nduration_s: 5\nvehicles: [" << vehicle << "]\n"
+  OwnScenario(const std::string& vehicle, const std::string& goal)
+      : file_(std::filesystem::temp_directory_path() / ("aisle-own-" + std::to_string(getpid()) + ".yml")) {
+    std::ofstream(file_) << "map: " AISLE_SOURCE_DIR
+                            "/deploy/maps/room.txt\nmoving_ai_cell_m: 0.5\nduration_s: 5\nvehicles: ["
+                         << vehicle << "]\n"
                          << "missions: [{vehicle: agv-1, goals: [" << goal << "]}]\n";
   }
   ~OwnScenario() { std::filesystem::remove(file_); }
@@ -127,10 +132,13 @@ TEST(Drive, NobodyStartsInAWallOutsideOrInAnother) {
     EXPECT_EQ(refused.code, 2);
     return refused.err;
   };
-  EXPECT_THAT(err_of("{id: agv-1, start: [0.6, 5.0]}"), HasSubstr("agv-1 starts at (0.60, 5.00), where its outline is in a wall"));
-  EXPECT_THAT(err_of("{id: agv-1, start: [4.0, 5.0], length_m: 9.0, width_m: 1.0}"), HasSubstr("where its outline is in a wall"));
+  EXPECT_THAT(err_of("{id: agv-1, start: [0.6, 5.0]}"),
+              HasSubstr("agv-1 starts at (0.60, 5.00), where its outline is in a wall"));
+  EXPECT_THAT(err_of("{id: agv-1, start: [4.0, 5.0], length_m: 9.0, width_m: 1.0}"),
+              HasSubstr("where its outline is in a wall"));
   EXPECT_THAT(err_of("{id: agv-1, start: [99.0, 5.0]}"), HasSubstr("outside the map"));
-  EXPECT_THAT(err_of("{id: agv-1, start: [4.0, 5.0]}, {id: agv-2, start: [4.5, 5.0]}"), HasSubstr("agv-2 starts at (4.50, 5.00), where its outline touches that of agv-1"));
+  EXPECT_THAT(err_of("{id: agv-1, start: [4.0, 5.0]}, {id: agv-2, start: [4.5, 5.0]}"),
+              HasSubstr("agv-2 starts at (4.50, 5.00), where its outline touches that of agv-1"));
 }
 
 TEST(Drive, AGoalThatCannotBeReachedIsMissedWithItsReason) {

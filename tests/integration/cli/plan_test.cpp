@@ -1,7 +1,6 @@
 // aisle plan as a program, offline: each wrong input ends with its own line on stderr and its own kind of exit code.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,7 +26,8 @@ constexpr int kNegative = 1;
 constexpr int kBadInput = 2;
 
 /// Two rooms of cells of 1 m with a gap of one cell between them, and a closed chamber below.
-const char* const kRooms = "............\n.......#....\n............\n.......#....\n.......#....\n############\n............\n";
+const char* const kRooms =
+    "............\n.......#....\n............\n.......#....\n.......#....\n############\n............\n";
 
 class PlanOffline : public ::testing::Test {
  protected:
@@ -52,7 +52,8 @@ class PlanOffline : public ::testing::Test {
     EXPECT_EQ(std::count(aisle.err().begin(), aisle.err().end(), '\n'), 1) << aisle.err();
     return aisle.err();
   }
-  std::string refused(int code, const std::string& start, const std::string& goal, const std::string& radius = "0") const {
+  std::string refused(int code, const std::string& start, const std::string& goal,
+                      const std::string& radius = "0") const {
     return refusal(code, {"--map", map_, "--start", start, "--goal", goal, "--radius", radius, "--planner", "direct"});
   }
 
@@ -66,8 +67,9 @@ TEST_F(PlanOffline, FindsAWayWithEveryPlannerAndSaysItsFigures) {
   const nlohmann::json report = nlohmann::json::parse(aisle.out());
   EXPECT_GE(report.size(), 14U);
   for (const nlohmann::json& row : report) {
-    for (const char* key : {"planner", "asked", "solved", "checker_failures", "length_ratio_mean", "length_ratio_max", "nodes_mean", "turning_points_mean",
-                            "turning_angle_mean_rad", "expanded_mean", "time_us_p50", "time_us_p99", "least_clearance_m"}) {
+    for (const char* key : {"planner", "asked", "solved", "checker_failures", "length_ratio_mean", "length_ratio_max",
+                            "nodes_mean", "turning_points_mean", "turning_angle_mean_rad", "expanded_mean",
+                            "time_us_p50", "time_us_p99", "least_clearance_m"}) {
       EXPECT_TRUE(row.contains(key)) << key;
     }
     EXPECT_EQ(row["solved"], 1) << row["planner"];
@@ -78,18 +80,23 @@ TEST_F(PlanOffline, FindsAWayWithEveryPlannerAndSaysItsFigures) {
 TEST_F(PlanOffline, SaysInOneLineWhatIsWrongWithTheQuestion) {
   EXPECT_THAT(refused(kNegative, "7.5,5.5", "1.5,1.5"), HasSubstr("start in obstacle: the start (7.50, 5.50)"));
   EXPECT_THAT(refused(kNegative, "1.5,5.5", "7.5,3.5"), HasSubstr("goal in obstacle: the goal (7.50, 3.50)"));
-  EXPECT_THAT(refused(kNegative, "-1,5", "1.5,5.5"), HasSubstr("start out of map: the start (-1.00, 5.00) is outside the map, x 0.00 to 12.00"));
+  EXPECT_THAT(refused(kNegative, "-1,5", "1.5,5.5"),
+              HasSubstr("start out of map: the start (-1.00, 5.00) is outside the map, x 0.00 to 12.00"));
   EXPECT_THAT(refused(kNegative, "1.5,5.5", "1.5,900000"), HasSubstr("goal out of map"));
   EXPECT_THAT(refused(kNegative, "0.5,5.5", "10.5,3.5", "1.2"), HasSubstr("start too tight"));
   EXPECT_THAT(refused(kNegative, "3.5,4.5", "11.5,4.5", "1.2"), HasSubstr("goal too tight"));
-  EXPECT_THAT(refused(kNegative, "3.5,4.5", "10.0,4.5", "0.6"), HasSubstr("too wide: no way from (3.50, 4.50) to (10.00, 4.50) for a radius of 0.60 m; the widest one lets 0.50 m pass"));
+  EXPECT_THAT(refused(kNegative, "3.5,4.5", "10.0,4.5", "0.6"),
+              HasSubstr("too wide: no way from (3.50, 4.50) to (10.00, 4.50) for a radius of 0.60 m; the widest one "
+                        "lets 0.50 m pass"));
   EXPECT_THAT(refused(kNegative, "3.5,4.5", "3.5,0.5"), HasSubstr("no way"));
 }
 
 TEST_F(PlanOffline, PlansForARectangle) {
-  // Through the gap of one metre: a steered vehicle of 0.5 m width passes it, but is too long to turn on the spot there.
+  // Through the gap of one metre: a steered vehicle of 0.5 m width passes it, but is too long to turn on the spot
+  // there.
   const auto report = [&](std::vector<std::string> more) {
-    std::vector<std::string> arguments{AISLE_CLI, "plan", "--map", map_, "--start", "2,4.5,0", "--goal", "10,4.5,0", "--footprint", "1.6,0.5,0.3", "--json"};
+    std::vector<std::string> arguments{AISLE_CLI, "plan",     "--map",       map_,          "--start", "2,4.5,0",
+                                       "--goal",  "10,4.5,0", "--footprint", "1.6,0.5,0.3", "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     ChildProcess aisle(arguments);
     aisle.wait(seconds(60));
@@ -108,23 +115,36 @@ TEST_F(PlanOffline, SaysInOneLineWhatIsWrongWithTheCommand) {
   EXPECT_THAT(refused(kBadInput, "1.5", "1.5,5.5"), HasSubstr("--start: '1.5' has 1 numbers"));
   EXPECT_THAT(refused(kBadInput, "1.5,5.5", "1.5,4.5", "nan"), HasSubstr("--radius: nan is not a number"));
   EXPECT_THAT(refused(kBadInput, "1.5,5.5", "1.5,4.5", "1000"), HasSubstr("--radius: Value 1000 not in range"));
-  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--turning-radius", "nan"}), HasSubstr("--turning-radius: nan is not a number"));
-  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--planner", "xyz"}), HasSubstr("'xyz' is unknown. There are ant-colony, "));
-  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--scen", write("rooms.scen", "version 1\n0 rooms 12 7 0 0 11 0 11\n"), "--turning-radius", "1"}), HasSubstr("needs headings"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--turning-radius", "nan"}),
+              HasSubstr("--turning-radius: nan is not a number"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--planner", "xyz"}),
+              HasSubstr("'xyz' is unknown. There are ant-colony, "));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--scen", write("rooms.scen", "version 1\n0 rooms 12 7 0 0 11 0 11\n"),
+                                  "--turning-radius", "1"}),
+              HasSubstr("needs headings"));
   EXPECT_THAT(refused(kBadInput, "1.5,5.5", "1.5,4.5", "-1"), HasSubstr("--radius"));
-  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--planner", "drect"}), HasSubstr("did you mean direct?"));
-  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--footprint", "1.6"}), HasSubstr("--footprint: '1.6' has 1 numbers"));
-  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--footprint", "1.6,1", "--radius", "1"}), HasSubstr("give one"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--planner", "drect"}),
+              HasSubstr("did you mean direct?"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--footprint", "1.6"}),
+              HasSubstr("--footprint: '1.6' has 1 numbers"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map_, "--start", "1.5,5.5", "--goal", "1.5,4.5", "--footprint", "1.6,1",
+                                  "--radius", "1"}),
+              HasSubstr("give one"));
   EXPECT_THAT(refusal(kBadInput, {"--start", "1.5,5.5", "--goal", "1.5,4.5"}), HasSubstr("--map"));
   EXPECT_THAT(refusal(kBadInput, {"--map", map_}), HasSubstr("--start"));
 }
 
 TEST_F(PlanOffline, SaysInOneLineWhatIsWrongWithTheMap) {
-  const auto with_map = [&](const std::string& file) { return refusal(kBadInput, {"--map", file, "--start", "1.5,5.5", "--goal", "1.5,4.5"}); };
+  const auto with_map = [&](const std::string& file) {
+    return refusal(kBadInput, {"--map", file, "--start", "1.5,5.5", "--goal", "1.5,4.5"});
+  };
   EXPECT_THAT(with_map((folder_ / "none.yaml").string()), HasSubstr("none.yaml"));
-  EXPECT_THAT(with_map(write("huge.map", "type octile\nheight 900000\nwidth 900000\nmap\n....\n")), HasSubstr("huge.map"));
+  EXPECT_THAT(with_map(write("huge.map", "type octile\nheight 900000\nwidth 900000\nmap\n....\n")),
+              HasSubstr("huge.map"));
   const std::string huge = write("huge.pgm", "P5\n900000 900000\n255\n");
-  EXPECT_THAT(with_map(write("huge.yaml", "image: huge.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")),
+  EXPECT_THAT(with_map(write("huge.yaml",
+                             "image: huge.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: "
+                             "0.65\nfree_thresh: 0.196\n")),
               HasSubstr("900000 x 900000 cells; a map has at most"));
   EXPECT_THAT(with_map(write("odd.txt", "...\n..x\n")), HasSubstr("line 2, column 3"));
 }

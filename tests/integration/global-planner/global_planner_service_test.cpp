@@ -29,7 +29,9 @@ struct PlannerProcess {
 TEST(GlobalPlannerService, PlansKeepsAndReplaces) {
   PlannerProcess planner(140, "global-planner", 1);
   Site site(140);
-  const auto until_plans = [&](std::size_t count) { return bus_test::run_until({&planner.bus, &site.bus}, [&] { return site.plans.size() >= count; }); };
+  const auto until_plans = [&](std::size_t count) {
+    return bus_test::run_until({&planner.bus, &site.bus}, [&] { return site.plans.size() >= count; });
+  };
   site.publish_map();
   site.add_vehicle("agv-1", {1.0, 5.0, 0.0});
   site.send_goal("agv-1", "goal-1", 19.0, 5.0);
@@ -42,13 +44,13 @@ TEST(GlobalPlannerService, PlansKeepsAndReplaces) {
   EXPECT_EQ(site.plans[0].by().epoch(), 1U);
   EXPECT_TRUE(site.is_drivable_now(site.plans[0]));
 
-  site.block(10, 10, 20, 20);   // beside the way
+  site.block(10, 10, 20, 20);  // beside the way
   site.publish_map();
   ASSERT_TRUE(until_plans(2));
   EXPECT_EQ(site.plans[1].plan_id(), site.plans[0].plan_id());
   EXPECT_EQ(site.plans[1].map_revision(), 2U);
 
-  site.block(100, 40, 101, 60);   // the door that it goes through
+  site.block(100, 40, 101, 60);  // the door that it goes through
   site.publish_map();
   ASSERT_TRUE(until_plans(3));
   EXPECT_EQ(site.plans[2].trigger(), PlanTrigger::TRIGGER_MAP_CHANGED);
@@ -59,7 +61,8 @@ TEST(GlobalPlannerService, PlansKeepsAndReplaces) {
   site.send_goal("agv-1", "goal-2", 10.05, 2.0);
   ASSERT_TRUE(until_plans(4));
   EXPECT_EQ(site.plans[3].outcome(), PlanOutcome::PLAN_GOAL_BLOCKED);
-  EXPECT_NE(site.plans[3].detail().to_string().find("(10.05, 2.00)"), std::string::npos) << site.plans[3].detail().to_string();
+  EXPECT_NE(site.plans[3].detail().to_string().find("(10.05, 2.00)"), std::string::npos)
+      << site.plans[3].detail().to_string();
 }
 
 TEST(GlobalPlannerService, DropsAndCountsAGoalThatIsNoNumber) {
@@ -68,7 +71,8 @@ TEST(GlobalPlannerService, DropsAndCountsAGoalThatIsNoNumber) {
   site.publish_map();
   site.add_vehicle("agv-1", {1.0, 5.0, 0.0});
   site.send_goal("agv-1", "goal-1", std::numeric_limits<double>::quiet_NaN(), 5.0);
-  ASSERT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return planner.health.counters.count("dropped_goal") > 0; }));
+  ASSERT_TRUE(bus_test::run_until({&planner.bus, &site.bus},
+                                  [&] { return planner.health.counters.count("dropped_goal") > 0; }));
   site.send_goal("agv-1", "goal-2", 19.0, 5.0);
   ASSERT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return !site.plans.empty(); }));
   EXPECT_EQ(site.plans[0].goal_id().to_string(), "goal-2");
@@ -82,7 +86,8 @@ TEST(GlobalPlannerService, PlansForALateComerToo) {
     site.send_goal("agv-" + std::to_string(i), "goal", 18.0, 1.0 + i);
   }
   PlannerProcess planner(142, "global-planner", 1);
-  EXPECT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return site.plans.size() == 5; })) << site.plans.size();
+  EXPECT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return site.plans.size() == 5; }))
+      << site.plans.size();
 }
 
 TEST(GlobalPlannerService, IsFollowedByItsStandbyWithTheNextEpoch) {
@@ -115,7 +120,8 @@ TEST(GlobalPlannerService, BeginsAboveTheEpochThatVehiclesFollowedBeforeAllPlann
   site.say_followed(7);
   PlannerProcess planner(147, "global-planner", 20);
   // Heard before it leads or a little later: then it raises its epoch.
-  ASSERT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return !site.plans.empty() && site.plans.back().by().epoch() == 8; }));
+  ASSERT_TRUE(bus_test::run_until({&planner.bus, &site.bus},
+                                  [&] { return !site.plans.empty() && site.plans.back().by().epoch() == 8; }));
   EXPECT_EQ(site.plans.back().goal_id().to_string(), "goal-1");
 }
 
@@ -129,7 +135,8 @@ TEST(GlobalPlannerService, GivesWayWhenItComesBackAfterATakeover) {
   ASSERT_TRUE(bus_test::run_until({&primary.bus, &standby.bus, &site.bus}, [&] { return !site.plans.empty(); }));
   const auto heard = [&] { return standby.health.counters["leads"] == 1; };
   ASSERT_TRUE(bus_test::run_until({&standby.bus, &site.bus}, heard)) << "the primary hangs: its loop does not run";
-  ASSERT_TRUE(bus_test::run_until({&primary.bus, &standby.bus, &site.bus}, [&] { return primary.health.counters["leads"] == 0; }));
+  ASSERT_TRUE(bus_test::run_until({&primary.bus, &standby.bus, &site.bus},
+                                  [&] { return primary.health.counters["leads"] == 0; }));
   site.send_goal("agv-1", "goal-2", 15.0, 5.0);
   const auto answered = [&] { return site.plans.back().goal_id().to_string() == "goal-2"; };
   ASSERT_TRUE(bus_test::run_until({&primary.bus, &standby.bus, &site.bus}, answered));

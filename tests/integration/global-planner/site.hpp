@@ -25,7 +25,9 @@ using bus::SampleKind;
 
 inline constexpr double kRadius_m = 0.3;
 
-inline std::string partition() { return "planner-test-" + std::to_string(getpid()); }   // beside the same test in another process
+inline std::string partition() {
+  return "planner-test-" + std::to_string(getpid());
+}  // beside the same test in another process
 
 inline bus::Settings site(int domain, const std::string& name) {
   bus::Settings settings = bus_test::loopback(domain, name);
@@ -86,7 +88,8 @@ class Site {
   void add_vehicle(const std::string& id, const geometry::Pose2& pose) {
     add_vehicle(id, pose, geometry::disc(kRadius_m), {});
   }
-  void add_vehicle(const std::string& id, const geometry::Pose2& pose, const geometry::Footprint& footprint, const kinematics::Limits& limits) {
+  void add_vehicle(const std::string& id, const geometry::Pose2& pose, const geometry::Footprint& footprint,
+                   const kinematics::Limits& limits) {
     aisle::VehicleInfo info = wire::encode(wire::VehicleInfo{id, footprint, limits, 10.0, 0.2});
     stamp(info.by());
     vehicles_.write(info);
@@ -120,7 +123,8 @@ class Site {
     const auto plan = decode(sample);
     if (!plan || plan->waypoints_in_map.empty()) return false;
     const grid::ClearanceField clearance(grid, 2.0);
-    return is_drivable({clearance, plan->waypoints_in_map.front(), plan->waypoints_in_map.back(), kRadius_m}, plan->waypoints_in_map);
+    return is_drivable({clearance, plan->waypoints_in_map.front(), plan->waypoints_in_map.back(), kRadius_m},
+                       plan->waypoints_in_map);
   }
 
   Bus bus;

@@ -16,8 +16,15 @@ namespace {
 using test_support::ChildProcess;
 
 std::unique_ptr<ChildProcess> start(int domain, const std::string& name, bool standby) {
-  std::vector<std::string> command{AISLE_BIN_DIR "/aisle-global-planner", "--domain",   std::to_string(domain), "--interface", "127.0.0.1",
-                                   "--partition", partition(), "--instance", name};
+  std::vector<std::string> command{AISLE_BIN_DIR "/aisle-global-planner",
+                                   "--domain",
+                                   std::to_string(domain),
+                                   "--interface",
+                                   "127.0.0.1",
+                                   "--partition",
+                                   partition(),
+                                   "--instance",
+                                   name};
   if (standby) command.push_back("--standby");
   return std::make_unique<ChildProcess>(command);
 }
@@ -57,7 +64,7 @@ TEST_F(Takeover, FollowsAKillWithTheNextEpoch) {
   EXPECT_EQ(site_->plans.back().trigger(), PlanTrigger::TRIGGER_TAKEOVER);
   EXPECT_EQ(site_->plans.back().waypoints_in_map(), first_.waypoints_in_map());
 
-  const auto restarted = start(145, "primary", false);   // giving the lead back is a person's decision
+  const auto restarted = start(145, "primary", false);  // giving the lead back is a person's decision
   ASSERT_TRUE(restarted->wait_for_output("stands by", 10s)) << restarted->err();
   site_->send_goal("agv-1", "goal-2", 15.0, 5.0);
   ASSERT_TRUE(wait([&] { return site_->plans.back().goal_id().to_string() == "goal-2"; }));

@@ -32,7 +32,9 @@ bus::Settings site(int domain, const std::string& name) {
 
 struct PlannerProcess {
   PlannerProcess(int domain, std::uint64_t boot_id)
-      : bus(site(domain, "local-planner")), service(bus, "agv-1", service::OriginStamper("local-planner-agv-1", boot_id), health, "local-planner-agv-1", {}) {}
+      : bus(site(domain, "local-planner")),
+        service(bus, "agv-1", service::OriginStamper("local-planner-agv-1", boot_id), health, "local-planner-agv-1",
+                {}) {}
   Bus bus;
   service::Health health;
   LocalPlannerService service;
@@ -53,7 +55,8 @@ class Site {
       if (info.kind != SampleKind::kData) return;
       commands.push_back(sample);
       accepted_epoch = std::max(accepted_epoch, sample.by().epoch());
-      if (sample.by().epoch() == accepted_epoch) wanted = {sample.twist().linear_mps(), sample.twist().angular_radps(), 0.0};
+      if (sample.by().epoch() == accepted_epoch)
+        wanted = {sample.twist().linear_mps(), sample.twist().angular_radps(), 0.0};
     });
     bus.on<topics::NavigationStatus>([this](const aisle::NavigationStatus& sample, const SampleInfo& info) {
       if (info.kind == SampleKind::kData) statuses.push_back(sample);
@@ -109,12 +112,14 @@ class Site {
   }
 
   const aisle::NavigationStatus* status() const { return statuses.empty() ? nullptr : &statuses.back(); }
-  bool says(NavigationPhase phase, NavigationReason reason) const { return status() != nullptr && status()->phase() == phase && status()->reason() == reason; }
+  bool says(NavigationPhase phase, NavigationReason reason) const {
+    return status() != nullptr && status()->phase() == phase && status()->reason() == reason;
+  }
 
   Bus bus;
   geometry::Pose2 base{3.0, 5.0, 0.0};
   geometry::Twist2 twist, wanted;
-  std::uint32_t accepted_epoch{4};                  // of a planner of before
+  std::uint32_t accepted_epoch{4};  // of a planner of before
   bool vehicle_lives{false};
   bool tracker_lives{true};
   bool lidar_lives{true};
@@ -122,7 +127,9 @@ class Site {
   std::vector<aisle::NavigationStatus> statuses;
 
  private:
-  static aisle::Origin origin(std::uint64_t sequence_number) { return wire::encode(wire::SampleOrigin{"site", 1, 1, sequence_number, 1}); }
+  static aisle::Origin origin(std::uint64_t sequence_number) {
+    return wire::encode(wire::SampleOrigin{"site", 1, 1, sequence_number, 1});
+  }
 
   void move() {
     if (vehicle_lives) {
@@ -146,7 +153,7 @@ class Site {
       use.scan_sequence(scan_);
       use.scan_stamp_ns(1234);
       status.newest_scans().push_back(use);
-      use.agv_id("agv-2");                          // its scans come on
+      use.agv_id("agv-2");  // its scans come on
       use.scan_sequence(sequence_);
       status.newest_scans().push_back(use);
       tracking_.write(status);
@@ -166,7 +173,9 @@ class Site {
 TEST(LocalPlannerService, DrivesToTheGoalWithTheNextEpochAndTellsWhy) {
   Site site(180);
   PlannerProcess planner(180, 1);
-  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&planner.bus, &site.bus}, done, 20s); };
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&planner.bus, &site.bus}, done, 20s);
+  };
   ASSERT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_WAITING, NavigationReason::REASON_NO_STATE); }));
   EXPECT_TRUE(site.commands.empty()) << "no command before the vehicle's epoch is known";
   site.publish_vehicle();
@@ -183,7 +192,8 @@ TEST(LocalPlannerService, DrivesToTheGoalWithTheNextEpochAndTellsWhy) {
   EXPECT_EQ(command.plan_id(), 7U);
   EXPECT_EQ(command.map_revision(), 1U);
   EXPECT_EQ(command.scan_stamp_ns(), 1234);
-  for (std::size_t i = 1; i < site.commands.size(); ++i) EXPECT_GT(site.commands[i].by().sequence_number(), site.commands[i - 1].by().sequence_number());
+  for (std::size_t i = 1; i < site.commands.size(); ++i)
+    EXPECT_GT(site.commands[i].by().sequence_number(), site.commands[i - 1].by().sequence_number());
   EXPECT_EQ(site.status()->goal_id().to_string(), "goal-1");
   EXPECT_EQ(site.status()->plan_id(), 7U);
 }
@@ -194,7 +204,9 @@ TEST(LocalPlannerService, StopsWhenTheTrackerFallsSilent) {
   site.publish_vehicle();
   site.publish_map();
   site.publish_plan("goal-1", 18.0, 5.0);
-  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&planner.bus, &site.bus}, done, 20s); };
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&planner.bus, &site.bus}, done, 20s);
+  };
   ASSERT_TRUE(until([&] { return site.twist.linear_mps > 0.8; }));
   site.tracker_lives = false;
   ASSERT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_HELD, NavigationReason::REASON_STALE_TRACKER); }));
@@ -209,7 +221,9 @@ TEST(LocalPlannerService, StopsWhenItsOwnLidarFallsSilentWhoeverElseIsSeen) {
   site.publish_vehicle();
   site.publish_map();
   site.publish_plan("goal-1", 18.0, 5.0);
-  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&planner.bus, &site.bus}, done, 20s); };
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&planner.bus, &site.bus}, done, 20s);
+  };
   ASSERT_TRUE(until([&] { return site.twist.linear_mps > 0.8; }));
   site.lidar_lives = false;
   ASSERT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_HELD, NavigationReason::REASON_STALE_TRACKER); }));
@@ -225,7 +239,9 @@ TEST(LocalPlannerService, RefusesThePlanOfAPlannerThatWasReplaced) {
   site.publish_vehicle();
   site.publish_map();
   site.publish_plan("goal-1", 18.0, 5.0, 3);
-  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&planner.bus, &site.bus}, done, 20s); };
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&planner.bus, &site.bus}, done, 20s);
+  };
   ASSERT_TRUE(until([&] { return site.twist.linear_mps > 0.3; }));
   site.publish_plan("goal-2", 3.0, 2.0, 2);
   ASSERT_TRUE(until([&] { return planner.health.counters["refused_plan_old_epoch"] == 1; }));
@@ -243,7 +259,9 @@ TEST(LocalPlannerService, FallsSilentWhenTheVehicleObeysALaterEpoch) {
   site.publish_vehicle();
   site.publish_map();
   site.publish_plan("goal-1", 18.0, 5.0);
-  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&planner.bus, &site.bus}, done, 20s); };
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&planner.bus, &site.bus}, done, 20s);
+  };
   ASSERT_TRUE(until([&] { return site.twist.linear_mps > 0.3; }));
   site.accepted_epoch = 9;
   site.wanted = {};
@@ -263,10 +281,13 @@ TEST(LocalPlannerService, ARestartedOneTakesOver) {
   site.publish_vehicle();
   site.publish_map();
   site.publish_plan("goal-1", 18.0, 5.0);
-  ASSERT_TRUE(bus_test::run_until({&planner->bus, &site.bus}, [&] { return site.twist.linear_mps > 0.3; }, 20s));
+  ASSERT_TRUE(bus_test::run_until(
+      {&planner->bus, &site.bus}, [&] { return site.twist.linear_mps > 0.3; }, 20s));
   const std::uint32_t epoch = site.accepted_epoch;
   planner = std::make_unique<PlannerProcess>(183, 2);
-  ASSERT_TRUE(bus_test::run_until({&planner->bus, &site.bus}, [&] { return site.accepted_epoch == epoch + 1 && site.twist.linear_mps > 0.3; }, 20s));
+  ASSERT_TRUE(bus_test::run_until(
+      {&planner->bus, &site.bus}, [&] { return site.accepted_epoch == epoch + 1 && site.twist.linear_mps > 0.3; },
+      20s));
 }
 
 TEST(LocalPlannerService, DropsAndCountsWhatCannotBeTrue) {
@@ -275,8 +296,11 @@ TEST(LocalPlannerService, DropsAndCountsWhatCannotBeTrue) {
   site.publish_vehicle();
   site.publish_map();
   site.publish_plan("goal-1", std::nan(""), 5.0);
-  ASSERT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return planner.health.counters["dropped_plan"] == 1; }, 20s));
-  EXPECT_TRUE(bus_test::run_until({&planner.bus, &site.bus}, [&] { return site.says(NavigationPhase::PHASE_WAITING, NavigationReason::REASON_NO_GOAL); }, 20s));
+  ASSERT_TRUE(bus_test::run_until(
+      {&planner.bus, &site.bus}, [&] { return planner.health.counters["dropped_plan"] == 1; }, 20s));
+  EXPECT_TRUE(bus_test::run_until(
+      {&planner.bus, &site.bus},
+      [&] { return site.says(NavigationPhase::PHASE_WAITING, NavigationReason::REASON_NO_GOAL); }, 20s));
 }
 
 }  // namespace

@@ -21,13 +21,13 @@ namespace {
 using grid::MapEdit;
 using grid::MapEditResult;
 using test_support::ChildProcess;
+using ::testing::HasSubstr;
 using testing::rectangle;
 using testing::Site;
-using ::testing::HasSubstr;
 using Action = MapEdit::Action;
 namespace fs = std::filesystem;
 
-constexpr int kDomain = 166;   // and the next ones
+constexpr int kDomain = 166;  // and the next ones
 
 class MapProcess : public ::testing::Test {
  protected:
@@ -38,7 +38,8 @@ class MapProcess : public ::testing::Test {
   fs::path map_file() const { return folder_.path() / "floor.txt"; }
   fs::path journal() const { return folder_.path() / "floor.journal"; }
   std::unique_ptr<ChildProcess> start(std::vector<std::string> more, int domain) const {
-    std::vector<std::string> command{std::string(AISLE_BIN_DIR) + "/aisle-map", "--domain", std::to_string(domain), "--interface", "127.0.0.1"};
+    std::vector<std::string> command{std::string(AISLE_BIN_DIR) + "/aisle-map", "--domain", std::to_string(domain),
+                                     "--interface", "127.0.0.1"};
     command.insert(command.end(), more.begin(), more.end());
     return std::make_unique<ChildProcess>(command);
   }
@@ -69,7 +70,9 @@ TEST_F(MapProcess, KeepsItsEditsOverARestart) {
 
   process = start_on_floor(kDomain);
   Site fresh(kDomain, "fresh");
-  const auto run_both = [&](const std::function<bool()>& done) { return testing::run_until({&site.bus, &fresh.bus}, done); };
+  const auto run_both = [&](const std::function<bool()>& done) {
+    return testing::run_until({&site.bus, &fresh.bus}, done);
+  };
   ASSERT_TRUE(run_both([&] { return fresh.map.is_complete() && fresh.can_send(); })) << process->err();
   EXPECT_EQ(fresh.map.revision(), 2U);
   EXPECT_EQ(fresh.map.grid().cells(), cells);
@@ -81,7 +84,8 @@ TEST_F(MapProcess, KeepsItsEditsOverARestart) {
   ASSERT_TRUE(run_both([&] { return site.can_send(); }));
   fresh.send(rectangle("two", Action::kUnblock, {2.0, 2.0}, {4.0, 4.0}));
   ASSERT_TRUE(run_both([&] { return site.map.revision() == 3 && fresh.map.revision() == 3; }))
-      << site.map.revision() << " " << fresh.map.revision() << " " << fresh.results.count("two") << " " << process->wait(std::chrono::seconds(1)).value_or(-1) << process->err() << process->out();
+      << site.map.revision() << " " << fresh.map.revision() << " " << fresh.results.count("two") << " "
+      << process->wait(std::chrono::seconds(1)).value_or(-1) << process->err() << process->out();
   EXPECT_EQ(site.map.grid().cells(), fresh.map.grid().cells());
 }
 
@@ -100,7 +104,8 @@ TEST_F(MapProcess, LosesNoAcknowledgedEditWhenKilledAtAnyTime) {
     const auto edit = [](int i) {
       const double x = 0.25 * (i % 100);
       const double y = 0.25 * (i * 7 % 70);
-      return rectangle("e" + std::to_string(i), i % 3 == 0 ? Action::kUnblock : Action::kBlock, {x, y}, {x + 1.0, y + 0.75});
+      return rectangle("e" + std::to_string(i), i % 3 == 0 ? Action::kUnblock : Action::kBlock, {x, y},
+                       {x + 1.0, y + 0.75});
     };
     ASSERT_TRUE(testing::run_until({&site.bus}, [&] {
       // One edit a turn, those before answered or not; then the kill comes between any two steps of the process.
@@ -123,7 +128,8 @@ TEST_F(MapProcess, LosesNoAcknowledgedEditWhenKilledAtAnyTime) {
   EXPECT_GE(truth.revision(), newest);
   auto process = start_on_floor(kDomain + 1);
   Site fresh(kDomain + 1, "fresh");
-  ASSERT_TRUE(testing::run_until({&site.bus, &fresh.bus}, [&] { return fresh.map.is_complete() && fresh.can_send(); })) << process->err();
+  ASSERT_TRUE(testing::run_until({&site.bus, &fresh.bus}, [&] { return fresh.map.is_complete() && fresh.can_send(); }))
+      << process->err();
   EXPECT_EQ(fresh.map.revision(), truth.revision());
   EXPECT_EQ(fresh.map.hash(), truth.summary().hash);
   EXPECT_EQ(fresh.map.grid().cells(), truth.grid().cells());
@@ -168,15 +174,18 @@ TEST_F(MapProcess, SaysInOneLineWhyItCannotStart) {
   EXPECT_THAT(refusal({"--map", map_file().string(), "--scenario", "x.yaml"}, 2), HasSubstr("two maps"));
   EXPECT_THAT(refusal({"--map", map_file().string(), "--map-id", "a b"}, 2), HasSubstr("'a b'"));
   EXPECT_THAT(refusal({"--map", map_file().string(), "--subdivide", "99"}, 2), HasSubstr("subdivide"));
-  std::ofstream(folder_.path() / "broken.yaml") << "image: none.pgm\nresolution: -1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n";
+  std::ofstream(folder_.path() / "broken.yaml")
+      << "image: none.pgm\nresolution: -1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.2\n";
   EXPECT_THAT(refusal({"--map", (folder_.path() / "broken.yaml").string()}, 2), HasSubstr("resolution"));
-  EXPECT_THAT(refusal({"--map", map_file().string(), "--journal", (folder_.path() / "none" / "j").string()}, 3), HasSubstr("journal"));
+  EXPECT_THAT(refusal({"--map", map_file().string(), "--journal", (folder_.path() / "none" / "j").string()}, 3),
+              HasSubstr("journal"));
   { Journal other(journal(), "annex", 1, {}); }
   EXPECT_THAT(refusal({"--map", map_file().string(), "--journal", journal().string()}, 2), HasSubstr("annex"));
 }
 
 TEST_F(MapProcess, TakesItsConfigFile) {
-  std::ofstream(folder_.path() / "map.yaml") << "map: " << map_file().string() << "\nmap_id: hall\ncell_m: 0.5\nsubdivide: 2\n";
+  std::ofstream(folder_.path() / "map.yaml")
+      << "map: " << map_file().string() << "\nmap_id: hall\ncell_m: 0.5\nsubdivide: 2\n";
   Site site(kDomain + 4);
   auto process = start({"--config", (folder_.path() / "map.yaml").string(), "--cell-m", "1.0"}, kDomain + 4);
   ASSERT_TRUE(testing::run_until({&site.bus}, [&] { return site.map.is_complete(); })) << process->err();

@@ -13,13 +13,13 @@ namespace {
 
 using grid::MapEdit;
 using grid::MapEditResult;
+using ::testing::HasSubstr;
 using testing::local_settings;
 using testing::rectangle;
 using testing::Site;
-using ::testing::HasSubstr;
 using Action = MapEdit::Action;
 
-constexpr int kDomain = 161;   // and the next ones
+constexpr int kDomain = 161;  // and the next ones
 
 grid::OccupancyGrid floor_plan() {
   grid::OccupancyGrid grid(grid::Geometry{300, 200, 0.1, {-5.0, 0.0}});
@@ -30,7 +30,8 @@ grid::OccupancyGrid floor_plan() {
 /// The service with a bus of its own, run by the test's loop.
 struct Service {
   explicit Service(int domain, std::uint64_t revision = 1)
-      : bus(local_settings(domain, "map")), map(bus, "map", 1, health, MapStore(SiteMap("floor", floor_plan(), revision), nullptr, {})) {}
+      : bus(local_settings(domain, "map")),
+        map(bus, "map", 1, health, MapStore(SiteMap("floor", floor_plan(), revision), nullptr, {})) {}
   bus::Bus bus;
   service::Health health;
   MapService map;
@@ -39,16 +40,20 @@ struct Service {
 TEST(MapService, MirrorsGetTheMapAndItsEdits) {
   Service service(kDomain);
   Site site(kDomain);
-  const auto run = [&](const std::function<bool()>& done) { return testing::run_until({&service.bus, &site.bus}, done); };
+  const auto run = [&](const std::function<bool()>& done) {
+    return testing::run_until({&service.bus, &site.bus}, done);
+  };
   int maps = 0;
   grid::Cell low, high;
-  site.map.on_map([&](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell l, grid::Cell h) {
-    ++maps;
-    low = l;
-    high = h;
-    const grid::ClearanceField anew(grid);
-    for (int x = 0; x < 300; ++x) ASSERT_EQ(clearance.clearance_m(grid::Cell{x, 60}), anew.clearance_m(grid::Cell{x, 60}));
-  });
+  site.map.on_map(
+      [&](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell l, grid::Cell h) {
+        ++maps;
+        low = l;
+        high = h;
+        const grid::ClearanceField anew(grid);
+        for (int x = 0; x < 300; ++x)
+          ASSERT_EQ(clearance.clearance_m(grid::Cell{x, 60}), anew.clearance_m(grid::Cell{x, 60}));
+      });
   ASSERT_TRUE(run([&] { return site.map.is_complete(); }));
   EXPECT_EQ(site.map.grid().cells(), floor_plan().cells());
   EXPECT_EQ(site.map.map_id(), "floor");
@@ -78,7 +83,9 @@ TEST(MapService, MirrorsGetTheMapAndItsEdits) {
 TEST(MapService, AnswersEveryEditOnceAndRefusesWithAReason) {
   Service service(kDomain + 1);
   Site site(kDomain + 1);
-  const auto run = [&](const std::function<bool()>& done) { return testing::run_until({&service.bus, &site.bus}, done); };
+  const auto run = [&](const std::function<bool()>& done) {
+    return testing::run_until({&service.bus, &site.bus}, done);
+  };
   ASSERT_TRUE(run([&] { return site.can_send() && site.map.is_complete(); }));
   site.send(rectangle("a", Action::kBlock, {0.0, 5.0}, {1.0, 6.0}));
   site.send(rectangle("b", Action::kUnblock, {0.0, 5.0}, {1.0, 6.0}));

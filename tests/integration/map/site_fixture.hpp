@@ -20,14 +20,16 @@ inline bus::Settings local_settings(int domain, const std::string& name) {
   return settings;
 }
 
-inline grid::MapEdit rectangle(const std::string& id, grid::MapEdit::Action action, geometry::Point2 low, geometry::Point2 high) {
+inline grid::MapEdit rectangle(const std::string& id, grid::MapEdit::Action action, geometry::Point2 low,
+                               geometry::Point2 high) {
   return {id, "floor", action, grid::MapEdit::Shape::kRectangle, {low, high}, 0.0};
 }
 
 /// Whoever uses the map: a mirror, and edits with their results.
 class Site {
  public:
-  explicit Site(int domain, const std::string& name = "mirror") : bus(local_settings(domain, name)), map(bus, name, {}) {
+  explicit Site(int domain, const std::string& name = "mirror")
+      : bus(local_settings(domain, name)), map(bus, name, {}) {
     edits_ = bus.writer<topics::MapEdit>();
     bus.on<topics::MapEditResult>([this](const aisle::MapEditResult& sample, const bus::SampleInfo& info) {
       if (info.kind != bus::SampleKind::kData) return;

@@ -144,13 +144,16 @@ test::Vehicle vehicle_at(const char* id, double x, double y) { return {id, {x, y
 TEST(ObstacleTrackerService, TracksWhatTwoVehiclesSeeAndDisposesItWhenItIsGone) {
   TrackerProcess tracker(160, 1'790'000'000'000'000);
   Site site(160);
-  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&tracker.bus, &site.bus}, done); };
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&tracker.bus, &site.bus}, done);
+  };
   site.publish_map();
   site.fleet = {vehicle_at("agv-1", 4.0, 3.0), vehicle_at("agv-2", 12.0, 3.0)};
   site.publish_info("agv-1");
   site.publish_info("agv-2");
   site.world.discs = {{{8.0, 6.0}, 0.25}};
-  ASSERT_TRUE(until([&] { return !site.tracks.empty() && site.status.newest_scans().size() == 2 && site.status.scans_used() > 20; }));
+  ASSERT_TRUE(until(
+      [&] { return !site.tracks.empty() && site.status.newest_scans().size() == 2 && site.status.scans_used() > 20; }));
   ASSERT_EQ(site.tracks.size(), 1U);  // and neither vehicle is an obstacle to the other
   const aisle::Track& track = site.tracks.begin()->second;
   EXPECT_NEAR(track.position_in_map().x_m(), 8.0, 0.15);
@@ -172,7 +175,9 @@ TEST(ObstacleTrackerService, TracksWhatTwoVehiclesSeeAndDisposesItWhenItIsGone) 
 TEST(ObstacleTrackerService, StartsBeforeMapAndVehiclesAndSaysWhatItWaitsFor) {
   TrackerProcess tracker(161, 1'790'000'000'000'000);
   Site site(161);
-  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&tracker.bus, &site.bus}, done); };
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&tracker.bus, &site.bus}, done);
+  };
   ASSERT_TRUE(until([&] { return tracker.health.waits_for == "map_info, map_tile, vehicle_info, scan"; }));
   site.fleet = {vehicle_at("agv-1", 4.0, 3.0)};
   ASSERT_TRUE(until([&] { return tracker.health.counters["scans_unknown_vehicle"] > 3; }));
@@ -188,7 +193,9 @@ TEST(ObstacleTrackerService, StartsBeforeMapAndVehiclesAndSaysWhatItWaitsFor) {
 TEST(ObstacleTrackerService, DropsABrokenScanAndGoesOnWithTheOthers) {
   TrackerProcess tracker(162, 1'790'000'000'000'000);
   Site site(162);
-  const auto until = [&](const std::function<bool()>& done) { return bus_test::run_until({&tracker.bus, &site.bus}, done); };
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&tracker.bus, &site.bus}, done);
+  };
   site.publish_map();
   site.fleet = {vehicle_at("agv-1", 4.0, 3.0), vehicle_at("agv-2", 12.0, 3.0)};
   site.broken_scans_of = "agv-1";
@@ -218,9 +225,11 @@ TEST(ObstacleTrackerService, TellsWhatWasSeenAlsoToWhoComesLate) {
   EXPECT_EQ(tile.map_id().to_string(), "room");
   ASSERT_EQ(tile.width_cells(), 32U);
   ASSERT_EQ(tile.height_cells(), 24U);
-  const auto age_at = [&](std::size_t x, std::size_t y) { return static_cast<int>(tile.ages()[y * tile.width_cells() + x]); };
-  EXPECT_LT(age_at(12, 12), 254);           // (6.25, 6.25)
-  EXPECT_EQ(age_at(26, 12), kNeverSeen);    // (13.25, 6.25)
+  const auto age_at = [&](std::size_t x, std::size_t y) {
+    return static_cast<int>(tile.ages()[y * tile.width_cells() + x]);
+  };
+  EXPECT_LT(age_at(12, 12), 254);         // (6.25, 6.25)
+  EXPECT_EQ(age_at(26, 12), kNeverSeen);  // (13.25, 6.25)
 }
 
 TEST(ObstacleTrackerService, HearsOnlyTheVehicleThatItIsFor) {
@@ -246,8 +255,13 @@ TEST(ObstacleTrackerService, UsesOtherIdsAfterARestart) {
   std::set<std::uint64_t> ids;
   for (const std::uint64_t boot_id : {1'790'000'000'000'000ULL, 1'790'000'001'000'000ULL}) {
     TrackerProcess tracker(163, boot_id);
-    const auto new_id = [&] { return std::find_if(site.tracks.begin(), site.tracks.end(), [&](const auto& track) { return ids.count(track.first) == 0; }); };
-    ASSERT_TRUE(bus_test::run_until({&tracker.bus, &site.bus}, [&] { return new_id() != site.tracks.end(); }));   // the last ones of the other may still come
+    const auto new_id = [&] {
+      return std::find_if(site.tracks.begin(), site.tracks.end(),
+                          [&](const auto& track) { return ids.count(track.first) == 0; });
+    };
+    ASSERT_TRUE(bus_test::run_until({&tracker.bus, &site.bus}, [&] {
+      return new_id() != site.tracks.end();
+    }));  // the last ones of the other may still come
     ids.insert(new_id()->first);
   }
   EXPECT_EQ(ids.size(), 2U);

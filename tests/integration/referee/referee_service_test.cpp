@@ -30,8 +30,8 @@ class Refereed : public ::testing::Test {
  protected:
   Refereed() {
     EXPECT_TRUE(run_until({&fleet_, &ear_}, [this] {
-      return truths_.matched_readers() == 1 && states_.matched_readers() == 1 && plans_.matched_readers() == 1 && goals_.matched_readers() == 1 &&
-             statuses_.matched_readers() == 1;
+      return truths_.matched_readers() == 1 && states_.matched_readers() == 1 && plans_.matched_readers() == 1 &&
+             goals_.matched_readers() == 1 && statuses_.matched_readers() == 1;
     }));
   }
 

@@ -39,13 +39,14 @@ std::vector<std::string> on_site(std::vector<std::string> more, int domain = kDo
 }
 
 struct Observer {
-  explicit Observer(int domain) : bus([domain] {
-    bus::Settings settings;
-    settings.domain = domain;
-    settings.interfaces = {"127.0.0.1"};
-    settings.participant_name = "observer";
-    return settings;
-  }()) {
+  explicit Observer(int domain)
+      : bus([domain] {
+          bus::Settings settings;
+          settings.domain = domain;
+          settings.interfaces = {"127.0.0.1"};
+          settings.participant_name = "observer";
+          return settings;
+        }()) {
     bus.on<topics::ServiceHealth>([this](const ServiceHealth& sample, const bus::SampleInfo& info) {
       if (info.kind == bus::SampleKind::kData) {
         heard.push_back(sample);
@@ -80,7 +81,7 @@ TEST(Shell, SaysItsHealthAndStopsCleanlyOnSigterm) {
   ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_READY));
   EXPECT_GT(observer.heard.back().by().sequence_number(), first.by().sequence_number());
   EXPECT_EQ(observer.heard.back().waits_for().to_string(), "");
-  EXPECT_TRUE(observer.until([&] { return observer.heard.size() >= 4; }));   // goes on at 1 Hz
+  EXPECT_TRUE(observer.until([&] { return observer.heard.size() >= 4; }));  // goes on at 1 Hz
   EXPECT_GT(observer.heard.back().resident_mb(), 1.0);
   EXPECT_LT(observer.heard.back().resident_mb(), test_support::kSanitized ? 100.0 : 25.0);
   ASSERT_EQ(observer.heard.back().counters().size(), 1u);
@@ -93,7 +94,8 @@ TEST(Shell, SaysItsHealthAndStopsCleanlyOnSigterm) {
 }
 
 TEST(Shell, KeepsItsLastWordForAHealthcheck) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / ("aisle_health_" + std::to_string(getpid()) + ".json");
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("aisle_health_" + std::to_string(getpid()) + ".json");
   const auto kept_state = [&] {
     const auto note = service::recall_health(file);
     return note ? std::optional(note->state) : std::nullopt;
@@ -128,9 +130,15 @@ TEST(Shell, NamesASecondProcessWithItsInstanceId) {
   ChildProcess first(on_site({}, kDomain + 2));
   ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_READY));
   ChildProcess second(on_site({}, kDomain + 2));
-  EXPECT_TRUE(first.wait_for_output("instance id 'idle' is used twice: also by process " + std::to_string(second.pid()), seconds(5))) << first.err();
-  EXPECT_TRUE(second.wait_for_output("instance id 'idle' is used twice: also by process " + std::to_string(first.pid()), seconds(5)));
-  EXPECT_TRUE(observer.until([&] { return !observer.heard.empty() && observer.heard.back().last_error().to_string().find("used twice") != std::string::npos; }));
+  EXPECT_TRUE(first.wait_for_output("instance id 'idle' is used twice: also by process " + std::to_string(second.pid()),
+                                    seconds(5)))
+      << first.err();
+  EXPECT_TRUE(second.wait_for_output("instance id 'idle' is used twice: also by process " + std::to_string(first.pid()),
+                                     seconds(5)));
+  EXPECT_TRUE(observer.until([&] {
+    return !observer.heard.empty() &&
+           observer.heard.back().last_error().to_string().find("used twice") != std::string::npos;
+  }));
 }
 
 std::uint64_t radius_mm(const ServiceHealth& health) { return health.counters().at(0).value(); }
@@ -157,7 +165,8 @@ TEST_F(ShellConfig, FlagsWinOverTheEnvironmentAndThatOverTheFile) {
   ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_STOPPING));
 
   observer.heard.clear();
-  ChildProcess flagged(on_site({"--config=" + path(), "--radius", "2", "--instance", "from-flag"}, kDomain + 3), {{"AISLE_DOMAIN", "8"}});
+  ChildProcess flagged(on_site({"--config=" + path(), "--radius", "2", "--instance", "from-flag"}, kDomain + 3),
+                       {{"AISLE_DOMAIN", "8"}});
   ASSERT_TRUE(observer.heard_state(ServiceState::SERVICE_READY)) << flagged.err();
   EXPECT_EQ(observer.heard.back().instance_id().to_string(), "from-flag");
   EXPECT_EQ(radius_mm(observer.heard.back()), 2000u);
@@ -175,12 +184,18 @@ TEST_F(ShellConfig, WhatDoesNotFitEndsTheStartWithOneLine) {
   std::ofstream(environment_file) << "fail: environment\n";
   const std::vector<Refusal> refusals{
       {{"--instanc", "x"}, 2, "aisle-idle: unknown flag '--instanc'; did you mean '--instance'?\n"},
-      {{"--instance", "a b"}, 2, "aisle-idle: --instance: 'a b' is not an id; use 1 to 64 letters, digits, '-', '_' and '.'\n"},
+      {{"--instance", "a b"},
+       2,
+       "aisle-idle: --instance: 'a b' is not an id; use 1 to 64 letters, digits, '-', '_' and '.'\n"},
       {{"--log-level", "loud"}, 2, "aisle-idle: --log-level: 'loud' is none of debug, info, warning, error, off\n"},
       {{"--config", path()}, 2, "aisle-idle: " + path() + ":1: unknown key 'radius'; did you mean 'radius_m'?\n"},
-      {{"--config", "/nonexistent.yaml"}, 2, "aisle-idle: /nonexistent.yaml: cannot be read; check the path and its permissions\n"},
+      {{"--config", "/nonexistent.yaml"},
+       2,
+       "aisle-idle: /nonexistent.yaml: cannot be read; check the path and its permissions\n"},
       {{"--agv", ""}, 2, "aisle-idle: --agv is missing: the id of the vehicle, e.g. agv-1 (or AISLE_AGV)\n"},
-      {{"--interface", "127.0.0.1", "--domain", "150", "--log-level", "off", "--config", environment_file}, 3, "aisle-idle: no disk\n"},
+      {{"--interface", "127.0.0.1", "--domain", "150", "--log-level", "off", "--config", environment_file},
+       3,
+       "aisle-idle: no disk\n"},
   };
   for (const Refusal& refusal : refusals) {
     ChildProcess service(command(refusal.arguments));
@@ -194,8 +209,8 @@ TEST_F(ShellConfig, WhatDoesNotFitEndsTheStartWithOneLine) {
 TEST(ShellHelp, AndVersionGoToStdout) {
   ChildProcess help(command({"--help"}));
   EXPECT_EQ(help.wait(seconds(10)), 0);
-  for (const char* flag : {"Does nothing.", "--domain", "--partition", "--interface", "--peer", "--discovery-server", "--shared-memory",
-                           "--config", "--instance", "--log-level", "--version", "--radius"}) {
+  for (const char* flag : {"Does nothing.", "--domain", "--partition", "--interface", "--peer", "--discovery-server",
+                           "--shared-memory", "--config", "--instance", "--log-level", "--version", "--radius"}) {
     EXPECT_THAT(help.out(), HasSubstr(flag));
   }
   ChildProcess version(command({"--version"}));

@@ -142,7 +142,9 @@ TEST(DispatcherService, ARestartGoesOnWithTheOpenGoal) {
     Fleet fleet(domain);
     {
       DispatcherProcess dispatcher(domain, 5, config);
-      const auto run = [&](const std::function<bool()>& done) { return run_until({&fleet.bus, &dispatcher.bus}, done); };
+      const auto run = [&](const std::function<bool()>& done) {
+        return run_until({&fleet.bus, &dispatcher.bus}, done);
+      };
       ASSERT_TRUE(run([&] { return fleet.got("agv-1/0"); }));
       fleet.say("agv-1/0", NavigationPhase::PHASE_ARRIVED);
       ASSERT_TRUE(run([&] { return fleet.got("agv-1/1"); }));

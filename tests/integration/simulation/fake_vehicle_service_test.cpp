@@ -36,7 +36,9 @@ ServiceConfig standing_at(double x, double y) {
 /// With the word of being alive that its shell would give.
 struct VehicleProcess {
   VehicleProcess(int domain, std::uint64_t boot_id, const ServiceConfig& config)
-      : bus(site(domain, "vehicle")), service(bus, "agv-1", "fake-vehicle-agv-1", boot_id, health, config), hello(bus.writer<topics::ServiceHealth>()) {
+      : bus(site(domain, "vehicle")),
+        service(bus, "agv-1", "fake-vehicle-agv-1", boot_id, health, config),
+        hello(bus.writer<topics::ServiceHealth>()) {
     say_hello(boot_id);
     bus.every(1s, [this, boot_id] { say_hello(boot_id); });
   }
@@ -79,7 +81,9 @@ class Site {
       if (info.kind == bus::SampleKind::kData && sample.kind() == BodyKind::BODY_VEHICLE) truth = sample;
     });
     publish_map();
-    bus.every(20ms, [this] { if (speed_mps) command(*speed_mps); });
+    bus.every(20ms, [this] {
+      if (speed_mps) command(*speed_mps);
+    });
   }
 
   void command(double linear_mps) {
@@ -108,7 +112,7 @@ class Site {
   bool drives() const { return state && state->twist().linear_mps() > 0.5; }
 
   bus::Bus bus;
-  std::optional<double> speed_mps;   // commanded 50 times a second
+  std::optional<double> speed_mps;  // commanded 50 times a second
   double turn_radps{0.0};
   double sideways_mps{0.0};
   std::uint32_t epoch{1};
@@ -169,7 +173,7 @@ TEST(FakeVehicleService, IsAForkliftThatDrivesOnlyOnArcs) {
   EXPECT_DOUBLE_EQ(site.truth->ahead_m(), 0.4);
   EXPECT_NEAR(site.truth->base_in_map().x_m(), 3.0, 1e-9) << "the vehicle's frame, not its middle";
 
-  site.turn_radps = 1.0;             // tighter than it can: the wheel goes to its stop
+  site.turn_radps = 1.0;  // tighter than it can: the wheel goes to its stop
   site.speed_mps = 1.0;
   ASSERT_TRUE(run([&] { return site.drives() && site.state->steering_rad() > 0.49; }));
   EXPECT_NEAR(site.state->steering_rad(), 0.5, 1e-6);
@@ -183,7 +187,8 @@ TEST(FakeVehicleService, IsACartThatDrivesSideways) {
   VehicleProcess vehicle(kDomain + 5, 5, config);
   site.sideways_mps = 0.5;
   site.speed_mps = 0.0;
-  ASSERT_TRUE(run_until({&site.bus, &vehicle.bus}, [&] { return site.state && site.truth && site.truth->base_in_map().y_m() > 5.3; }));
+  ASSERT_TRUE(run_until({&site.bus, &vehicle.bus},
+                        [&] { return site.state && site.truth && site.truth->base_in_map().y_m() > 5.3; }));
   EXPECT_NEAR(site.truth->base_in_map().x_m(), 3.0, 1e-6);
   EXPECT_GT(site.state->twist().sideways_mps(), 0.3);
   EXPECT_GT(site.truth->velocity_y_mps(), 0.3);
@@ -208,7 +213,8 @@ TEST(FakeVehicleService, IntroducesItselfDrivesAndStopsBySilence) {
 
   site.speed_mps.reset();
   ASSERT_TRUE(run([&] {
-    return site.state->hold() == HoldReason::HOLD_LATE_COMMAND && site.state->twist().linear_mps() == 0.0 && site.truth->velocity_x_mps() == 0.0;
+    return site.state->hold() == HoldReason::HOLD_LATE_COMMAND && site.state->twist().linear_mps() == 0.0 &&
+           site.truth->velocity_x_mps() == 0.0;
   }));
   EXPECT_NEAR(site.state->base_in_map().x_m(), site.truth->base_in_map().x_m(), 1e-6) << "no noise was asked for";
 }
@@ -221,7 +227,8 @@ TEST(FakeVehicleService, ANewerEpochDrivesTheOldOneIsRefused) {
   site.speed_mps = 0.2;
   ASSERT_TRUE(run([&] { return site.state && site.state->accepted_epoch() == 3; }));
   site.epoch = 2;
-  ASSERT_TRUE(run([&] { return site.state->refused_commands() > 3 && site.state->hold() == HoldReason::HOLD_LATE_COMMAND; }));
+  ASSERT_TRUE(
+      run([&] { return site.state->refused_commands() > 3 && site.state->hold() == HoldReason::HOLD_LATE_COMMAND; }));
   EXPECT_EQ(site.state->command_by().epoch(), 3u);
   EXPECT_GT(vehicle.health.counters["refused_old_epoch"], 3u);
 }
@@ -237,7 +244,8 @@ TEST(FakeVehicleService, SeesAPersonAndStopsAtThem) {
     return site.scan->ranges_m()[0] < 1.5f;
   }));
   site.speed_mps = 0.8;
-  ASSERT_TRUE(run([&] { return site.state->hold() == HoldReason::HOLD_CONTACT && site.truth->velocity_x_mps() == 0.0; }));
+  ASSERT_TRUE(
+      run([&] { return site.state->hold() == HoldReason::HOLD_CONTACT && site.truth->velocity_x_mps() == 0.0; }));
   EXPECT_NEAR(site.truth->base_in_map().x_m(), 4.5 - 0.25 - 0.35, 0.02);
 }
 
@@ -269,7 +277,9 @@ TEST(FakeVehicleService, TheNewcomerOfTwoStaysSilentAndSaysWhy) {
   VehicleProcess first(kDomain + 4, 5, standing_at(3, 5));
   ASSERT_TRUE(run_until({&site.bus, &first.bus}, [&] { return site.state.has_value(); }));
   VehicleProcess newcomer(kDomain + 4, 6, standing_at(12, 5));
-  const auto run = [&](const std::function<bool()>& done) { return run_until({&site.bus, &first.bus, &newcomer.bus}, done); };
+  const auto run = [&](const std::function<bool()>& done) {
+    return run_until({&site.bus, &first.bus, &newcomer.bus}, done);
+  };
   ASSERT_TRUE(run([&] { return newcomer.health.last_error.find("duplicate id") != std::string::npos; }));
   EXPECT_EQ(newcomer.health.state, ServiceState::SERVICE_DEGRADED);
   const auto more_of_the_first = [&](int states) {

@@ -52,7 +52,9 @@ class Watcher {
       if (info.kind == bus::SampleKind::kDisposed) gone.insert(id);
       if (info.kind == bus::SampleKind::kData) x_of[id] = sample.base_in_map().x_m();
     });
-    bus.every(50ms, [this] { if (shows_vehicle) show_vehicle(); });
+    bus.every(50ms, [this] {
+      if (shows_vehicle) show_vehicle();
+    });
   }
   void show_vehicle() {
     wire::WorldObstacle vehicle;
@@ -94,7 +96,9 @@ TEST(FakeWorldService, NothingJumpsOverARestart) {
   double last = 0.0;
   {
     WorldProcess world(kDomain + 1, 5, config);
-    ASSERT_TRUE(run_until({&watcher.bus, &world.bus}, [&] { return watcher.x_of.count("walker") > 0 && watcher.x_of["walker"] > 10.0; }, 20s));
+    ASSERT_TRUE(run_until(
+        {&watcher.bus, &world.bus}, [&] { return watcher.x_of.count("walker") > 0 && watcher.x_of["walker"] > 10.0; },
+        20s));
     last = watcher.x_of["walker"];
   }
   watcher.x_of.clear();

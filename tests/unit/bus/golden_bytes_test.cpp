@@ -1,5 +1,6 @@
-// The wire is a contract: the bytes of a sample of each type are kept in tests/data/cdr, and every release of ours and of the
-// middleware must write and read the same. After an intended change of the IDL: AISLE_UPDATE_GOLDEN=1 build/tests/bus_test.
+// The wire is a contract: the bytes of a sample of each type are kept in tests/data/cdr, and every release of ours and
+// of the middleware must write and read the same. After an intended change of the IDL: AISLE_UPDATE_GOLDEN=1
+// build/tests/bus_test.
 #include <gtest/gtest.h>
 
 #include <cstdint>

@@ -19,9 +19,9 @@ std::string row(const char* name, const char* key, const char* why, const bus::Q
   std::ostringstream text;
   text << "| `" << name << "` | `" << bus::topic_type(name).make_support().get_type_name() << "` | " << key << " | "
        << (qos.reliability == bus::Reliability::kReliable ? "reliable" : "best effort") << " | "
-       << (qos.durability == bus::Durability::kTransientLocal ? "transient local" : "volatile") << " | " << history(qos) << " | "
-       << time(qos.deadline) << " | " << (qos.ownership == bus::Ownership::kExclusive ? "exclusive" : "shared") << " | "
-       << time(qos.liveliness_lease) << " | " << why << " |\n";
+       << (qos.durability == bus::Durability::kTransientLocal ? "transient local" : "volatile") << " | " << history(qos)
+       << " | " << time(qos.deadline) << " | " << (qos.ownership == bus::Ownership::kExclusive ? "exclusive" : "shared")
+       << " | " << time(qos.liveliness_lease) << " | " << why << " |\n";
   return text.str();
 }
 
@@ -30,9 +30,11 @@ std::string row(const char* name, const char* key, const char* why, const bus::Q
 std::string topics_page() {
   std::string page =
       "# Topics\n\n"
-      "Printed from `common/bus/topics.hpp` by `build/tests/aisle_topics_page > docs/topics.md`; a test fails when it is old.\n"
+      "Printed from `common/bus/topics.hpp` by `build/tests/aisle_topics_page > docs/topics.md`; a test fails when it "
+      "is old.\n"
       "Types are in `idl/`. Metres and radians in the map frame, stamps in nanoseconds of the Unix epoch.\n"
-      "A lease means liveliness manual by topic: a writer that is silent for longer counts as gone. Queues (history \"all\")\n"
+      "A lease means liveliness manual by topic: a writer that is silent for longer counts as gone. Queues (history "
+      "\"all\")\n"
       "keep each sample until every reader has acknowledged it.\n\n"
       "| topic | type | key | reliability | durability | history | deadline | ownership | lease | why |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";

@@ -62,7 +62,8 @@ TEST(Coordinates, OfAFootprintAreLengthWidthAndHowFarItLiesAhead) {
 
 TEST(Arguments, WithAMinusAndADigitAreNoFlags) {
   const char* argv[] = {"aisle", "goal", "send", "agv-1", "-4,5", "-.5,1", "--json", "-h", "-"};
-  EXPECT_THAT(protect_negative_numbers(9, argv), ElementsAre("aisle", "goal", "send", "agv-1", " -4,5", " -.5,1", "--json", "-h", "-"));
+  EXPECT_THAT(protect_negative_numbers(9, argv),
+              ElementsAre("aisle", "goal", "send", "agv-1", " -4,5", " -.5,1", "--json", "-h", "-"));
 }
 
 TEST(EditShape, IsOneOfThree) {
@@ -93,7 +94,8 @@ TEST(EditShape, ThatDoesNotFitIsRefused) {
 
 TEST(TopicTable, FindsNamesAndSuggestsTheNearest) {
   EXPECT_EQ(find_topic("plan").type, "aisle::Plan");
-  EXPECT_EQ(refusal_of([] { find_topic("velocity_comand"); }), "unknown topic 'velocity_comand'; did you mean 'velocity_command'?");
+  EXPECT_EQ(refusal_of([] { find_topic("velocity_comand"); }),
+            "unknown topic 'velocity_comand'; did you mean 'velocity_command'?");
   EXPECT_EQ(refusal_of([] { find_topic("thermometer"); }), "unknown topic 'thermometer'; see aisle topic list");
   EXPECT_EQ(text_of(find_topic("plan").qos), "reliable, transient local, keep last 1, exclusive, lease 200 ms");
   EXPECT_EQ(text_of(find_topic("map_edit").qos, History::kNotAnnounced), "reliable");

@@ -55,7 +55,7 @@ TEST(JsonOf, CoverageIsDrawnAsItLiesInTheMap) {
   EXPECT_EQ(json["picture"], Json::array({"+. ", "##+"}));
   EXPECT_EQ(json["cells_seen_in_1_s"], 2);
   EXPECT_EQ(json["cells_never_seen"], 1);
-  tile.height_cells(4000000000U);           // more than there are ages
+  tile.height_cells(4000000000U);  // more than there are ages
   EXPECT_EQ(to_json(tile)["picture"].size(), 2U);
   tile.width_cells(0);
   EXPECT_TRUE(to_json(tile)["picture"].empty());

@@ -11,7 +11,11 @@ namespace {
 using Tree = nlohmann::ordered_json;
 
 TEST(Text, OfASampleIsOneLineAField) {
-  const Tree sample{{"agv_id", "agv-1"}, {"pose", {{"x_m", 1.5}, {"y_m", -2.0}}}, {"held", false}, {"detail", ""}, {"n", 18446744073709551615u}};
+  const Tree sample{{"agv_id", "agv-1"},
+                    {"pose", {{"x_m", 1.5}, {"y_m", -2.0}}},
+                    {"held", false},
+                    {"detail", ""},
+                    {"n", 18446744073709551615u}};
   EXPECT_EQ(text_of_sample(sample, Length::kShort),
             "agv_id: agv-1\npose: {x_m: 1.5, y_m: -2}\nheld: false\ndetail: \"\"\nn: 18446744073709551615\n");
 }

@@ -74,7 +74,8 @@ std::string error_of(const std::string& text) {
 TEST(YamlReader, ReadsEveryKindOfField) {
   const Site site = read(
       "domain: 12\nseed: 18446744073709551615\nloop: true\nplanner: \"theta: star\"\npeers: [10.0.0.1, 10.0.0.2]\n"
-      "waypoints: [[1, 2], [3.5, -4e1, 0.5]]\nlimits:\n  max_speed_mps: 0.8\nvehicles:\n- {id: agv-1, start: [1, 2, 0]}\n- {id: agv-2}\n");
+      "waypoints: [[1, 2], [3.5, -4e1, 0.5]]\nlimits:\n  max_speed_mps: 0.8\nvehicles:\n- {id: agv-1, start: [1, 2, "
+      "0]}\n- {id: agv-2}\n");
   EXPECT_EQ(site.domain, 12);
   EXPECT_EQ(site.seed, UINT64_MAX);
   EXPECT_TRUE(site.loop);
@@ -97,8 +98,10 @@ TEST(YamlReader, KeepsDefaultsOfMissingKeysAndOfAnEmptyFile) {
 
 TEST(YamlReader, NamesFileLinePathAndNearestNameOfAnUnknownKey) {
   EXPECT_EQ(error_of("domain: 1\nplaner: x\n"), "site.yaml:2: unknown key 'planer'; did you mean 'planner'?");
-  EXPECT_EQ(error_of("limits:\n  max_sped_mps: 1\n"), "site.yaml:2: limits: unknown key 'max_sped_mps'; did you mean 'max_speed_mps'?");
-  EXPECT_EQ(error_of("vehicles:\n- id: a\n- id: b\n  xyzzy_quux: 1\n"), "site.yaml:4: vehicles[1]: unknown key 'xyzzy_quux'");
+  EXPECT_EQ(error_of("limits:\n  max_sped_mps: 1\n"),
+            "site.yaml:2: limits: unknown key 'max_sped_mps'; did you mean 'max_speed_mps'?");
+  EXPECT_EQ(error_of("vehicles:\n- id: a\n- id: b\n  xyzzy_quux: 1\n"),
+            "site.yaml:4: vehicles[1]: unknown key 'xyzzy_quux'");
 }
 
 TEST(YamlReader, RefusesAKeyGivenTwice) {
@@ -106,11 +109,13 @@ TEST(YamlReader, RefusesAKeyGivenTwice) {
 }
 
 TEST(YamlReader, RefusesOutOfBounds) {
-  EXPECT_EQ(error_of("limits: {max_speed_mps: 12.5}"), "site.yaml:1: limits.max_speed_mps: 12.5 is out of bounds; give 0.05 to 10");
+  EXPECT_EQ(error_of("limits: {max_speed_mps: 12.5}"),
+            "site.yaml:1: limits.max_speed_mps: 12.5 is out of bounds; give 0.05 to 10");
   EXPECT_EQ(error_of("domain: -1"), "site.yaml:1: domain: -1 is out of bounds; give 0 to 230");
   EXPECT_EQ(error_of("domain: 99999999999"), "site.yaml:1: domain: 99999999999 is out of bounds; give 0 to 230");
   EXPECT_EQ(error_of("seed: -1"), "site.yaml:1: seed: -1 is out of bounds; give 0 to 18446744073709551615");
-  EXPECT_EQ(error_of("waypoints: [[0, 0],\n [0, 1e7]]"), "site.yaml:2: waypoints[1][1]: 1e7 is out of bounds; give -1e+06 to 1e+06");
+  EXPECT_EQ(error_of("waypoints: [[0, 0],\n [0, 1e7]]"),
+            "site.yaml:2: waypoints[1][1]: 1e7 is out of bounds; give -1e+06 to 1e+06");
 }
 
 TEST(YamlReader, RefusesAnotherType) {
@@ -128,7 +133,9 @@ TEST(YamlReader, RefusesAnotherType) {
 
 TEST(YamlReader, RefusesNotANumberAndInfinity) {
   for (const char* value : {".nan", ".inf", "-.inf", "nan", "inf", "1e999", "0x10", "1.2.3", "1 2"}) {
-    EXPECT_THAT(error_of(std::string("limits: {max_speed_mps: ") + value + "}"), HasSubstr("limits.max_speed_mps: must be a number")) << value;
+    EXPECT_THAT(error_of(std::string("limits: {max_speed_mps: ") + value + "}"),
+                HasSubstr("limits.max_speed_mps: must be a number"))
+        << value;
   }
 }
 
@@ -139,7 +146,8 @@ TEST(YamlReader, NamesAMissingKeyButAnUnknownOneFirst) {
 
 TEST(YamlReader, NamesTheLineOfBrokenYaml) {
   EXPECT_THAT(error_of("domain: 1\nplanner: [a, b\n"), ::testing::MatchesRegex("site.yaml:[0-9]+: not valid YAML: .*"));
-  EXPECT_EQ(error_of("domain: 1\n---\ndomain: 2\n"), "site.yaml: more than one YAML document; keep one, without a second '---'");
+  EXPECT_EQ(error_of("domain: 1\n---\ndomain: 2\n"),
+            "site.yaml: more than one YAML document; keep one, without a second '---'");
 }
 
 TEST(YamlReader, RefusesBombsBeforeTheyUnfold) {
@@ -183,7 +191,8 @@ class YamlFile : public ::testing::Test {
 };
 
 TEST_F(YamlFile, WithByteOrderMarkAndCarriageReturnsIsRead) {
-  std::ofstream(file_, std::ios::binary) << "\xEF\xBB\xBF" << "domain: 9\r\nplanner: wang\r\n";
+  std::ofstream(file_, std::ios::binary) << "\xEF\xBB\xBF"
+                                         << "domain: 9\r\nplanner: wang\r\n";
   Site site;
   read_yaml_file(file_, site);
   EXPECT_EQ(site.domain, 9);
@@ -191,7 +200,8 @@ TEST_F(YamlFile, WithByteOrderMarkAndCarriageReturnsIsRead) {
 }
 
 TEST_F(YamlFile, MissingDirectoryOrTooLargeIsNamed) {
-  EXPECT_EQ(error_of_file("/nonexistent/x.yaml"), "/nonexistent/x.yaml: cannot be read; check the path and its permissions");
+  EXPECT_EQ(error_of_file("/nonexistent/x.yaml"),
+            "/nonexistent/x.yaml: cannot be read; check the path and its permissions");
   EXPECT_EQ(error_of_file("/tmp"), "/tmp: is a directory; give a YAML file");
   std::ofstream(file_) << std::string((4u << 20) + 1, '#');
   EXPECT_EQ(error_of_file(file_), file_.string() + ": larger than 4 MiB, the limit for a YAML file");

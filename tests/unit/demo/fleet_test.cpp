@@ -1,10 +1,11 @@
 #include "tools/demo/fleet.hpp"
 
+#include <gmock/gmock.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <fstream>
-#include <gmock/gmock.h>
 #include <set>
-#include <unistd.h>
 
 #include "common/config/reader.hpp"
 
@@ -35,8 +36,9 @@ TEST(Fleet, HasEveryServiceOnceAndTwoForEachVehicle) {
   const std::vector<Process> processes = processes_of(two_vehicles(), settings());
   std::set<std::string> instances;
   for (const Process& p : processes) instances.insert(p.instance);
-  EXPECT_EQ(instances, (std::set<std::string>{"map", "global-planner", "obstacle-tracker", "fake-world", "fake-vehicle-agv-1", "fake-vehicle-agv-2",
-                                              "local-planner-agv-1", "local-planner-agv-2", "dispatcher", "referee"}));
+  EXPECT_EQ(instances, (std::set<std::string>{"map", "global-planner", "obstacle-tracker", "fake-world",
+                                              "fake-vehicle-agv-1", "fake-vehicle-agv-2", "local-planner-agv-1",
+                                              "local-planner-agv-2", "dispatcher", "referee"}));
   EXPECT_TRUE(processes.front().is_referee);
 }
 

@@ -1,8 +1,9 @@
 #include "tools/demo/supervisor.hpp"
 
-#include <fstream>
 #include <gmock/gmock.h>
 #include <unistd.h>
+
+#include <fstream>
 
 namespace aisle::demo {
 namespace {
@@ -44,8 +45,8 @@ class Supervised : public ::testing::Test {
   }
   /// The referee ends with `code` as soon as `condition` holds.
   void referee_ends_when(const std::string& condition, int code) {
-    script("aisle-referee", "echo '{\"t_s\":1.0,\"goals_reached\":2,\"goals_expected\":3}'\nuntil " + condition + "; do sleep 0.02; done\necho the table\nexit " +
-                                std::to_string(code));
+    script("aisle-referee", "echo '{\"t_s\":1.0,\"goals_reached\":2,\"goals_expected\":3}'\nuntil " + condition +
+                                "; do sleep 0.02; done\necho the table\nexit " + std::to_string(code));
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
 
@@ -112,7 +113,8 @@ TEST_F(Supervised, LetsTheRefereeFinishWhenAPersonStopsTheRun) {
   script("aisle-referee", "trap 'echo finished; exit 1' TERM\nwhile :; do sleep 0.02; done");
   script("aisle-map", kObedient);
   stop_ = true;
-  // Until the scripts have set their traps a SIGTERM ends them at once: either way the run is over, with a verdict that is no pass.
+  // Until the scripts have set their traps a SIGTERM ends them at once: either way the run is over, with a verdict that
+  // is no pass.
   const RunOutcome outcome = run({"referee", "map"});
   EXPECT_EQ(outcome.referee_code, 1);
 }

@@ -108,7 +108,8 @@ TEST_F(Dispatching, AFailureIsTriedAgainThenLeftBehindWithItsReason) {
   EXPECT_EQ(again, settings_.attempts - 1);
   EXPECT_EQ(dispatcher.failed(), 1u);
   bool told = false;
-  for (const Event& event : dispatcher.take_events()) told = told || (event.kind == Event::Kind::kFailed && event.reason == "no path");
+  for (const Event& event : dispatcher.take_events())
+    told = told || (event.kind == Event::Kind::kFailed && event.reason == "no path");
   EXPECT_TRUE(told);
 }
 
@@ -150,7 +151,7 @@ TEST_F(Dispatching, GoesOnWhereItWasByItsMemory) {
 
 TEST_F(Dispatching, WithoutMemoryTheVehicleTellsWhereItWas) {
   Dispatcher driving(missions_, settings_, nullptr);
-  driving.status_heard("agv-1", {"agv-1/1", Phase::kOnTheWay, ""}, now_);   // before the vehicle itself
+  driving.status_heard("agv-1", {"agv-1/1", Phase::kOnTheWay, ""}, now_);  // before the vehicle itself
   driving.vehicle_heard("agv-1", now_);
   EXPECT_EQ(given(driving), "agv-1/1");
   EXPECT_EQ(driving.reached(), 1u);

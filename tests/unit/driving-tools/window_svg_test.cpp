@@ -25,8 +25,12 @@ WindowScene crossing() {
 
 TEST(WindowSvg, SaysWhoWasWhereAndWhen) {
   const std::string svg = window_svg(lockstep::hall(20.0, 10.0, 0.1), crossing());
-  for (const char* text : {"somebody crosses", "start", "goal", ">0 s<", ">2 s<", ">4 s<", ">6 s<", ">2 m<", "vehicle, every 2 s", "mover, every 2 s"}) EXPECT_THAT(svg, HasSubstr(text));
-  EXPECT_THAT(svg, HasSubstr("nearest: 0.81 m between the outlines, at 5.0 s"));      // sqrt(2) m from (7, 5) to (8, 6), less both radii
+  for (const char* text : {"somebody crosses", "start", "goal", ">0 s<", ">2 s<", ">4 s<", ">6 s<", ">2 m<",
+                           "vehicle, every 2 s", "mover, every 2 s"})
+    EXPECT_THAT(svg, HasSubstr(text));
+  EXPECT_THAT(
+      svg,
+      HasSubstr("nearest: 0.81 m between the outlines, at 5.0 s"));  // sqrt(2) m from (7, 5) to (8, 6), less both radii
   EXPECT_THAT(svg, Not(HasSubstr("box")));
   EXPECT_THAT(svg, Not(HasSubstr("sub-target")));
 }

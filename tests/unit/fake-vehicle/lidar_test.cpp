@@ -11,7 +11,8 @@ namespace {
 grid::OccupancyGrid room() {
   grid::OccupancyGrid grid(grid::Geometry{400, 400, 0.05, {0.0, 0.0}});
   for (int i = 0; i < 400; ++i) {
-    for (const grid::Cell c : {grid::Cell{i, 0}, grid::Cell{i, 399}, grid::Cell{0, i}, grid::Cell{399, i}}) grid.set(c, grid::Occupancy::kOccupied);
+    for (const grid::Cell c : {grid::Cell{i, 0}, grid::Cell{i, 399}, grid::Cell{0, i}, grid::Cell{399, i}})
+      grid.set(c, grid::Occupancy::kOccupied);
   }
   return grid;
 }
@@ -38,9 +39,9 @@ class Lidar : public ::testing::Test {
 TEST_F(Lidar, SeesWallsAheadAndNothingBeyondItsRange) {
   const std::vector<float> ranges = scan({walls_, {}}, {5.0, 10.0, geometry::kPi}, exact(), random_);
   ASSERT_EQ(ranges.size(), 360u);
-  EXPECT_NEAR(ranges[0], 4.95, 1e-4);          // ahead is the wall at x = 0.05
-  EXPECT_FLOAT_EQ(ranges[180], 10.0f);         // behind it is 14.95 m away
-  EXPECT_NEAR(ranges[90], 9.95, 1e-4);         // to the left is the wall at y = 0.05
+  EXPECT_NEAR(ranges[0], 4.95, 1e-4);   // ahead is the wall at x = 0.05
+  EXPECT_FLOAT_EQ(ranges[180], 10.0f);  // behind it is 14.95 m away
+  EXPECT_NEAR(ranges[90], 9.95, 1e-4);  // to the left is the wall at y = 0.05
 }
 
 TEST_F(Lidar, SeesBodiesInFrontOfWallsAtTheirAngleOnly) {
@@ -67,7 +68,8 @@ TEST_F(Lidar, FindsTheSameAsEveryRayAgainstEveryBody) {
     for (std::size_t i = 0; i < with.size(); ++i) {
       double nearest = without[i];
       for (const geometry::Body& body : bodies) {
-        nearest = std::min(nearest, geometry::ray_hit_m(body, base.position(), yaw + static_cast<double>(i) * geometry::kPi / 180.0, 10.0));
+        nearest = std::min(nearest, geometry::ray_hit_m(body, base.position(),
+                                                        yaw + static_cast<double>(i) * geometry::kPi / 180.0, 10.0));
       }
       EXPECT_NEAR(with[i], nearest, 1e-4) << "yaw " << yaw << " ray " << i;
     }
@@ -88,7 +90,7 @@ TEST_F(Lidar, NoiseHasTheGivenSpreadAndNeverHidesAWall) {
         continue;
       }
       EXPECT_LT(noisy[i], 10.0f);
-      if (ideal[i] > 9.96f) continue;   // cut off by the range
+      if (ideal[i] > 9.96f) continue;  // cut off by the range
       sum2 += std::pow(noisy[i] - ideal[i], 2);
       ++count;
     }

@@ -24,7 +24,7 @@ struct Link {
 
 struct Figures {
   int stops{0};
-  std::vector<std::uint64_t> applied;   // sequence numbers, in order of application
+  std::vector<std::uint64_t> applied;  // sequence numbers, in order of application
   std::uint64_t refused{0};
   time::Stamp longest_gap{};
 };
@@ -46,9 +46,11 @@ Figures drive(const Link& link, int seconds) {
     if (ms % 20 == 0) {
       const std::uint64_t sequence = static_cast<std::uint64_t>(ms / 20 + 1);
       for (int copies = unit(random) < link.repeated ? 2 : 1; copies > 0; --copies)
-        if (unit(random) >= link.loss) on_the_way.emplace(now + milliseconds(static_cast<int>(unit(random) * link.most_delay_ms)), sequence);
+        if (unit(random) >= link.loss)
+          on_the_way.emplace(now + milliseconds(static_cast<int>(unit(random) * link.most_delay_ms)), sequence);
     }
-    for (auto next = on_the_way.begin(); next != on_the_way.end() && next->first <= now; next = on_the_way.erase(next)) {
+    for (auto next = on_the_way.begin(); next != on_the_way.end() && next->first <= now;
+         next = on_the_way.erase(next)) {
       Command command;
       command.agv_id = "agv-1";
       command.source_id = "local-planner-agv-1";
@@ -85,7 +87,8 @@ TEST(LossyLink, WhatComesTwiceOrOvertakenIsAppliedOnceAndInOrder) {
   const Figures figures = drive({0.05, 0.2, 150}, 60);
   EXPECT_GT(figures.refused, 500U);
   EXPECT_GT(figures.applied.size(), 500U);
-  EXPECT_EQ(std::adjacent_find(figures.applied.begin(), figures.applied.end(), std::greater_equal<>()), figures.applied.end());
+  EXPECT_EQ(std::adjacent_find(figures.applied.begin(), figures.applied.end(), std::greater_equal<>()),
+            figures.applied.end());
   EXPECT_EQ(figures.stops, 0);
 }
 

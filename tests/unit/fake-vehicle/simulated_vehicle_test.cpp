@@ -66,7 +66,7 @@ TEST_F(Vehicle, DrivesTheArcItIsTold) {
   parameters_.dead_time_s = 0.0;
   SimulatedVehicle vehicle(parameters_, {5, 5, 0});
   drive(vehicle, {0.5, 0.5, 0}, seconds(103));
-  const geometry::Point2 center{5.0, 6.0};   // radius v / w = 1 m; the start-up bends it only a little
+  const geometry::Point2 center{5.0, 6.0};  // radius v / w = 1 m; the start-up bends it only a little
   EXPECT_NEAR(geometry::distance(vehicle.base_in_map().position(), center), 1.0, 0.2);
   EXPECT_GT(vehicle.base_in_map().yaw, 1.0);
 }
@@ -96,7 +96,7 @@ TEST_F(Vehicle, DrivesAgainWhenCommandsComeBack) {
 }
 
 TEST_F(Vehicle, StopsAtAWallAndCanBackOff) {
-  for (int y = 0; y < 200; ++y) walls_.set({200, y}, grid::Occupancy::kOccupied);   // x from 10.0
+  for (int y = 0; y < 200; ++y) walls_.set({200, y}, grid::Occupancy::kOccupied);  // x from 10.0
   SimulatedVehicle vehicle(parameters_, {8, 5, 0});
   drive(vehicle, {1.0, 0, 0}, now_ + seconds(5));
   EXPECT_EQ(vehicle.hold(), Hold::kContact);
@@ -122,7 +122,7 @@ TEST_F(Vehicle, StopsAtAnotherBody) {
 TEST_F(Vehicle, APersonWhoWalksIntoItDoesNotTrapIt) {
   SimulatedVehicle vehicle(parameters_, {4, 5, 0});
   geometry::Body person;
-  person.base_in_map = {4.3, 5.0, 0.0};   // overlaps its front
+  person.base_in_map = {4.3, 5.0, 0.0};  // overlaps its front
   person.radius_m = 0.25;
   bodies_.push_back(person);
   drive(vehicle, {-0.3, 0, 0}, now_ + seconds(3));
@@ -198,7 +198,8 @@ TEST_F(Vehicle, ALongOneStopsWithItsNoseAtTheWallAndItsCornerWhenItTurns) {
   drive(vehicle, {0.5, 0, 0}, seconds(110));
   EXPECT_EQ(vehicle.hold(), Hold::kContact);
   EXPECT_NEAR(vehicle.base_in_map().x, 40.0 - 1.5, 0.01);
-  SimulatedVehicle turning(parameters_, {20, 9.5, 0});      // 0.5 m below the border, half as wide as 0.8 m, 1.5 m to its nose
+  SimulatedVehicle turning(parameters_,
+                           {20, 9.5, 0});  // 0.5 m below the border, half as wide as 0.8 m, 1.5 m to its nose
   drive(turning, {0, 0.5, 0}, now_ + seconds(5));
   EXPECT_GE(turning.contacts(), 1U);
   EXPECT_LT(turning.base_in_map().yaw, 0.2);

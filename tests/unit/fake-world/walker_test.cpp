@@ -31,7 +31,7 @@ TEST(Walker, WalksItsWaypointsToAndFro) {
   EXPECT_NEAR(walker.motion().position_in_map.x, 4.0, 1e-6);
   EXPECT_NEAR(walker.motion().position_in_map.y, 1.0, 1e-6);
   EXPECT_NEAR(walker.motion().velocity_in_map.y, 1.0, 1e-9);
-  walk(walker, 4.0);   // at the end after 7 s, then back
+  walk(walker, 4.0);  // at the end after 7 s, then back
   EXPECT_NEAR(walker.motion().position_in_map.y, 1.0, 1e-6);
   EXPECT_NEAR(walker.motion().velocity_in_map.y, -1.0, 1e-9);
   walk(walker, 5.0 + 1.0);

@@ -40,7 +40,8 @@ std::vector<std::string> ids(const World& world) {
 }
 
 const Thing& find(const World& world, const std::string& id) {
-  const auto found = std::find_if(world.things().begin(), world.things().end(), [&](const Thing& t) { return t.id == id; });
+  const auto found =
+      std::find_if(world.things().begin(), world.things().end(), [&](const Thing& t) { return t.id == id; });
   EXPECT_NE(found, world.things().end()) << id;
   return *found;
 }

@@ -16,7 +16,8 @@ TEST(Bearings, AreThoseOfTheStandardLibrary) {
   std::uniform_real_distribution<double> coordinate(-3.0, 3.0), exponent(-12.0, 12.0);
   for (int round = 0; round < 100000; ++round) {
     Wide x, y, found_rad;
-    for (std::size_t i = 0; i < kWide; ++i) x[i] = coordinate(random), y[i] = coordinate(random) * (round % 2 == 0 ? 1.0 : std::pow(10.0, exponent(random)));
+    for (std::size_t i = 0; i < kWide; ++i)
+      x[i] = coordinate(random), y[i] = coordinate(random) * (round % 2 == 0 ? 1.0 : std::pow(10.0, exponent(random)));
     find_bearing_rad(y, x, found_rad);
     for (std::size_t i = 0; i < kWide; ++i) {
       double alone_rad;

@@ -30,14 +30,17 @@ TEST(CoveringDiscs, OfADiscAreTheDisc) {
 }
 
 TEST(CoveringDiscs, HoldAllOfARectangleAndLittleMore) {
-  for (const Footprint& footprint : {kForklift, rectangle(0.8, 0.6), rectangle(1.0, 1.0, 0.1), rectangle(3.0, 0.8, -1.0)}) {
+  for (const Footprint& footprint :
+       {kForklift, rectangle(0.8, 0.6), rectangle(1.0, 1.0, 0.1), rectangle(3.0, 0.8, -1.0)}) {
     const CoveringDiscs discs = covering_discs(footprint);
     EXPECT_GE(discs.ahead_m.size(), 3U);
     EXPECT_LE(discs.ahead_m.size(), 5U);
     for (double x = -0.5; x <= 0.5; x += 0.01)
       for (double y = -0.5; y <= 0.5; y += 0.01) {
         const Point2 p{footprint.ahead_m + x * footprint.length_m, y * footprint.width_m};
-        const bool is_held = std::any_of(discs.ahead_m.begin(), discs.ahead_m.end(), [&](double ahead) { return distance({ahead, 0.0}, p) <= discs.radius_m + 1e-9; });
+        const bool is_held = std::any_of(discs.ahead_m.begin(), discs.ahead_m.end(), [&](double ahead) {
+          return distance({ahead, 0.0}, p) <= discs.radius_m + 1e-9;
+        });
         ASSERT_TRUE(is_held) << p.x << ", " << p.y;
       }
     EXPECT_LT(discs.radius_m, 0.5 * footprint.width_m + 0.15);

@@ -18,7 +18,8 @@ std::vector<Point2> edge_of(const Body& body) {
   for (int i = 0; i < 400; ++i) {
     const double t = i / 400.0;
     if (body.shape == kDisc) {
-      points.push_back(to_map(body.base_in_map, {body.radius_m * std::cos(2 * kPi * t), body.radius_m * std::sin(2 * kPi * t)}));
+      points.push_back(
+          to_map(body.base_in_map, {body.radius_m * std::cos(2 * kPi * t), body.radius_m * std::sin(2 * kPi * t)}));
       continue;
     }
     const double l = 0.5 * body.length_m, w = 0.5 * body.width_m;
@@ -32,7 +33,11 @@ std::vector<Point2> edge_of(const Body& body) {
 
 Body random_body(std::mt19937& random) {
   std::uniform_real_distribution<double> any(0.0, 1.0);
-  return {any(random) < 0.4 ? kDisc : kRectangle, {4 * any(random), 4 * any(random), 6 * any(random) - 3}, 0.2 + any(random), 0.3 + 2 * any(random), 0.3 + any(random)};
+  return {any(random) < 0.4 ? kDisc : kRectangle,
+          {4 * any(random), 4 * any(random), 6 * any(random) - 3},
+          0.2 + any(random),
+          0.3 + 2 * any(random),
+          0.3 + any(random)};
 }
 
 TEST(Separation, OfBodiesApartIsTheDistanceOfTheirEdges) {

@@ -39,14 +39,15 @@ std::vector<bool> flooded(const Drivable& drivable, Cell start) {
 }
 
 Point2 random_center(std::mt19937& random, const grid::Geometry& geometry) {
-  return geometry.center_in_map({static_cast<int>(random() % static_cast<unsigned>(geometry.width)), static_cast<int>(random() % static_cast<unsigned>(geometry.height))});
+  return geometry.center_in_map({static_cast<int>(random() % static_cast<unsigned>(geometry.width)),
+                                 static_cast<int>(random() % static_cast<unsigned>(geometry.height))});
 }
 
 TEST(ConnectedParts, AreThoseOfAFlood) {
   std::mt19937 random(3);
   std::size_t apart = 0;
   std::size_t together = 0;
-  ConnectedParts parts;   // the same for all maps
+  ConnectedParts parts;  // the same for all maps
   for (int map = 0; map < 300; ++map) {
     const grid::OccupancyGrid grid = grid::testing::random_grid(random, 140);
     const grid::Geometry& geometry = grid.geometry();
@@ -54,7 +55,7 @@ TEST(ConnectedParts, AreThoseOfAFlood) {
     for (int query = 0; query < 4; ++query) {
       const double radius_m = query % 2 == 0 ? 0.0 : 0.9 * geometry.resolution_m;
       Problem problem{clearance, random_center(random, geometry), random_center(random, geometry), radius_m};
-      if (query > 1) problem.least_radius_m = 0.3 * geometry.resolution_m;   // ends may be tight
+      if (query > 1) problem.least_radius_m = 0.3 * geometry.resolution_m;  // ends may be tight
       problem.tight_range_m = 4.0 * geometry.resolution_m;
       const Drivable drivable(problem);
       const Cell start = geometry.cell_at(problem.start_in_map);
@@ -64,11 +65,14 @@ TEST(ConnectedParts, AreThoseOfAFlood) {
       double nearest_m = 1e9;
       for (int y = 0; y < geometry.height; ++y) {
         for (int x = 0; x < geometry.width; ++x) {
-          const bool is_apart = drivable.is_traversable(start) && drivable.is_traversable(Cell{x, y}) && !reached[geometry.index({x, y})];
-          ASSERT_EQ(parts.are_apart(start, {x, y}), is_apart) << "map " << map << ", query " << query << ", cell " << x << " " << y;
+          const bool is_apart =
+              drivable.is_traversable(start) && drivable.is_traversable(Cell{x, y}) && !reached[geometry.index({x, y})];
+          ASSERT_EQ(parts.are_apart(start, {x, y}), is_apart)
+              << "map " << map << ", query " << query << ", cell " << x << " " << y;
           apart += is_apart ? 1U : 0U;
           together += reached[geometry.index({x, y})] ? 1U : 0U;
-          if (reached[geometry.index({x, y})]) nearest_m = std::min(nearest_m, geometry::distance(geometry.center_in_map({x, y}), problem.goal_in_map));
+          if (reached[geometry.index({x, y})])
+            nearest_m = std::min(nearest_m, geometry::distance(geometry.center_in_map({x, y}), problem.goal_in_map));
         }
       }
       const auto nearest = nearest_reachable(problem, parts, nullptr);
@@ -117,7 +121,7 @@ TEST(FleetPlanner, SearchesOnceInVainForAllWhoseGoalsAreCutOff) {
   }
   EXPECT_EQ(asked, 1);
 
-  hall.set({100, 50}, grid::Occupancy::kFree);   // too narrow, but another map
+  hall.set({100, 50}, grid::Occupancy::kFree);  // too narrow, but another map
   planner.set_map("hall", 2, hall, {100, 50}, {100, 50});
   ASSERT_TRUE(planner.step(now, nullptr));
   EXPECT_EQ(asked, 2);

@@ -24,7 +24,8 @@ class Crowd : public ::testing::TestWithParam<std::string> {
     fill(20.0, 4.0, 20.2, 6.0, grid::Occupancy::kFree);
     fill(20.0, 24.0, 20.2, 26.0, grid::Occupancy::kFree);
     planner_.set_map("hall", 1, grid_, {0, 0}, {399, 299});
-    for (int i = 0; i < kCrossing; ++i) ask("crossing-" + std::to_string(i), {2.0 + 1.5 * i, 5.0}, {38.0 - 1.5 * i, 5.0});
+    for (int i = 0; i < kCrossing; ++i)
+      ask("crossing-" + std::to_string(i), {2.0 + 1.5 * i, 5.0}, {38.0 - 1.5 * i, 5.0});
     for (int i = 0; i < kStaying; ++i) {
       ask("staying-" + std::to_string(i), {1.0 + 1.2 * (i % 15), 8.0 + 1.2 * static_cast<double>(i / 15)},
           {18.0 - 1.2 * (i % 15), 20.0 + 1.2 * static_cast<double>(i / 15)});
@@ -53,7 +54,8 @@ class Crowd : public ::testing::TestWithParam<std::string> {
   }
   bool is_drivable_now(const FleetPlan& plan) const {
     const grid::ClearanceField clearance(grid_, 2.0);
-    return is_drivable({clearance, plan.waypoints_in_map.front(), plan.waypoints_in_map.back(), kRadius_m}, plan.waypoints_in_map);
+    return is_drivable({clearance, plan.waypoints_in_map.front(), plan.waypoints_in_map.back(), kRadius_m},
+                       plan.waypoints_in_map);
   }
 
   grid::OccupancyGrid grid_{grid::Geometry{400, 300, 0.1, {}}};
@@ -93,7 +95,8 @@ TEST_P(Crowd, GetsNewPlansOnlyWhereAnEditBlocksTheOld) {
   EXPECT_EQ(planner_.searches(), static_cast<std::uint64_t>(2 * kCrossing + kStaying));
 }
 
-INSTANTIATE_TEST_SUITE_P(Planners, Crowd, ::testing::Values("wang", "jps", "astar"), [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(Planners, Crowd, ::testing::Values("wang", "jps", "astar"),
+                         [](const auto& tested) { return tested.param; });
 
 }  // namespace
 }  // namespace aisle::global_planner

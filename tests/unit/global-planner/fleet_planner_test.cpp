@@ -23,7 +23,8 @@ constexpr double kRadius_m = 0.3;
 const Pose2 kStart{1.0, 5.0, 0.0};
 const Pose2 kGoal{19.0, 5.0, 0.0};
 
-/// A hall of 20 x 10 m at 0.1 m a cell with two doors in a wall at x = 10: a straight one at y = 5, one around at y = 9.
+/// A hall of 20 x 10 m at 0.1 m a cell with two doors in a wall at x = 10: a straight one at y = 5, one around at y
+/// = 9.
 class Fleet : public testing::Test {
  protected:
   Fleet() : grid_(grid::Geometry{200, 100, 0.1, {}}), planner_(FleetSettings{}, find_variant("direct")->make()) {
@@ -76,17 +77,22 @@ class Fleet : public testing::Test {
   }
   bool is_drivable_now(const FleetPlan& plan) const {
     const grid::ClearanceField clearance(grid_, 2.0);
-    return is_drivable({clearance, plan.waypoints_in_map.front(), plan.waypoints_in_map.back(), kRadius_m, kRadius_m - 0.1}, plan.waypoints_in_map);
+    return is_drivable(
+        {clearance, plan.waypoints_in_map.front(), plan.waypoints_in_map.back(), kRadius_m, kRadius_m - 0.1},
+        plan.waypoints_in_map);
   }
   static double distance_to(const FleetPlan& plan, Point2 p) {
     double least_m = 1e9;
     for (std::size_t i = 1; i < plan.waypoints_in_map.size(); ++i) {
-      least_m = std::min(least_m, geometry::distance_to_segment(p, plan.waypoints_in_map[i - 1], plan.waypoints_in_map[i]));
+      least_m =
+          std::min(least_m, geometry::distance_to_segment(p, plan.waypoints_in_map[i - 1], plan.waypoints_in_map[i]));
     }
     return least_m;
   }
-  void blocked(const FleetPlan& plan, Point2 at, Navigation::Cause cause = Navigation::Cause::kObstacle, double radius_m = 0.3) {
-    planner_.set_navigation(plan.agv_id, {plan.goal.id, plan.plan_id, Navigation::Activity::kBlocked, cause, at, radius_m}, now_);
+  void blocked(const FleetPlan& plan, Point2 at, Navigation::Cause cause = Navigation::Cause::kObstacle,
+               double radius_m = 0.3) {
+    planner_.set_navigation(plan.agv_id,
+                            {plan.goal.id, plan.plan_id, Navigation::Activity::kBlocked, cause, at, radius_m}, now_);
   }
 
   grid::OccupancyGrid grid_;
@@ -234,7 +240,9 @@ TEST_F(Fleet, NamesWhatIsWrongWithAGoal) {
   EXPECT_NE(wall.detail.find("m from the goal"), std::string::npos) << wall.detail;
   const FleetPlan outside = first_plan("agv-1", {"b", {30.0, 2.0, 0.0}, 0.1, 0.0, false});
   EXPECT_EQ(outside.outcome, FleetOutcome::kOutOfMap);
-  EXPECT_NE(outside.detail.find("the goal (30.00, 2.00) is outside the map, x 0.00 to 20.00, y 0.00 to 10.00"), std::string::npos) << outside.detail;
+  EXPECT_NE(outside.detail.find("the goal (30.00, 2.00) is outside the map, x 0.00 to 20.00, y 0.00 to 10.00"),
+            std::string::npos)
+      << outside.detail;
   planner_.set_goal("agv-1", {"c", kGoal, 0.1, 0.0, false});
   const auto late = planner_.step(now_, [] { return true; });
   ASSERT_TRUE(late);
@@ -268,7 +276,8 @@ TEST_F(Fleet, CancelsOnceAndPlansAgainForTheNextGoal) {
 
 TEST_F(Fleet, SkipsAGoalThatWasReachedBeforeItStarted) {
   arrive("agv-1", kGoal);
-  planner_.set_navigation("agv-1", {"goal-1", 4, Navigation::Activity::kArrived, Navigation::Cause::kOther, {}, 0.0}, now_);
+  planner_.set_navigation("agv-1", {"goal-1", 4, Navigation::Activity::kArrived, Navigation::Cause::kOther, {}, 0.0},
+                          now_);
   planner_.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
   EXPECT_TRUE(plans_within(5.0).empty());
   planner_.set_goal("agv-1", {"goal-2", kStart, 0.1, 0.0, false});
@@ -453,7 +462,8 @@ TEST_F(Fleet, ServesEveryVehicleInTurn) {
 }
 
 /// A planner of its own settings for agv-1, with everything that it needs to plan.
-std::unique_ptr<FleetPlanner> planner_for_goal(const FleetSettings& settings, const std::string& name, const grid::OccupancyGrid& grid, time::Stamp now) {
+std::unique_ptr<FleetPlanner> planner_for_goal(const FleetSettings& settings, const std::string& name,
+                                               const grid::OccupancyGrid& grid, time::Stamp now) {
   auto planner = std::make_unique<FleetPlanner>(settings, find_variant(name)->make());
   planner->set_map("site", 1, grid, {0, 0}, {grid.geometry().width - 1, grid.geometry().height - 1});
   planner->set_vehicle("agv-1", kRadius_m);
@@ -463,7 +473,7 @@ std::unique_ptr<FleetPlanner> planner_for_goal(const FleetSettings& settings, co
 }
 
 TEST_F(Fleet, GoesToTheNearestPointOnlyWhenAskedTo) {
-  block(10.0, 0.0, 10.2, 10.0);   // no door
+  block(10.0, 0.0, 10.2, 10.0);  // no door
   const FleetPlan refused = *planner_for_goal(FleetSettings{}, "direct", grid_, now_)->step(now_, nullptr);
   EXPECT_EQ(refused.outcome, FleetOutcome::kNoPath);
   EXPECT_TRUE(refused.waypoints_in_map.empty());
@@ -488,7 +498,7 @@ TEST_F(Fleet, GoesToTheNearestPointOnlyWhenAskedTo) {
 }
 
 TEST_F(Fleet, PrefersClearanceAsFarAsItsSettingsSay) {
-  block(3.0, 0.0, 8.0, 4.4);   // a rack beside the straight way
+  block(3.0, 0.0, 8.0, 4.4);  // a rack beside the straight way
   const auto from_rack_m = [&](double preferred_clearance_m) {
     FleetSettings settings;
     settings.preferred_clearance_m = preferred_clearance_m;

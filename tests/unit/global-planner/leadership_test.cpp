@@ -37,8 +37,8 @@ TEST(Leadership, WaitsLongerForALeaderThatItNeverHeard) {
   standby.step(kStart, 0);
   EXPECT_TRUE(standby.step(kStart + milliseconds(500), 0));
   EXPECT_EQ(standby.role(), Role::kStandby);
-  standby.step(kStart + milliseconds(2900), 1);   // there it is, without plans yet
-  standby.lose_leader();                          // nothing of it was heard
+  standby.step(kStart + milliseconds(2900), 1);  // there it is, without plans yet
+  standby.lose_leader();                         // nothing of it was heard
   EXPECT_FALSE(standby.step(kStart + milliseconds(5800), 0));
   EXPECT_TRUE(standby.step(kStart + milliseconds(5900), 0));
   EXPECT_EQ(standby.role(), Role::kLeading);
@@ -48,7 +48,7 @@ TEST(Leadership, GivesWayToAHigherEpochOnly) {
   Leadership lead(false, 10);
   lead.step(kStart, 0);
   lead.step(kStart + milliseconds(500), 0);
-  lead.hear(1, 11);   // same epoch, started later: that one gives way
+  lead.hear(1, 11);  // same epoch, started later: that one gives way
   EXPECT_FALSE(lead.step(kStart + milliseconds(600), 1));
   lead.hear(2, 11);
   EXPECT_TRUE(lead.step(kStart + milliseconds(700), 1));
@@ -75,7 +75,7 @@ TEST(Leadership, SettlesTwoLeadersOfOneEpochByWhoStartedFirst) {
 TEST(Leadership, BeginsAboveTheEpochOfPlannersThatAreAllGone) {
   Leadership lead(false, 10);
   lead.step(kStart, 0);
-  lead.hear_of(7);     // a vehicle followed it
+  lead.hear_of(7);  // a vehicle followed it
   EXPECT_FALSE(lead.step(kStart + milliseconds(400), 0)) << "that is nobody to stand by for";
   EXPECT_TRUE(lead.step(kStart + milliseconds(500), 0));
   EXPECT_EQ(lead.role(), Role::kLeading);
@@ -86,7 +86,7 @@ TEST(Leadership, RaisesItsEpochWhenALaterOneIsFollowedAndItsPlannerIsNotThere) {
   Leadership lead(false, 10);
   lead.step(kStart, 0);
   lead.step(kStart + milliseconds(500), 0);
-  lead.hear_of(1);     // ours
+  lead.hear_of(1);  // ours
   EXPECT_FALSE(lead.step(kStart + milliseconds(5000), 0));
   lead.hear_of(7);
   EXPECT_FALSE(lead.step(kStart + milliseconds(6000), 0));
@@ -100,7 +100,7 @@ TEST(Leadership, NeverRaisesItsEpochOverALeaderThatIsThere) {
   Leadership hung(false, 10);
   hung.step(kStart, 0);
   hung.step(kStart + milliseconds(500), 0);
-  hung.hear_of(2);     // back from a hang: vehicles follow whoever took over
+  hung.hear_of(2);  // back from a hang: vehicles follow whoever took over
   EXPECT_FALSE(hung.step(kStart + milliseconds(600), 0));
   EXPECT_FALSE(hung.step(kStart + milliseconds(700), 1));
   EXPECT_FALSE(hung.step(kStart + milliseconds(9000), 1));

@@ -16,7 +16,7 @@ namespace {
 std::atomic<std::size_t> allocations{0};
 }  // namespace
 
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"   // GCC inlines one of the pair and not the other
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"  // GCC inlines one of the pair and not the other
 void* operator new(std::size_t bytes) {
   ++allocations;
   if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
@@ -32,7 +32,8 @@ grid::OccupancyGrid scattered(unsigned seed) {
   grid::OccupancyGrid grid({120, 90, 0.1, {}});
   std::mt19937 random(seed);
   for (int i = 0; i < 1500; ++i) {
-    grid.set({std::uniform_int_distribution<int>(1, 118)(random), std::uniform_int_distribution<int>(1, 88)(random)}, grid::Occupancy::kOccupied);
+    grid.set({std::uniform_int_distribution<int>(1, 118)(random), std::uniform_int_distribution<int>(1, 88)(random)},
+             grid::Occupancy::kOccupied);
   }
   return grid;
 }
@@ -72,8 +73,11 @@ TEST_P(Memory, IsGivenBackAtRestAndTheNextAnswerIsTheSame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Searches, Memory,
-                         ::testing::Values("astar", "dijkstra", "direct", "greedy", "jps", "li", "modified-astar", "qu", "wang", "wu", "yu"),
-                         [](const auto& tested) { return tested.param == "modified-astar" ? std::string("modified_astar") : tested.param; });
+                         ::testing::Values("astar", "dijkstra", "direct", "greedy", "jps", "li", "modified-astar", "qu",
+                                           "wang", "wu", "yu"),
+                         [](const auto& tested) {
+                           return tested.param == "modified-astar" ? std::string("modified_astar") : tested.param;
+                         });
 
 double heap_bytes() {
   const struct mallinfo2 info = mallinfo2();
@@ -87,7 +91,8 @@ TEST_P(BytesACell, AreAtMostSixteenAfterAQueryAcrossTheMap) {
   grid::OccupancyGrid grid({1200, 1000, 0.05, {}});
   std::mt19937 random(7);
   for (int i = 0; i < 60000; ++i) {
-    grid.set({std::uniform_int_distribution<int>(1, 1198)(random), std::uniform_int_distribution<int>(1, 998)(random)}, grid::Occupancy::kOccupied);
+    grid.set({std::uniform_int_distribution<int>(1, 1198)(random), std::uniform_int_distribution<int>(1, 998)(random)},
+             grid::Occupancy::kOccupied);
   }
   const grid::Geometry& g = grid.geometry();
   const grid::ClearanceField clearance(grid, 0.5);
@@ -103,7 +108,8 @@ TEST_P(BytesACell, AreAtMostSixteenAfterAQueryAcrossTheMap) {
   EXPECT_LT((heap_bytes() - before) / static_cast<double>(g.cells()), 1.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Searches, BytesACell, ::testing::Values("astar", "dijkstra", "direct", "jps", "wang"), [](const auto& tested) { return tested.param; });
+INSTANTIATE_TEST_SUITE_P(Searches, BytesACell, ::testing::Values("astar", "dijkstra", "direct", "jps", "wang"),
+                         [](const auto& tested) { return tested.param; });
 
 }  // namespace
 }  // namespace aisle::global_planner

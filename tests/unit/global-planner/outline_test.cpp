@@ -33,7 +33,8 @@ std::vector<Body> squares_of(const grid::OccupancyGrid& grid) {
   for (int y = -1; y <= g.height; ++y) {
     for (int x = -1; x <= g.width; ++x) {
       const Point2 center = g.center_in_map({x, y});
-      if (!g.contains({x, y}) || !grid.is_free({x, y})) squares.push_back({Body::Shape::kRectangle, {center.x, center.y, 0.0}, 0.0, g.resolution_m, g.resolution_m});
+      if (!g.contains({x, y}) || !grid.is_free({x, y}))
+        squares.push_back({Body::Shape::kRectangle, {center.x, center.y, 0.0}, 0.0, g.resolution_m, g.resolution_m});
     }
   }
   return squares;
@@ -48,11 +49,13 @@ double least_gap_m(const std::vector<Body>& squares, const Body& body) {
 /// At so many poses on the way.
 constexpr int kLooks = 100;
 
-double least_gap_on_way_m(const std::vector<Body>& squares, const Footprint& footprint, const Pose2& from, const Pose2& to) {
+double least_gap_on_way_m(const std::vector<Body>& squares, const Footprint& footprint, const Pose2& from,
+                          const Pose2& to) {
   double least_m = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= kLooks; ++i) {
     const double part = static_cast<double>(i) / kLooks;
-    const Pose2 pose{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y), from.yaw + part * geometry::wrap(to.yaw - from.yaw)};
+    const Pose2 pose{from.x + part * (to.x - from.x), from.y + part * (to.y - from.y),
+                     from.yaw + part * geometry::wrap(to.yaw - from.yaw)};
     least_m = std::min(least_m, least_gap_m(squares, geometry::body_of(footprint, pose)));
   }
   return least_m;
@@ -60,7 +63,9 @@ double least_gap_on_way_m(const std::vector<Body>& squares, const Footprint& foo
 
 struct Dice {
   std::mt19937 random;
-  double between(double low, double high) { return low + (high - low) * test_support::random_between(random, 0, 1000000) * 1e-6; }
+  double between(double low, double high) {
+    return low + (high - low) * test_support::random_between(random, 0, 1000000) * 1e-6;
+  }
 };
 
 TEST(SweptOutline, TouchesWhatManyLooksAtTheRectangleSee) {
@@ -71,15 +76,17 @@ TEST(SweptOutline, TouchesWhatManyLooksAtTheRectangleSee) {
     const grid::OccupancyGrid grid = test_support::random_cells(dice.random, 24, 24, 2, 0.25);
     const grid::ClearanceField field(grid, 1.0);
     const std::vector<Body> squares = squares_of(grid);
-    const Footprint footprint = geometry::rectangle(dice.between(0.2, 1.6), dice.between(0.2, 0.8), dice.between(-0.5, 0.5));
+    const Footprint footprint =
+        geometry::rectangle(dice.between(0.2, 1.6), dice.between(0.2, 0.8), dice.between(-0.5, 0.5));
     const Pose2 from{dice.between(0.5, 5.5), dice.between(0.5, 5.5), dice.between(-3.1, 3.1)};
     Pose2 to{dice.between(0.5, 5.5), dice.between(0.5, 5.5), dice.between(-3.1, 3.1)};
     const Point2 ahead = geometry::to_map(from, {dice.between(-1.0, 1.0), 0.0});
-    if (seed % 3 == 0) to = {ahead.x, ahead.y, from.yaw};   // straight on or back
-    if (seed % 3 == 1) to = {from.x, from.y, to.yaw};       // turns on the spot
+    if (seed % 3 == 0) to = {ahead.x, ahead.y, from.yaw};  // straight on or back
+    if (seed % 3 == 1) to = {from.x, from.y, to.yaw};      // turns on the spot
 
     const double gap_m = least_gap_on_way_m(squares, footprint, from, to);
-    const double between_looks_m = (geometry::distance(from.position(), to.position()) + kPi * geometry::reach_m(footprint)) / kLooks;
+    const double between_looks_m =
+        (geometry::distance(from.position(), to.position()) + kPi * geometry::reach_m(footprint)) / kLooks;
     const auto touch = touched_on_way(field, footprint, from, to);
     if (gap_m < -1e-4) {
       EXPECT_TRUE(touch) << "seed " << seed << " overlaps by " << -gap_m;
@@ -94,8 +101,11 @@ TEST(SweptOutline, TouchesWhatManyLooksAtTheRectangleSee) {
 }
 
 TEST(SweptOutline, OfADiscIsRightToTheLastMicrometre) {
-  const grid::ClearanceField field(test_support::grid_from_text({".......", ".......", "...#...", ".......", "......."}), 3.0);
-  const auto keeps = [&](Point2 from, Point2 to, double radius_m) { return !square_near_line(field, from, to, radius_m); };
+  const grid::ClearanceField field(
+      test_support::grid_from_text({".......", ".......", "...#...", ".......", "......."}), 3.0);
+  const auto keeps = [&](Point2 from, Point2 to, double radius_m) {
+    return !square_near_line(field, from, to, radius_m);
+  };
   EXPECT_TRUE(keeps({1.0, 1.0}, {6.0, 1.0}, 1.0)) << "touches the square below it, and the border";
   EXPECT_FALSE(keeps({1.0, 1.0}, {6.0, 1.0}, 1.0001));
   EXPECT_TRUE(keeps({4.0, 1.5}, {6.0, 3.5}, std::hypot(0.25, 0.25)));
@@ -107,11 +117,13 @@ TEST(SweptOutline, OfADiscIsRightToTheLastMicrometre) {
 }
 
 /// A gap of one metre between two racks, then a hall.
-const std::vector<std::string> kGap{"..........", "..........", "..........", "...####...", "..........", "...####...", "..........", "..........", ".........."};
+const std::vector<std::string> kGap{"..........", "..........", "..........", "...####...", "..........",
+                                    "...####...", "..........", "..........", ".........."};
 
 struct Hall {
   grid::ClearanceField clearance{test_support::grid_from_text(kGap), 6.0};
-  std::string why_not(const Footprint& footprint, const std::vector<Point2>& path, std::optional<double> start_yaw_rad = {}) const {
+  std::string why_not(const Footprint& footprint, const std::vector<Point2>& path,
+                      std::optional<double> start_yaw_rad = {}) const {
     Plan plan;
     plan.waypoints_in_map = path;
     return why_not_drivable({clearance, path.front(), path.back()}, plan, {footprint, start_yaw_rad, {}});
@@ -123,7 +135,8 @@ TEST(PathChecker, LetsARectangleThroughAGapThatItFits) {
   const std::vector<Point2> through{{1.5, 4.5}, {8.5, 4.5}};
   EXPECT_EQ(hall.why_not(geometry::rectangle(2.4, 0.9), through), "");
   EXPECT_EQ(hall.why_not(geometry::rectangle(2.4, 1.0), through), "") << "may touch";
-  EXPECT_EQ(hall.why_not(geometry::rectangle(2.4, 1.001), through), "lets the outline overlap an obstacle when the vehicle is at (8.500, 4.500)");
+  EXPECT_EQ(hall.why_not(geometry::rectangle(2.4, 1.001), through),
+            "lets the outline overlap an obstacle when the vehicle is at (8.500, 4.500)");
   EXPECT_NE(hall.why_not(geometry::rectangle(2.4, 0.9), {{1.5, 4.4}, {8.5, 4.4}}), "");
   EXPECT_NE(hall.why_not(geometry::rectangle(2.4, 0.9), {{1.5, 4.5}, {8.5, 4.6}}), "");
 }
@@ -134,7 +147,8 @@ TEST(PathChecker, TurnsARectangleOnTheSpot) {
   EXPECT_EQ(hall.why_not(long_one, {{1.5, 2.0}, {1.5, 4.5}, {8.5, 4.5}}), "") << "before the gap";
   EXPECT_NE(hall.why_not(long_one, {{1.5, 4.5}, {4.5, 4.5}, {4.5, 4.6}}), "") << "within it";
   EXPECT_NE(hall.why_not(long_one, {{5.0, 4.5}, {8.5, 4.5}}, 0.5 * kPi), "") << "it stands across at the start";
-  EXPECT_NE(hall.why_not(long_one, {{5.0, 4.5}, {8.5, 4.5}}, kPi), "") << "cannot turn about there, though it fits before and after";
+  EXPECT_NE(hall.why_not(long_one, {{5.0, 4.5}, {8.5, 4.5}}, kPi), "")
+      << "cannot turn about there, though it fits before and after";
   EXPECT_EQ(hall.why_not(long_one, {{8.4, 4.5}, {1.5, 4.5}}, 0.0), "");
 }
 
@@ -154,8 +168,12 @@ TEST(Rectangles, MayDriveWhatTheDiscDrivesInWhichTheyTurn) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
       Dice dice{std::mt19937(seed)};
       const grid::ClearanceField clearance(test_support::random_blocks(dice.random, 80, 12, 8, 0.1), 2.0);
-      const Footprint footprint = geometry::rectangle(dice.between(0.4, 1.2), dice.between(0.2, 0.6), dice.between(-0.2, 0.2));
-      Problem problem{clearance, {dice.between(0.0, 8.0), dice.between(0.0, 8.0)}, {dice.between(0.0, 8.0), dice.between(0.0, 8.0)}, geometry::reach_m(footprint)};
+      const Footprint footprint =
+          geometry::rectangle(dice.between(0.4, 1.2), dice.between(0.2, 0.6), dice.between(-0.2, 0.2));
+      Problem problem{clearance,
+                      {dice.between(0.0, 8.0), dice.between(0.0, 8.0)},
+                      {dice.between(0.0, 8.0), dice.between(0.0, 8.0)},
+                      geometry::reach_m(footprint)};
       const Outline outline{footprint, dice.between(-3.0, 3.0), dice.between(-3.0, 3.0)};
       if (const Plan plan = planner->plan(problem, nullptr); plan.outcome == Outcome::kFound) {
         ++found;
@@ -170,7 +188,8 @@ TEST(Rectangles, MayDriveWhatTheDiscDrivesInWhichTheyTurn) {
   EXPECT_GT(narrow_faults, 40) << "the rectangle is not looked at";
 }
 
-Problem for_forklift(const grid::ClearanceField& clearance, const Footprint& footprint, const Pose2& start, const Pose2& goal) {
+Problem for_forklift(const grid::ClearanceField& clearance, const Footprint& footprint, const Pose2& start,
+                     const Pose2& goal) {
   const geometry::CoveringDiscs discs = geometry::covering_discs(footprint);
   Problem problem{clearance, start.position(), goal.position(), discs.radius_m};
   problem.steering = {1.2, start.yaw, goal.yaw, true, discs.ahead_m};
@@ -215,10 +234,13 @@ TEST(Hybrid, SaysWhereTheVehicleDoesNotFit) {
     const RefusalReport report = explain(problem, planner->plan(problem, nullptr).outcome, nullptr);
     return std::string(name(report.refusal)) + ": " + report.line;
   };
-  EXPECT_EQ(refusal({4.5, 4.5, 1.5}, {8.4, 4.5, 0.0}, 1.2), "start too tight: the vehicle does not fit at the start (4.50, 4.50) with its heading there");
-  EXPECT_EQ(refusal({1.4, 4.5, 0.0}, {4.5, 4.5, 1.5}, 1.2), "goal too tight: the vehicle does not fit at the goal (4.50, 4.50) with its heading there");
+  EXPECT_EQ(refusal({4.5, 4.5, 1.5}, {8.4, 4.5, 0.0}, 1.2),
+            "start too tight: the vehicle does not fit at the start (4.50, 4.50) with its heading there");
+  EXPECT_EQ(refusal({1.4, 4.5, 0.0}, {4.5, 4.5, 1.5}, 1.2),
+            "goal too tight: the vehicle does not fit at the goal (4.50, 4.50) with its heading there");
   EXPECT_EQ(refusal({1.4, 7.5, 0.0}, {4.5, 4.5, kPi}, 9.0),
-            "cannot steer: no way from (1.40, 7.50) to (4.50, 4.50) with a turning radius of 9.00 m was found, though a radius of 0.30 m fits through");
+            "cannot steer: no way from (1.40, 7.50) to (4.50, 4.50) with a turning radius of 9.00 m was found, though "
+            "a radius of 0.30 m fits through");
 }
 
 }  // namespace

@@ -1,4 +1,7 @@
-// Each pass on a path drawn by hand, and all of them on random paths: drivable before, drivable after, no longer, same ends.
+// Each pass on a path drawn by hand, and all of them on random paths: drivable before, drivable after, no longer, same
+// ends.
+#include "services/global-planner/core/passes/passes.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "services/global-planner/core/passes/passes.hpp"
 #include "services/global-planner/core/path_checker.hpp"
 #include "services/global-planner/core/variant.hpp"
 #include "tests/support/ascii_grid.hpp"
@@ -34,7 +36,8 @@ const std::vector<std::string> kBlock{".......", ".......", ".......", "..##..."
 TEST(CollinearAwayFromObstacles, KeepsAPointBesideAnObstacle) {
   const Path straight{{1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}, {4.5, 1.5}, {5.5, 1.5}};
   EXPECT_EQ(passed(passes::collinear_away_from_obstacles, kOpen, straight), (Path{{1.5, 1.5}, {5.5, 1.5}}));
-  EXPECT_EQ(passed(passes::collinear_away_from_obstacles, kBlock, straight), (Path{{1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}, {4.5, 1.5}, {5.5, 1.5}}));
+  EXPECT_EQ(passed(passes::collinear_away_from_obstacles, kBlock, straight),
+            (Path{{1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}, {4.5, 1.5}, {5.5, 1.5}}));
 }
 
 TEST(RightAngle, IsCutWhereTheCornerIsFreeAndStaysWhereItIsNot) {
@@ -68,10 +71,13 @@ TEST(Interpolated, PullsACornerAlongItsSegment) {
 Path plainly_interpolated(const Drivable& drivable, const Path& path) {
   Path kept{path.front()};
   for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-    const int samples = std::clamp(static_cast<int>(std::ceil(geometry::distance(path[i], path[i + 1]) / drivable.geometry().resolution_m)), 1, 64);
+    const int samples = std::clamp(
+        static_cast<int>(std::ceil(geometry::distance(path[i], path[i + 1]) / drivable.geometry().resolution_m)), 1,
+        64);
     Point2 seen = path[i];
     for (int k = 1; k <= samples; ++k) {
-      const Point2 sample = k == samples ? path[i + 1] : path[i] + (static_cast<double>(k) / samples) * (path[i + 1] - path[i]);
+      const Point2 sample =
+          k == samples ? path[i + 1] : path[i] + (static_cast<double>(k) / samples) * (path[i + 1] - path[i]);
       if (drivable.is_line_free(kept.back(), sample)) seen = sample;
     }
     if (seen != path[i + 1]) kept.push_back(seen);
@@ -107,9 +113,12 @@ struct Named {
 };
 
 TEST(EveryPass, LeavesADrivablePathDrivableAndNoLonger) {
-  const std::vector<Named> all{{"P1", passes::collinear},           {"P1a", passes::collinear_away_from_obstacles},
-                               {"P2", passes::right_angle},         {"P3", passes::greedy_line_of_sight},
-                               {"P4", passes::safe_distance},       {"P5", passes::interpolated_forward},
+  const std::vector<Named> all{{"P1", passes::collinear},
+                               {"P1a", passes::collinear_away_from_obstacles},
+                               {"P2", passes::right_angle},
+                               {"P3", passes::greedy_line_of_sight},
+                               {"P4", passes::safe_distance},
+                               {"P5", passes::interpolated_forward},
                                {"P6", passes::interpolated_backward}};
   const std::unique_ptr<Planner> greedy = find_variant("greedy")->make();
   for (unsigned seed = 1; seed <= 200; ++seed) {

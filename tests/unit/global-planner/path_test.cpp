@@ -68,7 +68,8 @@ TEST(PathChecker, WantsTheWholeRadius) {
 TEST(NearestReachable, IsTheBestThatTheVehicleCanDo) {
   const std::vector<std::string> text{"S..###", "...#G#", "...###"};
   const Room room(text);
-  const auto point = nearest_reachable({room.clearance, test_support::find_letter(text, 'S'), test_support::find_letter(text, 'G')}, nullptr);
+  const auto point = nearest_reachable(
+      {room.clearance, test_support::find_letter(text, 'S'), test_support::find_letter(text, 'G')}, nullptr);
   ASSERT_TRUE(point);
   EXPECT_EQ(*point, (Point2{2.5, 1.5}));
 }
@@ -94,7 +95,7 @@ TEST(StampedDiscs, LeaveNoTrace) {
 
 TEST(PathProgress, FollowsTheVehicleAndNeverGoesBack) {
   PathProgress progress({{0.0, 0.0}, {10.0, 0.0}, {10.0, 0.5}, {0.0, 0.5}});
-  progress.advance({2.0, 0.45});   // nearer to the way back, which is far along the path
+  progress.advance({2.0, 0.45});  // nearer to the way back, which is far along the path
   EXPECT_EQ(progress.remaining().front(), (Point2{2.0, 0.0}));
   EXPECT_NEAR(progress.off_path_m(), 0.45, 1e-9);
   progress.advance({1.0, 0.0});

@@ -1,3 +1,5 @@
+#include "services/global-planner/core/refusal.hpp"
+
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -5,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "services/global-planner/core/refusal.hpp"
 #include "services/global-planner/core/variant.hpp"
 #include "tests/support/ascii_grid.hpp"
 
@@ -15,7 +16,8 @@ namespace {
 using geometry::Point2;
 using test_support::find_letter;
 
-const std::vector<std::string> kTwoRooms{"............", ".......#....", ".S.....#..G.", ".......#....", "............", "############", "...P........"};
+const std::vector<std::string> kTwoRooms{"............", ".......#....", ".S.....#..G.", ".......#....",
+                                         "............", "############", "...P........"};
 
 struct Case {
   const char* what;

@@ -26,7 +26,8 @@ TEST(Dubins, KnowsWaysThatAreKnown) {
   EXPECT_NEAR(shortest_dubins({0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, 1.0).length_m, 5.0, 1e-9);
   EXPECT_NEAR(shortest_dubins({0.0, 0.0, 0.0}, {0.0, 4.0, kPi}, 2.0).length_m, 2.0 * kPi, 1e-9);
   EXPECT_NEAR(shortest_dubins({0.0, 0.0, 0.0}, {0.0, -4.0, kPi}, 2.0).length_m, 2.0 * kPi, 1e-9);
-  EXPECT_NEAR(shortest_dubins({0.0, 0.0, 0.0}, {0.0, 0.0, kPi}, 1.0).length_m, 7.0 / 3.0 * kPi, 1e-9) << "turning about: right, left, right";
+  EXPECT_NEAR(shortest_dubins({0.0, 0.0, 0.0}, {0.0, 0.0, kPi}, 1.0).length_m, 7.0 / 3.0 * kPi, 1e-9)
+      << "turning about: right, left, right";
 }
 
 /// Where a way of these pieces ends: turns of radius 2 with their lengths in radians, straights in metres.
@@ -39,7 +40,8 @@ Pose2 driven(std::initializer_list<std::pair<char, double>> pieces) {
 }
 
 TEST(Dubins, ChangesLanesWithoutSymmetry) {
-  // Each is the shortest way there by far; the first arc is not the last one turned round, so no other word makes up for it.
+  // Each is the shortest way there by far; the first arc is not the last one turned round, so no other word makes up
+  // for it.
   const Pose2 from{1.0, -2.0, 0.7};
   const DubinsPath left = shortest_dubins(from, driven({{'L', 0.9}, {'S', 6.0}, {'R', 0.4}}), 2.0);
   EXPECT_NEAR(left.length_m, 2.0 * 0.9 + 6.0 + 2.0 * 0.4, 1e-9) << "left, straight, right";
@@ -51,8 +53,12 @@ TEST(Dubins, ChangesLanesWithoutSymmetry) {
   EXPECT_LT(right.pieces[0].turn, 0.0);
   EXPECT_EQ(right.pieces[1].turn, 0.0);
   EXPECT_GT(right.pieces[2].turn, 0.0);
-  EXPECT_NEAR(shortest_dubins(from, driven({{'L', 0.8}, {'S', 4.0}, {'L', 0.3}}), 2.0).length_m, 2.0 * 0.8 + 4.0 + 2.0 * 0.3, 1e-9) << "left, straight, left";
-  EXPECT_NEAR(shortest_dubins(from, driven({{'R', 0.2}, {'S', 4.0}, {'R', 0.6}}), 2.0).length_m, 2.0 * 0.2 + 4.0 + 2.0 * 0.6, 1e-9) << "right, straight, right";
+  EXPECT_NEAR(shortest_dubins(from, driven({{'L', 0.8}, {'S', 4.0}, {'L', 0.3}}), 2.0).length_m,
+              2.0 * 0.8 + 4.0 + 2.0 * 0.3, 1e-9)
+      << "left, straight, left";
+  EXPECT_NEAR(shortest_dubins(from, driven({{'R', 0.2}, {'S', 4.0}, {'R', 0.6}}), 2.0).length_m,
+              2.0 * 0.2 + 4.0 + 2.0 * 0.6, 1e-9)
+      << "right, straight, right";
 }
 
 TEST(Dubins, ArrivesAndIsTheSameBackwards) {
@@ -67,7 +73,8 @@ TEST(Dubins, ArrivesAndIsTheSameBackwards) {
     EXPECT_LT(geometry::distance(end.position(), to.position()), 1e-5);
     EXPECT_LT(std::abs(geometry::wrap(end.yaw - to.yaw)), 1e-5);
     EXPECT_GE(path.length_m, geometry::distance(from.position(), to.position()) - 1e-9);
-    const DubinsPath back = shortest_dubins({to.x, to.y, geometry::wrap(to.yaw + kPi)}, {from.x, from.y, geometry::wrap(from.yaw + kPi)}, 0.8);
+    const DubinsPath back = shortest_dubins({to.x, to.y, geometry::wrap(to.yaw + kPi)},
+                                            {from.x, from.y, geometry::wrap(from.yaw + kPi)}, 0.8);
     EXPECT_NEAR(back.length_m, path.length_m, 1e-5);
   }
 }
@@ -75,14 +82,19 @@ TEST(Dubins, ArrivesAndIsTheSameBackwards) {
 /// Empty when a vehicle with this turning radius can drive the plan as its headings say; else what is wrong.
 std::string why_not_steerable(const Problem& problem, const Plan& plan) {
   if (plan.headings_rad.size() != plan.waypoints_in_map.size()) return "no heading for each point";
-  if (std::abs(geometry::wrap(plan.headings_rad.front() - problem.steering.start_yaw_rad)) > 1e-6) return "wrong heading at the start";
-  if (problem.steering.goal_yaw_rad && std::abs(geometry::wrap(plan.headings_rad.back() - *problem.steering.goal_yaw_rad)) > 1e-5) return "wrong heading at the goal";
+  if (std::abs(geometry::wrap(plan.headings_rad.front() - problem.steering.start_yaw_rad)) > 1e-6)
+    return "wrong heading at the start";
+  if (problem.steering.goal_yaw_rad &&
+      std::abs(geometry::wrap(plan.headings_rad.back() - *problem.steering.goal_yaw_rad)) > 1e-5)
+    return "wrong heading at the goal";
   for (std::size_t i = 1; i < plan.headings_rad.size(); ++i) {
     const Point2 step = plan.waypoints_in_map[i] - plan.waypoints_in_map[i - 1];
     const double turned = geometry::wrap(plan.headings_rad[i] - plan.headings_rad[i - 1]);
-    if (std::abs(turned) * problem.steering.turning_radius_m > 1.01 * geometry::norm(step) + 1e-6) return "turns too tightly at point " + std::to_string(i);
+    if (std::abs(turned) * problem.steering.turning_radius_m > 1.01 * geometry::norm(step) + 1e-6)
+      return "turns too tightly at point " + std::to_string(i);
     const double middle = plan.headings_rad[i - 1] + 0.5 * turned;
-    if (std::abs(step.x * std::sin(middle) - step.y * std::cos(middle)) > 1e-4) return "slides sideways at point " + std::to_string(i);
+    if (std::abs(step.x * std::sin(middle) - step.y * std::cos(middle)) > 1e-4)
+      return "slides sideways at point " + std::to_string(i);
   }
   return why_not_drivable(problem, plan.waypoints_in_map);
 }
@@ -112,7 +124,8 @@ TEST(Hybrid, TurnsNoTighterThanTheVehicleCan) {
 }
 
 TEST(Hybrid, BacksOutOfADeadEndTooNarrowToTurnIn) {
-  // An aisle 2 m wide, closed at its left end; with a turning radius of 1 m and 0.3 m around it, the vehicle cannot turn in one go.
+  // An aisle 2 m wide, closed at its left end; with a turning radius of 1 m and 0.3 m around it, the vehicle cannot
+  // turn in one go.
   grid::OccupancyGrid grid(grid::Geometry{120, 80, 0.1, {}}, grid::Occupancy::kOccupied);
   for (int y = 30; y < 50; ++y) {
     for (int x = 0; x < 80; ++x) grid.set({x, y}, grid::Occupancy::kFree);

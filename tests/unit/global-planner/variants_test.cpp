@@ -31,8 +31,8 @@ using test_support::grid_from_text;
 
 bool never() { return false; }
 
-/// Dijkstra with a priority queue, written for this test alone: the least 8-connected length without cutting corners, in metres;
-/// infinity when there is no way.
+/// Dijkstra with a priority queue, written for this test alone: the least 8-connected length without cutting corners,
+/// in metres; infinity when there is no way.
 double shortest_m(const grid::ClearanceField& clearance, double radius_m, Cell start, Cell goal) {
   const grid::Geometry& g = clearance.geometry();
   const auto open = [&](int x, int y) { return g.contains({x, y}) && clearance.is_traversable({x, y}, radius_m); };
@@ -73,14 +73,18 @@ TEST_P(EveryVariant, AgreesWithDijkstraOnRandomGrids) {
     const int width = test_support::random_between(random, 2, 40);
     const int height = test_support::random_between(random, 2, 40);
     const double resolution_m = seed % 2 == 0 ? 1.0 : 0.25;
-    const grid::OccupancyGrid grid = test_support::random_cells(random, width, height, static_cast<int>(seed % 4) * 10, resolution_m);
+    const grid::OccupancyGrid grid =
+        test_support::random_cells(random, width, height, static_cast<int>(seed % 4) * 10, resolution_m);
     const grid::ClearanceField clearance(grid, 20.0);
-    const Cell start{test_support::random_between(random, 0, width - 1), test_support::random_between(random, 0, height - 1)};
-    const Cell goal{test_support::random_between(random, 0, width - 1), test_support::random_between(random, 0, height - 1)};
+    const Cell start{test_support::random_between(random, 0, width - 1),
+                     test_support::random_between(random, 0, height - 1)};
+    const Cell goal{test_support::random_between(random, 0, width - 1),
+                    test_support::random_between(random, 0, height - 1)};
     const double radius_m = seed % 3 == 0 ? 0.9 * resolution_m : 0.0;
     SCOPED_TRACE("seed " + std::to_string(seed));
 
-    const Problem problem{clearance, grid.geometry().center_in_map(start), grid.geometry().center_in_map(goal), radius_m};
+    const Problem problem{clearance, grid.geometry().center_in_map(start), grid.geometry().center_in_map(goal),
+                          radius_m};
     const Plan plan = planner_->plan(problem, never);
     const double optimum_m = shortest_m(clearance, radius_m, start, goal);
     if (plan.outcome != Outcome::kFound) {
@@ -106,7 +110,10 @@ TEST_P(EveryVariant, KeepsARadiusOf30CentimetresBetweenRandomBlocks) {
     std::mt19937 random(seed);
     const grid::ClearanceField clearance(test_support::random_blocks(random, 120, 12, 12, 0.05), 2.0);
     for (int query = 0; query < 5; ++query) {
-      const auto somewhere = [&] { return Point2{0.001 * test_support::random_between(random, 0, 5999), 0.001 * test_support::random_between(random, 0, 5999)}; };
+      const auto somewhere = [&] {
+        return Point2{0.001 * test_support::random_between(random, 0, 5999),
+                      0.001 * test_support::random_between(random, 0, 5999)};
+      };
       const Problem problem{clearance, somewhere(), somewhere(), 0.3, query % 2 == 0 ? 0.15 : 1e9};
       const Plan plan = planner_->plan(problem, never);
       if (plan.outcome != Outcome::kFound) continue;
@@ -148,11 +155,13 @@ TEST_P(EveryVariant, CutsNoCornerAndSlipsThroughNoDiagonalGap) {
   ASSERT_EQ(plan.outcome, Outcome::kFound);
   EXPECT_EQ(why_not_drivable(problem, plan.waypoints_in_map), "");
   const grid::ClearanceField gap_clearance(grid_from_text(gap), 10.0);
-  EXPECT_EQ(planner_->plan({gap_clearance, find_letter(gap, 'S'), find_letter(gap, 'G')}, never).outcome, Outcome::kNoPath);
+  EXPECT_EQ(planner_->plan({gap_clearance, find_letter(gap, 'S'), find_letter(gap, 'G')}, never).outcome,
+            Outcome::kNoPath);
 }
 
 TEST_P(EveryVariant, KeepsTheRadiusFromWalls) {
-  const std::vector<std::string> text{"............", "S...####...G", "....####....", "............", "............", "............", "............"};
+  const std::vector<std::string> text{"............", "S...####...G", "....####....", "............",
+                                      "............", "............", "............"};
   const grid::ClearanceField clearance(grid_from_text(text), 10.0);
   const Problem problem{clearance, find_letter(text, 'S'), find_letter(text, 'G'), 0.5};
   Problem wide = problem;
@@ -223,7 +232,8 @@ TEST_P(EveryVariant, RemembersNothingOfTheQueryBefore) {
 }
 
 TEST_P(EveryVariant, LeavesATightStartAndEntersATightGoal) {
-  // A corridor one metre wide at 0.1 m a cell, open to the right; the vehicle stands 0.3 m from the wall, the margin wants 0.4 m.
+  // A corridor one metre wide at 0.1 m a cell, open to the right; the vehicle stands 0.3 m from the wall, the margin
+  // wants 0.4 m.
   grid::OccupancyGrid grid(grid::Geometry{80, 60, 0.1, {}});
   for (int x = 0; x < 20; ++x) grid.set({x, 20}, grid::Occupancy::kOccupied);
   const grid::ClearanceField clearance(grid, 3.0);
@@ -238,7 +248,8 @@ TEST_P(EveryVariant, LeavesATightStartAndEntersATightGoal) {
 
 INSTANTIATE_TEST_SUITE_P(Variants, EveryVariant, testing::ValuesIn(all_variants()), [](const auto& variant) {
   std::string name = variant.param.name;
-  std::replace_if(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
   return name;
 });
 
@@ -256,7 +267,8 @@ double median_fewer(const std::string& variant, unsigned maps) {
   std::vector<double> fewer;
   for (unsigned seed = 1; seed <= maps; ++seed) {
     std::mt19937 random(seed);
-    const grid::ClearanceField clearance(test_support::random_blocks(random, 20, test_support::random_between(random, 8, 19), 4), 20.0);
+    const grid::ClearanceField clearance(
+        test_support::random_blocks(random, 20, test_support::random_between(random, 8, 19), 4), 20.0);
     const Problem problem{clearance, {0.5, 0.5}, {19.5, 19.5}};
     const Plan ours = planner->plan(problem, never);
     const Plan theirs = traditional->plan(problem, never);
@@ -269,9 +281,7 @@ double median_fewer(const std::string& variant, unsigned maps) {
   return fewer.at(fewer.size() / 2);
 }
 
-TEST(Wang, ExpandsInTheMedianAsFewCellsOnBlockMapsAsThePaperSays) {
-  EXPECT_GE(median_fewer("wang", 200), 0.579);
-}
+TEST(Wang, ExpandsInTheMedianAsFewCellsOnBlockMapsAsThePaperSays) { EXPECT_GE(median_fewer("wang", 200), 0.579); }
 
 TEST(Li, ExpandsFarFewerCellsOnBlockMaps) { EXPECT_GE(median_fewer("li", 200), 0.6); }
 
@@ -290,7 +300,8 @@ TEST(AStar, NeverGetsShorterByOneMoreObstacle) {
       return plan.outcome == Outcome::kFound ? plan.length_m : std::numeric_limits<double>::infinity();
     };
     const double before_m = length_m();
-    grid.set({test_support::random_between(random, 1, 18), test_support::random_between(random, 1, 18)}, grid::Occupancy::kOccupied);
+    grid.set({test_support::random_between(random, 1, 18), test_support::random_between(random, 1, 18)},
+             grid::Occupancy::kOccupied);
     EXPECT_GE(length_m(), before_m - 1e-9) << "seed " << seed;
   }
 }

@@ -18,14 +18,22 @@ Point2 some_point(std::mt19937& random, const Geometry& g) {
   const Point2 p = testing::random_point(random, g);
   const Point2 center = g.center_in_map(g.cell_at(p));
   switch (std::uniform_int_distribution<int>(0, 11)(random)) {
-    case 0: return center;
-    case 1: return {center.x, p.y};
-    case 2: return {p.x, center.y};
-    case 3: return {p.x + g.width * g.resolution_m, p.y};
-    case 4: return {p.x, p.y - g.height * g.resolution_m};
-    case 5: return {p.x, std::numeric_limits<double>::quiet_NaN()};
-    case 6: return {-std::numeric_limits<double>::infinity(), 1e300};
-    default: return p;
+    case 0:
+      return center;
+    case 1:
+      return {center.x, p.y};
+    case 2:
+      return {p.x, center.y};
+    case 3:
+      return {p.x + g.width * g.resolution_m, p.y};
+    case 4:
+      return {p.x, p.y - g.height * g.resolution_m};
+    case 5:
+      return {p.x, std::numeric_limits<double>::quiet_NaN()};
+    case 6:
+      return {-std::numeric_limits<double>::infinity(), 1e300};
+    default:
+      return p;
   }
 }
 

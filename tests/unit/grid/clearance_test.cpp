@@ -24,7 +24,8 @@ TEST(Clearance, IsTheDistanceToTheNearestSquareAtEveryCentre) {
     for (int y = 0; y < grid.geometry().height; ++y) {
       for (int x = 0; x < grid.geometry().width; ++x) {
         const double expected = std::min(max_m, true_clearance_m(grid, grid.geometry().center_in_map({x, y})));
-        ASSERT_NEAR(field.clearance_m(Cell{x, y}), expected, 1e-6 * (1.0 + expected)) << "seed " << seed << " cell " << x << " " << y;
+        ASSERT_NEAR(field.clearance_m(Cell{x, y}), expected, 1e-6 * (1.0 + expected))
+            << "seed " << seed << " cell " << x << " " << y;
       }
     }
   }
@@ -45,9 +46,11 @@ TEST(Clearance, IsExactNearAndFarInLargeGrids) {
       for (int x = 0; x < g.width; ++x) {
         double nearest = std::min({max_m, x + 0.5, y + 0.5, g.width - x - 0.5, g.height - y - 0.5});
         for (const Cell cell : occupied) {
-          nearest = std::min(nearest, std::hypot(std::max(0.0, std::abs(cell.x - x) - 0.5), std::max(0.0, std::abs(cell.y - y) - 0.5)));
+          nearest = std::min(nearest, std::hypot(std::max(0.0, std::abs(cell.x - x) - 0.5),
+                                                 std::max(0.0, std::abs(cell.y - y) - 0.5)));
         }
-        ASSERT_NEAR(field.clearance_m(Cell{x, y}), nearest, 1e-6 * (1.0 + nearest)) << "seed " << seed << " cell " << x << " " << y;
+        ASSERT_NEAR(field.clearance_m(Cell{x, y}), nearest, 1e-6 * (1.0 + nearest))
+            << "seed " << seed << " cell " << x << " " << y;
       }
     }
   }
@@ -77,7 +80,8 @@ TEST(Clearance, OfAPointOnACentreIsThatOfTheCell) {
   const ClearanceField field(grid);
   for (int y = 0; y < grid.geometry().height; ++y) {
     for (int x = 0; x < grid.geometry().width; ++x) {
-      EXPECT_DOUBLE_EQ(field.clearance_m(grid.geometry().center_in_map({x, y})), field.clearance_m(Cell{x, y})) << x << " " << y;
+      EXPECT_DOUBLE_EQ(field.clearance_m(grid.geometry().center_in_map({x, y})), field.clearance_m(Cell{x, y}))
+          << x << " " << y;
     }
   }
 }
@@ -108,7 +112,8 @@ TEST(Clearance, UpdatedAfterAnEditEqualsAFieldMadeAnew) {
     std::mt19937 random(seed);
     OccupancyGrid grid = random_grid(random, seed % 40 == 0 ? 260 : 60);
     const Geometry g = grid.geometry();
-    const double max_m = g.resolution_m * std::uniform_real_distribution<double>(0.6, seed % 40 == 0 ? 90.0 : 20.0)(random);
+    const double max_m =
+        g.resolution_m * std::uniform_real_distribution<double>(0.6, seed % 40 == 0 ? 90.0 : 20.0)(random);
     ClearanceField field(grid, max_m);
     const auto pick = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
     const Cell low{pick(0, g.width - 1), pick(0, g.height - 1)};
@@ -119,7 +124,8 @@ TEST(Clearance, UpdatedAfterAnEditEqualsAFieldMadeAnew) {
     field.update(grid, low, high);
     const ClearanceField anew(grid, max_m);
     for (int y = 0; y < g.height; ++y) {
-      for (int x = 0; x < g.width; ++x) ASSERT_EQ(field.clearance_m(Cell{x, y}), anew.clearance_m(Cell{x, y})) << "seed " << seed;
+      for (int x = 0; x < g.width; ++x)
+        ASSERT_EQ(field.clearance_m(Cell{x, y}), anew.clearance_m(Cell{x, y})) << "seed " << seed;
     }
   }
 }

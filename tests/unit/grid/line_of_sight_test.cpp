@@ -17,7 +17,8 @@ using testing::true_clearance_m;
 double sampled_clearance_m(const OccupancyGrid& grid, Point2 a, Point2 b) {
   const int samples = 200;
   double least = 1e9;
-  for (int i = 0; i <= samples; ++i) least = std::min(least, true_clearance_m(grid, a + (i / static_cast<double>(samples)) * (b - a)));
+  for (int i = 0; i <= samples; ++i)
+    least = std::min(least, true_clearance_m(grid, a + (i / static_cast<double>(samples)) * (b - a)));
   return least;
 }
 
@@ -60,7 +61,8 @@ TEST(LineOfSight, WithoutARadiusIsExactlyThatNoSquareIsTouched) {
       if (is_free != (sampled_clearance_m(grid, a, b) > 0.0)) {
         // Samples may jump over a corner, never the other way.
         ASSERT_FALSE(is_free) << "seed " << seed << " line " << i;
-        ASSERT_LT(sampled_clearance_m(grid, a, b), 0.2 * grid.geometry().resolution_m) << "seed " << seed << " line " << i;
+        ASSERT_LT(sampled_clearance_m(grid, a, b), 0.2 * grid.geometry().resolution_m)
+            << "seed " << seed << " line " << i;
       }
       free += is_free ? 1 : 0;
     }
@@ -74,9 +76,12 @@ TEST(LineOfSight, AgreesWithTraversableNeighbours) {
     const OccupancyGrid grid = random_grid(random, 30);
     const Geometry& g = grid.geometry();
     const ClearanceField field(grid);
-    const double radius_m = seed % 5 == 0 ? 0.0 : g.resolution_m * std::uniform_real_distribution<double>(0.0, 4.0)(random);
+    const double radius_m =
+        seed % 5 == 0 ? 0.0 : g.resolution_m * std::uniform_real_distribution<double>(0.0, 4.0)(random);
     const auto ok = [&](int x, int y) { return field.is_traversable({x, y}, radius_m); };
-    const auto line = [&](Cell a, Cell b) { return is_line_free(field, g.center_in_map(a), g.center_in_map(b), radius_m); };
+    const auto line = [&](Cell a, Cell b) {
+      return is_line_free(field, g.center_in_map(a), g.center_in_map(b), radius_m);
+    };
     for (int y = 0; y < g.height; ++y) {
       for (int x = 0; x < g.width; ++x) {
         ASSERT_EQ(line({x, y}, {x + 1, y}), ok(x, y) && ok(x + 1, y)) << "seed " << seed << " at " << x << " " << y;
@@ -117,7 +122,9 @@ class PlainWalk {
     const double a[2] = {from.x, from.y};
     const double b[2] = {to.x, to.y};
     for (int i = 0; i < 2; ++i) {
-      const auto in_cells = [&](double map) { return BetweenCenters::snapped((map - origin[i]) / g.resolution_m - 0.5); };
+      const auto in_cells = [&](double map) {
+        return BetweenCenters::snapped((map - origin[i]) / g.resolution_m - 0.5);
+      };
       start_[i] = in_cells(a[i]);
       change_[i] = in_cells(b[i]) - start_[i];
       enter(i, 0.0);
@@ -145,7 +152,9 @@ class PlainWalk {
 
  private:
   double at(int i, double time) const { return start_[i] + time * change_[i]; }
-  double local(int i, double time) const { return std::clamp(BetweenCenters::snapped(at(i, time) - square_[i]), 0.0, 1.0); }
+  double local(int i, double time) const {
+    return std::clamp(BetweenCenters::snapped(at(i, time) - square_[i]), 0.0, 1.0);
+  }
   double border_time(int i) const {
     if (change_[i] == 0.0) return 1e300;
     return (square_[i] + (change_[i] > 0.0 ? 1.0 : 0.0) - start_[i]) / change_[i];
@@ -170,7 +179,8 @@ TEST(LineOfSight, AnswersAsThePlainWalkAndBlockersAreRight) {
     const OccupancyGrid grid = random_grid(random, seed % 3 == 0 ? 60 : 20);
     const Geometry& g = grid.geometry();
     const ClearanceField field(grid, 100.0 * g.resolution_m);
-    const double radius_m = seed % 4 == 0 ? 1e-6 : g.resolution_m * std::uniform_real_distribution<double>(0.0, 4.0)(random);
+    const double radius_m =
+        seed % 4 == 0 ? 1e-6 : g.resolution_m * std::uniform_real_distribution<double>(0.0, 4.0)(random);
     for (int i = 0; i < 20; ++i) {
       // A fan of lines from one eye, as the passes try them; half of them between centres.
       const auto place = [&](Point2 p) { return i % 2 == 0 ? p : g.center_in_map(g.cell_at(p)); };
@@ -182,7 +192,8 @@ TEST(LineOfSight, AnswersAsThePlainWalkAndBlockersAreRight) {
         const Point2 sample = place(begin + (k / 20.0) * (end - begin));
         const bool expected = PlainWalk(field, radius_m).is_free(eye, sample);
         Blocker blocker;
-        ASSERT_EQ(is_line_free(field, eye, sample, radius_m, &blocker), expected) << "seed " << seed << " line " << i << " " << k;
+        ASSERT_EQ(is_line_free(field, eye, sample, radius_m, &blocker), expected)
+            << "seed " << seed << " line " << i << " " << k;
         ASSERT_FALSE(expected && last.blocks(g, eye, sample, radius_m)) << "seed " << seed << " line " << i << " " << k;
         free += expected ? 1 : 0;
         known += !expected && blocker.blocks(g, eye, sample, radius_m) ? 1 : 0;

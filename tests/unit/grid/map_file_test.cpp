@@ -21,7 +21,8 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr const char* kYaml =
-    "image: room.pgm\nresolution: 0.05\norigin: [-1.0, 2.5, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";
+    "image: room.pgm\nresolution: 0.05\norigin: [-1.0, 2.5, 0.0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: "
+    "0.196\n";
 
 class MapFile : public ::testing::Test {
  protected:
@@ -36,7 +37,9 @@ class MapFile : public ::testing::Test {
     return folder_ / name;
   }
   /// Three columns, two rows; on top: free, occupied, unknown; below: unknown, free, free.
-  static std::string pgm() { return std::string("P5\n# made by hand\n3 2\n255\n") + "\xFE" + std::string(1, '\0') + "\xCD" + "\xCD\xFE\xFE"; }
+  static std::string pgm() {
+    return std::string("P5\n# made by hand\n3 2\n255\n") + "\xFE" + std::string(1, '\0') + "\xCD" + "\xCD\xFE\xFE";
+  }
 
   /// The one line of the refusal; fails the test when the file is read after all.
   static std::string refusal(const fs::path& file, const MapFileOptions& options = {}) {
@@ -81,7 +84,8 @@ TEST_F(MapFile, ReadsPlainPgmAnd16Bits) {
   write("room.pgm", "P2 3 2 # plain\n 100\n100 0 80\n80 100 100\n");
   EXPECT_EQ(drawn(read_map_file(write("room.yaml", kYaml))), ".#?\n?..\n");
   std::string deep = "P5 3 2 65535\n";
-  for (const int v : {65535, 0, 52600, 52600, 65535, 65535}) deep += {static_cast<char>(v >> 8), static_cast<char>(v & 255)};
+  for (const int v : {65535, 0, 52600, 52600, 65535, 65535})
+    deep += {static_cast<char>(v >> 8), static_cast<char>(v & 255)};
   write("room.pgm", deep);
   EXPECT_EQ(drawn(read_map_file(folder_ / "room.yaml")), ".#?\n?..\n");
 }
@@ -137,10 +141,12 @@ TEST_F(MapFile, ReadsMovingAiAndTextGrids) {
   MapFileOptions options;
   options.moving_ai_cell_m = 2.0;
   options.subdivide = 2;
-  const OccupancyGrid grid = read_map_file(write("a.map", "type octile\nheight 2\nwidth 4\nmap\n.GS@\nOTW.\n"), options);
+  const OccupancyGrid grid =
+      read_map_file(write("a.map", "type octile\nheight 2\nwidth 4\nmap\n.GS@\nOTW.\n"), options);
   EXPECT_EQ(drawn(grid), "......##\n......##\n######..\n######..\n");
   EXPECT_EQ(grid.geometry(), (Geometry{8, 4, 1.0, {0.0, 0.0}}));
-  EXPECT_EQ(drawn(read_map_file(write("a.txt", "\xEF\xBB\xBF#.?\r\n...\r\n\r\n"))), "#.?\n...\n") << "byte order mark, CRLF";
+  EXPECT_EQ(drawn(read_map_file(write("a.txt", "\xEF\xBB\xBF#.?\r\n...\r\n\r\n"))), "#.?\n...\n")
+      << "byte order mark, CRLF";
   EXPECT_EQ(drawn(read_map_file(write("b.map", "type octile\r\nheight 1\r\nwidth 2\r\nmap\r\n.@\r\n"))), ".#\n");
 }
 
@@ -225,7 +231,8 @@ TEST_F(MapFile, RefusesDamagedTextMaps) {
   EXPECT_THAT(moving_ai("type octile\nheight 100000\nwidth 100000\nmap\n..\n"), HasSubstr("tiles"));
   EXPECT_THAT(moving_ai("type octile\nheight 3\nwidth 2\nmap\n..\n..\n"), HasSubstr("2 rows"));
   EXPECT_THAT(moving_ai("type octile\nheight 2\nwidth 2\nmap\n..\n.\n"), HasSubstr("line 6"));
-  EXPECT_THAT(moving_ai("type octile\nheight 2\nwidth 2\nmap\n..\n.x\n"), AllOf(HasSubstr("line 6, column 2"), HasSubstr("'x'")));
+  EXPECT_THAT(moving_ai("type octile\nheight 2\nwidth 2\nmap\n..\n.x\n"),
+              AllOf(HasSubstr("line 6, column 2"), HasSubstr("'x'")));
   EXPECT_THAT(refusal(write("a.txt", "..\n.\xFF\n")), HasSubstr("byte 255"));
   EXPECT_THAT(refusal(write("a.txt", "..\n...\n")), HasSubstr("line 2"));
   MapFileOptions options;
@@ -279,7 +286,8 @@ TEST_F(MapFile, AFailedSaveLeavesTheOldMap) {
     EXPECT_THROW(write_ros_map(grid, folder_ / "none" / "saved.yaml"), std::system_error);
     fs::create_directories(folder_ / "saved.yaml" / "in-the-way");
     EXPECT_THROW(write_ros_map(grid, folder_ / "saved.yaml"), std::system_error);
-    for (const auto& entry : fs::directory_iterator(folder_)) EXPECT_THAT(entry.path().string(), Not(HasSubstr(".tmp")));
+    for (const auto& entry : fs::directory_iterator(folder_))
+      EXPECT_THAT(entry.path().string(), Not(HasSubstr(".tmp")));
     return;
   }
   std::mt19937 random(1);

@@ -19,7 +19,11 @@ struct Site {
 
   Tile tile(int index) const {
     std::vector<Occupancy> cells = tile_cells(grid, tiling, index);
-    return {"site", index % tiling.tiles_x(), index / tiling.tiles_x(), tile_revisions[static_cast<std::size_t>(index)], tile_hash(cells),
+    return {"site",
+            index % tiling.tiles_x(),
+            index / tiling.tiles_x(),
+            tile_revisions[static_cast<std::size_t>(index)],
+            tile_hash(cells),
             cells};
   }
   MapSummary summary() const {
@@ -184,7 +188,8 @@ TEST(MapMirror, EndsEqualHoweverTheSamplesAreMixed) {
     std::vector<Tile> tiles;
     for (int i = 0; i < site.tiling.count(); ++i) tiles.push_back(site.tile(i));
     for (int i = 0; i < 10; ++i) {
-      const int index = site.edit({pick(0, 49), pick(0, 32)}, pick(0, 1) == 0 ? Occupancy::kOccupied : Occupancy::kFree);
+      const int index =
+          site.edit({pick(0, 49), pick(0, 32)}, pick(0, 1) == 0 ? Occupancy::kOccupied : Occupancy::kFree);
       tiles.push_back(site.tile(index));
       summaries.push_back(site.summary());
     }
@@ -202,7 +207,8 @@ TEST(MapMirror, EndsEqualHoweverTheSamplesAreMixed) {
     ASSERT_EQ(mirror.grid().cells(), site.grid.cells()) << "seed " << seed;
     const ClearanceField anew(site.grid);
     for (int y = 0; y < 33; ++y) {
-      for (int x = 0; x < 50; ++x) ASSERT_EQ(field.clearance_m(Cell{x, y}), anew.clearance_m(Cell{x, y})) << "seed " << seed;
+      for (int x = 0; x < 50; ++x)
+        ASSERT_EQ(field.clearance_m(Cell{x, y}), anew.clearance_m(Cell{x, y})) << "seed " << seed;
     }
   }
 }

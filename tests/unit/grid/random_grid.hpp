@@ -11,7 +11,8 @@ namespace aisle::grid::testing {
 inline OccupancyGrid random_grid(std::mt19937& random, int max_edge = 40) {
   const auto pick = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   const double resolutions_m[] = {0.03, 0.05, 0.1, 0.37, 1.0, 2.0};
-  Geometry geometry{pick(1, max_edge), pick(1, max_edge), resolutions_m[pick(0, 5)], {pick(-70, 70) * 0.13, pick(-70, 70) * 0.29}};
+  Geometry geometry{
+      pick(1, max_edge), pick(1, max_edge), resolutions_m[pick(0, 5)], {pick(-70, 70) * 0.13, pick(-70, 70) * 0.29}};
   OccupancyGrid grid(geometry);
   const int one_in = pick(2, 60);
   for (int y = 0; y < geometry.height; ++y) {

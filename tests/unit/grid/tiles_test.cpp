@@ -10,7 +10,8 @@ namespace {
 TEST(Tiles, CoverEachCellOnce) {
   std::mt19937 random(3);
   OccupancyGrid grid({100, 70, 0.05, {0.0, 0.0}});
-  for (int i = 0; i < 500; ++i) grid.set({static_cast<int>(random() % 100), static_cast<int>(random() % 70)}, Occupancy::kOccupied);
+  for (int i = 0; i < 500; ++i)
+    grid.set({static_cast<int>(random() % 100), static_cast<int>(random() % 70)}, Occupancy::kOccupied);
   const Tiling tiling{32, grid.geometry()};
   ASSERT_EQ(tiling.tiles_x(), 4);
   ASSERT_EQ(tiling.tiles_y(), 3);
@@ -35,8 +36,8 @@ TEST(Tiles, HashAsFnv1aDoes) {
   EXPECT_EQ(map_hash({}), 0xcbf29ce484222325ULL);
   EXPECT_NE(map_hash({1, 2}), map_hash({2, 1}));
   // The bytes 1, 0, 0, 0, 0, 0, 0, 0: little endian.
-  EXPECT_EQ(map_hash({1}), tile_hash({Occupancy::kOccupied, Occupancy::kFree, Occupancy::kFree, Occupancy::kFree, Occupancy::kFree,
-                                      Occupancy::kFree, Occupancy::kFree, Occupancy::kFree}));
+  EXPECT_EQ(map_hash({1}), tile_hash({Occupancy::kOccupied, Occupancy::kFree, Occupancy::kFree, Occupancy::kFree,
+                                      Occupancy::kFree, Occupancy::kFree, Occupancy::kFree, Occupancy::kFree}));
 }
 
 }  // namespace

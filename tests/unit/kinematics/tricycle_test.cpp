@@ -28,7 +28,7 @@ TEST(Tricycle, TheSteeredWheelRollsWhereItPoints) {
       const double v = 0.7;
       const double w = turn_rate_radps(axle, v, steering);
       const double wheel_x = is_rear ? -1.5 : 1.5;
-      const Point2 of_wheel{v, w * wheel_x};              // velocity of the rigid body there, in its frame
+      const Point2 of_wheel{v, w * wheel_x};  // velocity of the rigid body there, in its frame
       EXPECT_NEAR(std::atan2(of_wheel.y, of_wheel.x), steering, 1e-12);
       EXPECT_NEAR(steering_for_rad(axle, {v, w, 0.0}, 99.0), steering, 1e-12);
       EXPECT_NEAR(steering_for_rad(axle, {-v, -w, 0.0}, 99.0), steering, 1e-12) << "backwards along the same arc";
@@ -41,7 +41,8 @@ TEST(Tricycle, SteersLeftWithTheWheelToTheRightWhenItIsBehind) {
   EXPECT_LT(turn_rate_radps({1.5, 1.2, 0.8, true}, 1.0, 0.5), 0.0);
 }
 
-// Beside steps of ten microseconds in which the wheel is dragged over the floor: the fixed axle follows without slipping sideways.
+// Beside steps of ten microseconds in which the wheel is dragged over the floor: the fixed axle follows without
+// slipping sideways.
 TEST(Tricycle, TheArcIsWhatFineIntegrationOfBothAxlesGives) {
   const SteeredAxle axle{1.5, 1.2, 0.8, false};
   for (const double steering : {-1.0, 0.2, 0.9}) {
@@ -55,7 +56,7 @@ TEST(Tricycle, TheArcIsWhatFineIntegrationOfBothAxlesGives) {
       const double yaw = geometry::bearing(fixed, wheel);
       wheel = wheel + (kDt * v / std::cos(steering)) * Point2{std::cos(yaw + steering), std::sin(yaw + steering)};
       fixed = fixed + (kDt * v) * Point2{std::cos(yaw), std::sin(yaw)};
-      const Point2 frame = fixed - wheel;                 // the frame is stiff
+      const Point2 frame = fixed - wheel;  // the frame is stiff
       fixed = wheel + (axle.wheelbase_m / geometry::norm(frame)) * frame;
     }
     EXPECT_NEAR(arc.x, fixed.x, 1e-4);
@@ -91,7 +92,8 @@ TEST(Tricycle, KeepsEveryLimitWhateverIsWanted) {
       for (int k = 0; k < 5; ++k) {
         const DriveState next = follow(state, wanted, limits, 0.02);
         EXPECT_LE(std::abs(next.steering_rad - state.steering_rad), 0.02 * limits.axle.max_steering_rate_radps + 1e-12);
-        EXPECT_LE(std::abs(next.twist.linear_mps - state.twist.linear_mps), 0.02 * limits.max_deceleration_mps2 + 1e-12);
+        EXPECT_LE(std::abs(next.twist.linear_mps - state.twist.linear_mps),
+                  0.02 * limits.max_deceleration_mps2 + 1e-12);
         EXPECT_LE(next.twist.linear_mps, limits.max_speed_mps);
         EXPECT_GE(next.twist.linear_mps, -limits.max_reverse_mps);
         EXPECT_EQ(next.twist.sideways_mps, 0.0);

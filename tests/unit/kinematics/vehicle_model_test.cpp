@@ -17,14 +17,15 @@ TEST(Advance, DrivesStraightAlongTheHeading) {
 }
 
 TEST(Advance, AHalfCircleEndsOnItsDiameter) {
-  const Pose2 end = advance({0.0, 0.0, 0.0}, {1.0, kPi / 2, 0.0}, 2.0);   // radius 2/pi
+  const Pose2 end = advance({0.0, 0.0, 0.0}, {1.0, kPi / 2, 0.0}, 2.0);  // radius 2/pi
   EXPECT_NEAR(end.x, 0.0, 1e-12);
   EXPECT_NEAR(end.y, 4.0 / kPi, 1e-12);
   EXPECT_NEAR(end.yaw, kPi, 1e-12);
 }
 
 TEST(Advance, OneLongStepEqualsManyShortOnes) {
-  for (const Twist2 twist : {Twist2{0.7, -0.9, 0.0}, Twist2{-0.4, 0.3, 0.2}, Twist2{0.3, 1e-8, -0.5}, Twist2{0.0, 1.2, 0.0}}) {
+  for (const Twist2 twist :
+       {Twist2{0.7, -0.9, 0.0}, Twist2{-0.4, 0.3, 0.2}, Twist2{0.3, 1e-8, -0.5}, Twist2{0.0, 1.2, 0.0}}) {
     const Pose2 start{3.0, -1.0, 2.8};
     Pose2 stepped = start;
     for (int i = 0; i < 1000; ++i) stepped = advance(stepped, twist, 0.002);
@@ -55,7 +56,7 @@ TEST(LimitChange, ReachesWhatIsWithinReachExactly) {
 }
 
 TEST(LimitChange, BrakesFirstWhenTheDirectionTurnsRound) {
-  const Limits limits;   // 0.06 m/s needs 0.05 s to a stand, the other 0.05 s accelerate backwards
+  const Limits limits;  // 0.06 m/s needs 0.05 s to a stand, the other 0.05 s accelerate backwards
   EXPECT_NEAR(limit_change({0.06, 0, 0}, {-0.3, 0, 0}, limits, 0.1).linear_mps, -0.04, 1e-12);
   EXPECT_NEAR(limit_change({1.0, 0, 0}, {-0.3, 0, 0}, limits, 0.1).linear_mps, 0.88, 1e-12);
 }

@@ -1,7 +1,6 @@
-#include "services/local-planner/core/critic.hpp"
-
 #include <gtest/gtest.h>
 
+#include "services/local-planner/core/critic.hpp"
 #include "tests/unit/local-planner/samples.hpp"
 
 namespace aisle::local_planner {
@@ -19,7 +18,8 @@ TEST(Critics, HeadingIsBestTowardsTheTarget) {
   EXPECT_NEAR(score_of(heading_critic, facing(geometry::kPi / 2), aim), geometry::kPi, 1e-12);
   EXPECT_NEAR(score_of(heading_critic, facing(-geometry::kPi / 2), aim), 0.0, 1e-12);
   EXPECT_GT(score_of(heading_critic, facing(1.0), aim), score_of(heading_critic, facing(0.5), aim));
-  EXPECT_NEAR(score_of(heading_critic, facing(3.0), aim), score_of(heading_critic, facing(geometry::kPi - 3.0), aim), 1e-12);    // across +-pi
+  EXPECT_NEAR(score_of(heading_critic, facing(3.0), aim), score_of(heading_critic, facing(geometry::kPi - 3.0), aim),
+              1e-12);  // across +-pi
 }
 
 TEST(Critics, ClearanceTakesTheWorseAndStopsAtItsCap) {
@@ -85,7 +85,7 @@ TEST(Critics, SubTargetDistanceFallsWithTheDistance) {
 TEST(Critics, StaticClearanceGrowsFromOnePointTwoRadiiOn) {
   Aim aim;
   Samples close = blank_samples(), mid = blank_samples(), wide = blank_samples();
-  close.wall_gap_m.fill(0.05);                                  // 0.40 m < 1.2 * 0.35 m
+  close.wall_gap_m.fill(0.05);  // 0.40 m < 1.2 * 0.35 m
   for (Samples* samples : {&close, &mid, &wide}) samples->standing_gap_m.fill(0.6);
   mid.wall_gap_m.fill(0.12);
   wide.wall_gap_m.fill(0.2);
@@ -100,7 +100,7 @@ TEST(Critics, DynamicClearanceGrowsFromOnePointTwoStepsOn) {
   Aim aim;
   Samples sample = blank_samples();
   sample.linear_mps.fill(1.0);
-  sample.moving_gap_m.fill(0.11);                               // < 1.2 * 1 m/s * 0.1 s
+  sample.moving_gap_m.fill(0.11);  // < 1.2 * 1 m/s * 0.1 s
   EXPECT_DOUBLE_EQ(score_of(dynamic_clearance_critic, sample, aim), 0.0);
   sample.moving_gap_m.fill(0.3);
   const double mid = score_of(dynamic_clearance_critic, sample, aim);

@@ -15,7 +15,8 @@ namespace aisle::local_planner {
 /// One vehicle that obeys its planner a dead time later, in a world that the test writes.
 class Drive {
  public:
-  explicit Drive(const grid::OccupancyGrid& grid, geometry::Pose2 start = {3.0, 5.0, 0.0}, const Variant& variant = wang())
+  explicit Drive(const grid::OccupancyGrid& grid, geometry::Pose2 start = {3.0, 5.0, 0.0},
+                 const Variant& variant = wang())
       : planner({}, variant), base(start), clearance_(grid) {
     inputs.clearance = &clearance_;
     inputs.map_revision = 1;
@@ -39,7 +40,8 @@ class Drive {
     if (tracker_lives && lidar_lives) inputs.tracker_alive = now;
     output = planner.step(inputs, now);
     pipe_.push_back(output.twist);
-    twist = kinematics::limit_change(twist, pipe_.size() > 5 ? pipe_.front() : geometry::Twist2{}, inputs.vehicle->limits, 0.02);
+    twist = kinematics::limit_change(twist, pipe_.size() > 5 ? pipe_.front() : geometry::Twist2{},
+                                     inputs.vehicle->limits, 0.02);
     if (pipe_.size() > 5) pipe_.pop_front();
     base = kinematics::advance(base, twist, 0.02);
     return output;

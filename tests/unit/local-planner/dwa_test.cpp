@@ -19,7 +19,9 @@ using geometry::Twist2;
 
 struct World {
   explicit World(const grid::OccupancyGrid& grid) : clearance(grid) {}
-  Scene scene(Pose2 base, Twist2 twist, double cap_mps = 1.2) const { return {clearance, base, twist, 0.35, {}, cap_mps, movers, peers}; }
+  Scene scene(Pose2 base, Twist2 twist, double cap_mps = 1.2) const {
+    return {clearance, base, twist, 0.35, {}, cap_mps, movers, peers};
+  }
   grid::ClearanceField clearance;
   std::vector<Mover> movers;
   std::vector<PeerMotion> peers;
@@ -34,7 +36,7 @@ Mover person(Point2 position, Point2 velocity) {
 
 TEST(Obstruction, IsAWallThatTheVehicleCouldNotStopBefore) {
   const World world(hall(10.0, 10.0));
-  const DwaSettings settings;      // 1.2 m/s: 0.12 m in a step and 0.67 m of braking, plus radius and margin: 1.2 m
+  const DwaSettings settings;  // 1.2 m/s: 0.12 m in a step and 0.67 m of braking, plus radius and margin: 1.2 m
   EXPECT_EQ(obstruction(world.scene({8.3, 5.0, 0.0}, {1.2, 0.0, 0.0}), {1.2, 0.0, 0.0}, settings), Obstruction::kNone);
   EXPECT_EQ(obstruction(world.scene({8.9, 5.0, 0.0}, {1.2, 0.0, 0.0}), {1.2, 0.0, 0.0}, settings), Obstruction::kWall);
 }
@@ -47,7 +49,7 @@ TEST(Obstruction, IsLookedForAlongTheArc) {
 
 TEST(Obstruction, AllowsTheWayOutOfAPlaceThatIsTooNear) {
   const World world(hall(10.0, 10.0));
-  const Pose2 at_the_wall{9.62, 5.0, 0.0};      // 0.03 m of room, less than the margin
+  const Pose2 at_the_wall{9.62, 5.0, 0.0};  // 0.03 m of room, less than the margin
   EXPECT_EQ(obstruction(world.scene(at_the_wall, {}), {0.2, 0.0, 0.0}, {}), Obstruction::kWall);
   EXPECT_EQ(obstruction(world.scene({9.62, 5.0, geometry::kPi}, {}), {0.2, 0.0, 0.0}, {}), Obstruction::kNone);
   EXPECT_EQ(obstruction(world.scene(at_the_wall, {}), {0.0, 1.0, 0.0}, {}), Obstruction::kNone);
@@ -56,21 +58,22 @@ TEST(Obstruction, AllowsTheWayOutOfAPlaceThatIsTooNear) {
 TEST(Obstruction, OfAPersonCountsOnlyWhileTheVehicleMoves) {
   World world(hall(20.0, 10.0));
   world.movers = {person({8.0, 5.0}, {-1.3, 0.0})};
-  EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {0.2, 0.0, 0.0}), {0.2, 0.0, 0.0}, {}), Obstruction::kNone);   // stands before they are here
+  EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {0.2, 0.0, 0.0}), {0.2, 0.0, 0.0}, {}),
+            Obstruction::kNone);  // stands before they are here
   EXPECT_EQ(obstruction(world.scene({5.8, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kMover);
 }
 
 TEST(Obstruction, OfAPersonIsWhereTheyWillBe) {
   World world(hall(20.0, 10.0));
-  world.movers = {person({6.6, 5.8}, {0.0, 1.3})};     // beside the way, leaving
+  world.movers = {person({6.6, 5.8}, {0.0, 1.3})};  // beside the way, leaving
   EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kNone);
-  world.movers = {person({5.8, 6.2}, {0.0, -1.3})};    // coming
+  world.movers = {person({5.8, 6.2}, {0.0, -1.3})};  // coming
   EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kMover);
 }
 
 TEST(Obstruction, IsAPersonBesideTheWayWhoMayWalkAtAnyMoment) {
   World world(hall(20.0, 10.0));
-  world.movers = {person({5.6, 6.0}, {})};             // 0.5 m from where the vehicle passes
+  world.movers = {person({5.6, 6.0}, {})};  // 0.5 m from where the vehicle passes
   world.movers[0].unseen_s = 0.2;
   EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {0.6, 0.0, 0.0}), {0.6, 0.0, 0.0}, {}), Obstruction::kMover);
   EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {0.15, 0.0, 0.0}), {0.15, 0.0, 0.0}, {}), Obstruction::kNone);
@@ -81,7 +84,8 @@ TEST(Obstruction, IsAPersonBesideTheWayWhoMayWalkAtAnyMoment) {
 /// Passive safety: whoever sets off towards the vehicle since they were last seen touches it at a stand, if at all.
 TEST(Obstruction, LeavesNobodyToBeTouchedByAMovingVehicle) {
   std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> apart(0.62, 2.5), angle(-geometry::kPi, geometry::kPi), speed(0.1, 1.2), turn(-0.6, 0.6);
+  std::uniform_real_distribution<double> apart(0.62, 2.5), angle(-geometry::kPi, geometry::kPi), speed(0.1, 1.2),
+      turn(-0.6, 0.6);
   const DwaSettings settings;
   World world(hall(20.0, 20.0));
   int passed = 0;
@@ -102,10 +106,11 @@ TEST(Obstruction, LeavesNobodyToBeTouchedByAMovingVehicle) {
       walked_s += kDt;
       const Point2 way = base.position() - walker;
       walker = walker + (kDt * kSetOffMps * std::min(1.0, walked_s / kStartS) / geometry::norm(way)) * way;
-      if (t < 0.0) continue;                           // where the scene begins, the vehicle is there
+      if (t < 0.0) continue;  // where the scene begins, the vehicle is there
       base = kinematics::advance(base, now, kDt);
       if (t > settings.step_s) now = kinematics::limit_change(now, {}, {}, settings.braking_share * kDt);
-      ASSERT_GT(geometry::distance(base.position(), walker), 0.35 + world.movers[0].radius_m) << "round " << round << ", at " << now.linear_mps << " m/s";
+      ASSERT_GT(geometry::distance(base.position(), walker), 0.35 + world.movers[0].radius_m)
+          << "round " << round << ", at " << now.linear_mps << " m/s";
     }
   }
   EXPECT_GT(passed, 500);
@@ -123,7 +128,7 @@ TEST(Obstruction, IsTheBrakingDistanceOfAPeer) {
   peer.stopping_in_map = {{8.0, 5.0}};
   world.peers = {peer};
   EXPECT_EQ(obstruction(world.scene({6.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kNone);
-  world.peers[0].stopping_in_map = {{8.0, 5.0}, {7.6, 5.0}, {7.2, 5.0}};   // it comes towards us
+  world.peers[0].stopping_in_map = {{8.0, 5.0}, {7.6, 5.0}, {7.2, 5.0}};  // it comes towards us
   EXPECT_EQ(obstruction(world.scene({6.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kPeer);
 }
 
@@ -137,7 +142,8 @@ World crowded(std::uint64_t seed) {
     block(grid, x, y, x + 0.6, y + 0.6);
   }
   World world(grid);
-  for (int i = 0; i < 20; ++i) world.movers.push_back(person({place(random), place(random)}, {speed(random), speed(random)}));
+  for (int i = 0; i < 20; ++i)
+    world.movers.push_back(person({place(random), place(random)}, {speed(random), speed(random)}));
   PeerMotion peer;
   peer.stopping_in_map = {{place(random), place(random)}};
   for (int k = 0; k < 15; ++k) peer.intended_in_map.push_back({place(random), 6.0 + 0.1 * k});
@@ -170,7 +176,7 @@ TEST(RollOut, GivesEachSampleWhatItGetsAlone) {
       EXPECT_EQ(among.collides[k], alone.collides[0]);
       EXPECT_EQ(among.moves[k], alone.moves[0]);
       if (alone.moves[0] && alone.collides[0] == Obstruction::kWall) continue;
-      constexpr double kRoundingM = 1e-9;             // headings are turned forth and back while others still change theirs
+      constexpr double kRoundingM = 1e-9;  // headings are turned forth and back while others still change theirs
       EXPECT_NEAR(among.wall_gap_m[k], alone.wall_gap_m[0], kRoundingM);
       EXPECT_NEAR(among.mover_gap_m[k], alone.mover_gap_m[0], kRoundingM);
       EXPECT_NEAR(among.moving_gap_m[k], alone.moving_gap_m[0], kRoundingM);
@@ -210,15 +216,22 @@ TEST(RollOut, MeetsWhomAPlainLoopMeets) {
         twist = kinematics::limit_change(twist, twists[i], scene.limits, 0.1);
         pose = kinematics::advance(pose, twist, 0.1);
         for (const Mover& mover : world.movers)
-          moving_gap_m = std::min(moving_gap_m, geometry::distance(pose.position(), mover.position_in_map + 0.1 * k * mover.velocity_in_map) - 0.35 - mover.radius_m);
+          moving_gap_m =
+              std::min(moving_gap_m,
+                       geometry::distance(pose.position(), mover.position_in_map + 0.1 * k * mover.velocity_in_map) -
+                           0.35 - mover.radius_m);
         const auto& intended = world.peers.front().intended_in_map;
-        moving_gap_m = std::min(moving_gap_m, geometry::distance(pose.position(), intended[std::min<std::size_t>(static_cast<std::size_t>(k), 14)]) - 0.7);
+        moving_gap_m = std::min(
+            moving_gap_m,
+            geometry::distance(pose.position(), intended[std::min<std::size_t>(static_cast<std::size_t>(k), 14)]) -
+                0.7);
         if (k % 4 == 0) path_m += 0.2 * nearest_m(aim.path_in_map, pose.position());
         if (k == 8) looked_from = pose;
       }
       EXPECT_NEAR(samples.moving_gap_m[lane], moving_gap_m, 1e-3);
       EXPECT_NEAR(samples.path_distance_m[lane], path_m, 1e-3);
-      EXPECT_NEAR(geometry::distance({samples.look_x_m[lane], samples.look_y_m[lane]}, looked_from.position()), 0.0, 1e-3);
+      EXPECT_NEAR(geometry::distance({samples.look_x_m[lane], samples.look_y_m[lane]}, looked_from.position()), 0.0,
+                  1e-3);
       EXPECT_NEAR(geometry::wrap(samples.look_yaw_rad[lane] - looked_from.yaw), 0.0, 1e-6);
       EXPECT_NEAR(geometry::distance({samples.end_x_m[lane], samples.end_y_m[lane]}, pose.position()), 0.0, 1e-3);
       EXPECT_EQ(samples.collides[lane] != Obstruction::kNone, moving_gap_m < 0.0);
@@ -238,7 +251,8 @@ TEST(Choose, DrivesFastAndStraightWhenNothingIsInTheWay) {
   EXPECT_NEAR(choice.twist.angular_radps, 0.0, 1e-9);
 }
 
-/// A door of 1 m, 3 m ahead, for a vehicle that looks 3 s ahead and is turned by a trifle: each arc as long as that would end on its jambs.
+/// A door of 1 m, 3 m ahead, for a vehicle that looks 3 s ahead and is turned by a trifle: each arc as long as that
+/// would end on its jambs.
 TEST(Choose, DrivesOnToADoorThatItsArcsWouldMiss) {
   grid::OccupancyGrid grid = hall(20.0, 10.0);
   block(grid, 8.0, 0.0, 9.0, 4.5);
@@ -249,8 +263,8 @@ TEST(Choose, DrivesOnToADoorThatItsArcsWouldMiss) {
   Aim aim;
   aim.target_in_map = {6.5, 5.0};
   const Scene scene = world.scene({5.0, 5.03, -0.06}, {1.2, 0.0, 0.0});
-  aim.wall_cap_m = 0.15;                // what there is in the door
-  aim.walls_s = 1.5 / 1.2;              // to the target
+  aim.wall_cap_m = 0.15;    // what there is in the door
+  aim.walls_s = 1.5 / 1.2;  // to the target
   const Choice choice = choose(scene, aim, *find_variant("yu"), settings);
   ASSERT_TRUE(choice.found);
   EXPECT_GT(choice.twist.linear_mps, 1.0);
@@ -282,10 +296,13 @@ TEST(Choose, KeepsItsSpeedWhereAnotherIsWorthLittle) {
   Aim aim;
   aim.target_in_map = {20.0, 5.0};
   DwaSettings settings;
-  for (const double mps : {1.185, 1.19, 1.195}) EXPECT_DOUBLE_EQ(choose(world.scene({10.0, 5.0, 0.0}, {mps, 0.0, 0.0}), aim, wang(), settings).twist.linear_mps, mps);
+  for (const double mps : {1.185, 1.19, 1.195})
+    EXPECT_DOUBLE_EQ(choose(world.scene({10.0, 5.0, 0.0}, {mps, 0.0, 0.0}), aim, wang(), settings).twist.linear_mps,
+                     mps);
   EXPECT_GT(choose(world.scene({10.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), aim, wang(), settings).twist.linear_mps, 1.1);
   settings.change_worth = 0.0;
-  EXPECT_DOUBLE_EQ(choose(world.scene({10.0, 5.0, 0.0}, {1.19, 0.0, 0.0}), aim, wang(), settings).twist.linear_mps, 1.2);
+  EXPECT_DOUBLE_EQ(choose(world.scene({10.0, 5.0, 0.0}, {1.19, 0.0, 0.0}), aim, wang(), settings).twist.linear_mps,
+                   1.2);
 }
 
 /// The promise that everything rests on: whatever is chosen, braking along the arc afterwards touches nothing.

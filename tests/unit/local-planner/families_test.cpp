@@ -1,11 +1,13 @@
-// Closed loop, in lock-step: the services' own cores from simulated scans to wheels. No moving vehicle touches anything, every goal is reached.
+// Closed loop, in lock-step: the services' own cores from simulated scans to wheels. No moving vehicle touches
+// anything, every goal is reached.
+#include "tools/lockstep/families.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <string>
 
 #include "common/config/reader.hpp"
-#include "tools/lockstep/families.hpp"
 
 namespace aisle::lockstep {
 namespace {
@@ -44,7 +46,8 @@ TEST(Lockstep, SaysWhichFamiliesThereAre) {
       setup_of("crosing", 1);
       FAIL() << "a family that is not there";
     } catch (const config::BadInput& error) {
-      for (const char* part : {"crosing", "did you mean 'crossing'", "t-junction"}) EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+      for (const char* part : {"crosing", "did you mean 'crossing'", "t-junction"})
+        EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
     }
 }
 

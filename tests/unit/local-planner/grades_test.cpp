@@ -70,7 +70,7 @@ TEST(WayOut, BeforePeopleIsNoLookElsewhere) {
 
 TEST(WayOut, IsAFinerLookWhereTheCoarseOneOverlooksAGap) {
   grid::OccupancyGrid grid = hall(10.0, 10.0);
-  block(grid, 5.3, 0.0, 10.0, 4.45);      // a gap of 0.85 m, looked into at an angle
+  block(grid, 5.3, 0.0, 10.0, 4.45);  // a gap of 0.85 m, looked into at an angle
   block(grid, 5.3, 5.3, 10.0, 10.0);
   const grid::ClearanceField clearance(grid);
   const std::vector<Mover> nobody;
@@ -106,7 +106,8 @@ TEST(Patience, EndsAfterATurnAboutAndLastsLongerEachTime) {
   Patience patience;
   const std::vector<double> at = back_offs(patience, {5.0}, 40.0);
   const kinematics::Limits limits;
-  const double first_s = 3.0 + geometry::kPi / limits.max_turn_radps + limits.max_turn_radps / limits.max_turn_acceleration_radps2;
+  const double first_s =
+      3.0 + geometry::kPi / limits.max_turn_radps + limits.max_turn_radps / limits.max_turn_acceleration_radps2;
   ASSERT_GE(at.size(), 3u);
   EXPECT_NEAR(at[0], first_s, 0.15);
   EXPECT_NEAR(at[1] - at[0], first_s + 4.0, 0.15);
@@ -135,7 +136,8 @@ TEST(Patience, BeginsAnewWithEachGoodPiece) {
   Patience patience;
   time::Stamp now{std::chrono::seconds(100)};
   patience.begin(now);
-  for (double left_m = 20.0; left_m > 0.0; left_m -= 0.1, now += std::chrono::seconds(1)) EXPECT_EQ(patience.look({left_m}, now), Grade::kNone) << left_m;
+  for (double left_m = 20.0; left_m > 0.0; left_m -= 0.1, now += std::chrono::seconds(1))
+    EXPECT_EQ(patience.look({left_m}, now), Grade::kNone) << left_m;
 }
 
 TEST(Patience, CountsAWayRoundAsNoStepBack) {
@@ -145,7 +147,7 @@ TEST(Patience, CountsAWayRoundAsNoStepBack) {
   EXPECT_EQ(patience.look({5.0}, now), Grade::kNone);
   patience.lengthen(3.0);
   now += std::chrono::seconds(4);
-  EXPECT_EQ(patience.look({7.0}, now), Grade::kNone);      // 1 m nearer on a way that is 3 m longer
+  EXPECT_EQ(patience.look({7.0}, now), Grade::kNone);  // 1 m nearer on a way that is 3 m longer
   EXPECT_EQ(patience.look({7.0}, now + std::chrono::seconds(4)), Grade::kNone);
   EXPECT_EQ(patience.look({7.0}, now + std::chrono::seconds(10)), Grade::kBackOff);
 }

@@ -6,11 +6,13 @@ namespace aisle::local_planner {
 
 /// Walls all around, `resolution` 0.05 m; `block` fills rectangles.
 inline grid::OccupancyGrid hall(double width_m, double height_m) {
-  const grid::Geometry geometry{static_cast<int>(std::lround(width_m / 0.05)), static_cast<int>(std::lround(height_m / 0.05)), 0.05, {0.0, 0.0}};
+  const grid::Geometry geometry{
+      static_cast<int>(std::lround(width_m / 0.05)), static_cast<int>(std::lround(height_m / 0.05)), 0.05, {0.0, 0.0}};
   grid::OccupancyGrid grid(geometry);
   for (int y = 0; y < geometry.height; ++y)
     for (int x = 0; x < geometry.width; ++x)
-      if (x == 0 || y == 0 || x == geometry.width - 1 || y == geometry.height - 1) grid.set({x, y}, grid::Occupancy::kOccupied);
+      if (x == 0 || y == 0 || x == geometry.width - 1 || y == geometry.height - 1)
+        grid.set({x, y}, grid::Occupancy::kOccupied);
   return grid;
 }
 

@@ -56,7 +56,8 @@ TEST(Lane, NeverComesNearerToWallsThanThePlanOrItsMargin) {
   for (const Point2 p : resample(plan, 0.05)) plan_least = std::min(plan_least, clearance.clearance_m(p));
   const Route lane = make_lane(plan, clearance, kRadius, {});
   for (double s = 0.0; s < lane.length_m(); s += 0.02)
-    EXPECT_GE(clearance.clearance_m(lane.at(s)), std::min(plan_least, kRadius + LaneSettings{}.margin_m) - 0.05) << lane.at(s).x << " " << lane.at(s).y;
+    EXPECT_GE(clearance.clearance_m(lane.at(s)), std::min(plan_least, kRadius + LaneSettings{}.margin_m) - 0.05)
+        << lane.at(s).x << " " << lane.at(s).y;
 }
 
 TEST(Lane, HasNoFoldsAtSharpTurns) {
@@ -82,7 +83,7 @@ TEST(SpeedProfile, StopsAtTheEndAndSlowsInBendsAndNearWalls) {
   ProfileLimits only_stops;
   only_stops.slows_on_the_way = false;
   const auto unslowed = speed_profile(route, clearance, kRadius, only_stops);
-  EXPECT_DOUBLE_EQ(unslowed[45], 1.2);          // at x = 10
+  EXPECT_DOUBLE_EQ(unslowed[45], 1.2);  // at x = 10
   EXPECT_DOUBLE_EQ(unslowed.back(), 0.0);
   const Route corner(resample({{2.0, 2.0}, {5.0, 2.0}, {5.0, 8.0}}, 0.2));
   const auto in_bend = speed_profile(corner, clearance, kRadius, {});

@@ -49,7 +49,8 @@ TEST(TwistLanes, FollowAsEachVehicleDoes) {
         alone[i] = kinematics::follow(alone[i], goal, limits, 0.1);
         ASSERT_EQ(twists.linear_mps[i], alone[i].twist.linear_mps);
         ASSERT_EQ(twists.angular_radps[i], alone[i].twist.angular_radps);
-        if (alone[i].twist.linear_mps != goal.linear_mps || alone[i].twist.angular_radps != goal.angular_radps) ++differing;
+        if (alone[i].twist.linear_mps != goal.linear_mps || alone[i].twist.angular_radps != goal.angular_radps)
+          ++differing;
       }
       ASSERT_EQ(count_differing(twists, goals), differing);
     }
@@ -76,7 +77,8 @@ TEST(SteeringLanes, FollowAsEachTricycleDoes) {
       for (std::size_t i = 0; i < kLanes; ++i) {
         const Twist2& goal = wanted[std::min(i, wanted.size() - 1)];
         const Twist2& now = alone[i].twist;
-        const bool is_there = now.linear_mps == goal.linear_mps && now.angular_radps == goal.angular_radps && now.sideways_mps == goal.sideways_mps;
+        const bool is_there = now.linear_mps == goal.linear_mps && now.angular_radps == goal.angular_radps &&
+                              now.sideways_mps == goal.sideways_mps;
         if (!is_there) alone[i] = kinematics::follow(alone[i], goal, limits, 0.1);
         alone_all[i] = kinematics::follow(alone_all[i], goal, limits, 0.1);
         ASSERT_EQ(twists.linear_mps[i], alone[i].twist.linear_mps) << "round " << round << " step " << step;
@@ -98,7 +100,9 @@ TEST(TwistLanes, SayWhatTheFarthestPointDrives) {
     driven_m(TwistLanes(twists.data(), kLanes), 1.6, 0.1, way_m);
     for (std::size_t i = 0; i < kLanes; ++i) {
       const double turn_mps = 1.6 * std::abs(twists[i].angular_radps);
-      const double expected_mps = sideways_mps == 0.0 ? std::hypot(twists[i].linear_mps, turn_mps) : std::hypot(twists[i].linear_mps, twists[i].sideways_mps) + turn_mps;
+      const double expected_mps = sideways_mps == 0.0
+                                      ? std::hypot(twists[i].linear_mps, turn_mps)
+                                      : std::hypot(twists[i].linear_mps, twists[i].sideways_mps) + turn_mps;
       EXPECT_NEAR(way_m[i], 0.1 * expected_mps, 1e-12);
     }
   }
@@ -134,11 +138,14 @@ double gap_m(const Scene& scene, const Lanes& lanes, std::size_t i) {
   const std::size_t first = i - i % geometry::kWide, k = i % geometry::kWide;
   lanes.find_headings(first, cos_yaw, sin_yaw);
   for (const double ahead_m : scene.discs_ahead_m)
-    least_m = std::min(least_m, scene.clearance.clearance_m(Point2{lanes.x[i] + ahead_m * cos_yaw[k], lanes.y[i] + ahead_m * sin_yaw[k]}) - scene.radius_m);
+    least_m = std::min(least_m, scene.clearance.clearance_m(
+                                    Point2{lanes.x[i] + ahead_m * cos_yaw[k], lanes.y[i] + ahead_m * sin_yaw[k]}) -
+                                    scene.radius_m);
   return least_m;
 }
 
-/// A rectangle's discs and a disc, far from walls and beside them: each least gap is that of its own nearest disc, or known to be enough.
+/// A rectangle's discs and a disc, far from walls and beside them: each least gap is that of its own nearest disc, or
+/// known to be enough.
 TEST(WallWatch, KnowsTheLeastGapOfEachSample) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> at(1.0, 11.0);
@@ -153,8 +160,11 @@ TEST(WallWatch, KnowsTheLeastGapOfEachSample) {
   constexpr double kEnoughM = 0.2;
   int near = 0, equal = 0;
   for (int round = 0; round < 300; ++round) {
-    const geometry::CoveringDiscs discs = geometry::covering_discs(round % 2 == 0 ? geometry::disc(0.35) : geometry::rectangle(2.4, 1.1, 0.4));
-    const Scene scene{clearance, {at(random), at(random), 0.01 * round}, {}, discs.radius_m, {}, 1.2, movers, peers, 0.0, discs.ahead_m};
+    const geometry::CoveringDiscs discs =
+        geometry::covering_discs(round % 2 == 0 ? geometry::disc(0.35) : geometry::rectangle(2.4, 1.1, 0.4));
+    const Scene scene{
+        clearance,    {at(random), at(random), 0.01 * round}, {}, discs.radius_m, {}, 1.2, movers, peers, 0.0,
+        discs.ahead_m};
     const std::vector<Twist2> twists = some_twists(random, round % 3 == 0 ? 3 : kLanes);
     const TwistLanes all(twists.data(), twists.size());
     Lanes lanes(scene.base_in_map);
@@ -164,7 +174,7 @@ TEST(WallWatch, KnowsTheLeastGapOfEachSample) {
     expected_m.fill(kEnoughM);
     Outlines outlines(scene);
     WallWatch walls(outlines, wall_gaps_m(scene), kEnoughM);
-    std::size_t left = kLanes;                                  // nobody asks for this one any more
+    std::size_t left = kLanes;  // nobody asks for this one any more
     for (int step = 0; step < 20; ++step) {
       lanes.step();
       outlines.follow(lanes);
@@ -175,7 +185,7 @@ TEST(WallWatch, KnowsTheLeastGapOfEachSample) {
         const double now_m = gap_m(scene, lanes, i);
         is_expected = is_expected || now_m < kEnoughM;
         expected_m[i] = std::min(expected_m[i], now_m);
-        constexpr double kInterpolationM = 0.23 * 0.05;         // what it knew a moment ago is a lower bound as well
+        constexpr double kInterpolationM = 0.23 * 0.05;  // what it knew a moment ago is a lower bound as well
         ASSERT_NEAR(walls.least_gaps_m()[i], expected_m[i], kInterpolationM) << "round " << round;
         ASSERT_GE(walls.least_gaps_m()[i], expected_m[i]) << "round " << round;
         if (expected_m[i] == kEnoughM) continue;

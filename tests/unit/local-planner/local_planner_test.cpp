@@ -38,7 +38,8 @@ TEST(LocalPlanner, NeverChangesSpeedFasterThanTheVehicleCan) {
     const Twist2 command = drive.output.twist;
     EXPECT_LE(command.linear_mps - before.linear_mps, limits.max_acceleration_mps2 * 0.02 + 1e-9);
     EXPECT_LE(before.linear_mps - command.linear_mps, limits.max_deceleration_mps2 * 0.02 + 1e-9);
-    EXPECT_LE(std::abs(command.angular_radps - before.angular_radps), limits.max_turn_acceleration_radps2 * 0.02 + 1e-9);
+    EXPECT_LE(std::abs(command.angular_radps - before.angular_radps),
+              limits.max_turn_acceleration_radps2 * 0.02 + 1e-9);
     before = command;
     return drive.output.phase == Phase::kArrived;
   });
@@ -151,7 +152,8 @@ TEST_P(LocalPlannerFault, BrakesAtOnceAndNamesIt) {
   ASSERT_GT(drive.twist.linear_mps, 1.1);
   const double begun_m = drive.base.x;
   GetParam().make(drive);
-  ASSERT_TRUE(drive.until(GetParam().noticed_s + 0.05, [&] { return drive.output.reason == GetParam().reason; })) << name(drive.output.reason);
+  ASSERT_TRUE(drive.until(GetParam().noticed_s + 0.05, [&] { return drive.output.reason == GetParam().reason; }))
+      << name(drive.output.reason);
   EXPECT_EQ(drive.output.phase, GetParam().phase);
   EXPECT_TRUE(drive.stops_within(1.5));
   EXPECT_LT(drive.base.x - begun_m, 1.2 * (GetParam().noticed_s + 0.25) + 1.2 * 1.2 / 2.4 * 1.05);
@@ -159,14 +161,17 @@ TEST_P(LocalPlannerFault, BrakesAtOnceAndNamesIt) {
   EXPECT_EQ(drive.output.twist.linear_mps, 0.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Faults, LocalPlannerFault,
-                         testing::Values(Fault{"StaleState", [](Drive& d) { d.state_comes = false; }, Phase::kHeld, Reason::kStaleState, 0.22},
-                                         Fault{"StaleTracker", [](Drive& d) { d.tracker_lives = false; }, Phase::kHeld, Reason::kStaleTracker, 0.52},
-                                         Fault{"BlindOnThisVehicle", [](Drive& d) { d.lidar_lives = false; }, Phase::kHeld, Reason::kStaleTracker, 0.52},
-                                         Fault{"Cancelled", [](Drive& d) { d.inputs.plan->outcome = Plan::Outcome::kCancelled; }, Phase::kHeld, Reason::kCancelled, 0.02},
-                                         Fault{"Authority", [](Drive& d) { d.inputs.authority_lost = true; }, Phase::kHeld, Reason::kAuthority, 0.02},
-                                         Fault{"PlanOutdated", [](Drive& d) { d.inputs.map_revision = 2; }, Phase::kHeld, Reason::kPlanOutdated, 0.54}),
-                         [](const auto& fault) { return fault.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Faults, LocalPlannerFault,
+    testing::Values(
+        Fault{"StaleState", [](Drive& d) { d.state_comes = false; }, Phase::kHeld, Reason::kStaleState, 0.22},
+        Fault{"StaleTracker", [](Drive& d) { d.tracker_lives = false; }, Phase::kHeld, Reason::kStaleTracker, 0.52},
+        Fault{"BlindOnThisVehicle", [](Drive& d) { d.lidar_lives = false; }, Phase::kHeld, Reason::kStaleTracker, 0.52},
+        Fault{"Cancelled", [](Drive& d) { d.inputs.plan->outcome = Plan::Outcome::kCancelled; }, Phase::kHeld,
+              Reason::kCancelled, 0.02},
+        Fault{"Authority", [](Drive& d) { d.inputs.authority_lost = true; }, Phase::kHeld, Reason::kAuthority, 0.02},
+        Fault{"PlanOutdated", [](Drive& d) { d.inputs.map_revision = 2; }, Phase::kHeld, Reason::kPlanOutdated, 0.54}),
+    [](const auto& fault) { return fault.param.name; });
 
 TEST(LocalPlannerGuard, TellsABlindVehicleFromADeadTracker) {
   Drive blind(hall(20.0, 10.0)), alone(hall(20.0, 10.0));
@@ -186,7 +191,7 @@ TEST(LocalPlannerGuard, GoesOnSlowlyWhileTheMapIsNewerThanThePlan) {
   drive.run(0.4);
   EXPECT_EQ(drive.output.phase, Phase::kDriving);
   EXPECT_LT(drive.output.twist.linear_mps, 1.0);
-  drive.inputs.plan->map_revision = 2;              // the planner looked at it, and kept it
+  drive.inputs.plan->map_revision = 2;  // the planner looked at it, and kept it
   drive.run(3.0);
   EXPECT_GT(drive.twist.linear_mps, 1.0);
   EXPECT_EQ(drive.output.phase, Phase::kDriving);
@@ -196,7 +201,7 @@ TEST(LocalPlannerGuard, StandsForAWhileAfterALateCycle) {
   Drive drive(hall(40.0, 10.0));
   drive.give_plan({{3.0, 5.0}, {37.0, 5.0}});
   drive.run(4.0);
-  drive.now += std::chrono::seconds(5);             // stopped by somebody, e.g. SIGSTOP; meanwhile the vehicle has braked
+  drive.now += std::chrono::seconds(5);  // stopped by somebody, e.g. SIGSTOP; meanwhile the vehicle has braked
   drive.twist = {};
   drive.cycle();
   EXPECT_EQ(drive.output.phase, Phase::kHeld);
@@ -218,13 +223,15 @@ TEST(LocalPlanner, GoesOnAlongAPlanThatWasKept) {
   EXPECT_GT(least, 19.9);
 }
 
-/// Down an aisle and back: the lanes lie 0.9 m apart, so the nearest point of the plan's beginning is not where the vehicle is.
+/// Down an aisle and back: the lanes lie 0.9 m apart, so the nearest point of the plan's beginning is not where the
+/// vehicle is.
 const std::vector<Point2> kThereAndBack{{2.5, 4.6}, {17.0, 5.0}, {3.5, 5.6}};
 
 /// Until it is on its way back, beside the plan's beginning.
 bool is_nearly_back(Drive& drive) {
   drive.give_plan(kThereAndBack);
-  return drive.until(60.0, [&] { return drive.base.x > 16.0; }) && drive.until(60.0, [&] { return drive.base.x < 6.0; });
+  return drive.until(60.0, [&] { return drive.base.x > 16.0; }) &&
+         drive.until(60.0, [&] { return drive.base.x < 6.0; });
 }
 
 void expect_to_go_on(Drive& drive) {
@@ -249,7 +256,7 @@ TEST(LocalPlanner, GoesOnAlongAPlanThatLeadsBackWhenTheMapIsEdited) {
 TEST(LocalPlanner, GoesOnAlongAPlanThatAnotherPlannerTookOver) {
   Drive drive(aisle(2.4), {2.5, 4.6, 0.0});
   ASSERT_TRUE(is_nearly_back(drive)) << drive.base.x;
-  drive.give_plan(kThereAndBack);                   // the same under another id
+  drive.give_plan(kThereAndBack);  // the same under another id
   expect_to_go_on(drive);
 }
 
@@ -257,7 +264,8 @@ TEST(LocalPlanner, TakesANewPathUnderAnOldId) {
   Drive drive(hall(40.0, 10.0));
   drive.give_plan({{3.0, 5.0}, {37.0, 5.0}});
   drive.run(2.0);
-  drive.inputs.plan->waypoints_in_map = {{3.0, 5.0}, {20.0, 8.5}, {37.0, 5.0}};   // ids of a planner that was restarted begin again
+  drive.inputs.plan->waypoints_in_map = {
+      {3.0, 5.0}, {20.0, 8.5}, {37.0, 5.0}};  // ids of a planner that was restarted begin again
   double most_y = 0.0;
   ASSERT_TRUE(drive.until(60.0, [&] {
     most_y = std::max(most_y, drive.base.y);
@@ -268,7 +276,7 @@ TEST(LocalPlanner, TakesANewPathUnderAnOldId) {
 
 TEST(LocalPlanner, FindsItsPlaceOnAPlanAfterARestart) {
   Drive drive(hall(40.0, 10.0), {20.0, 4.5, 0.0});
-  drive.give_plan({{3.0, 5.0}, {37.0, 5.0}});       // made when the vehicle stood at its start
+  drive.give_plan({{3.0, 5.0}, {37.0, 5.0}});  // made when the vehicle stood at its start
   ASSERT_TRUE(drive.until(30.0, Phase::kArrived));
 }
 

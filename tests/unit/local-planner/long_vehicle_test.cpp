@@ -26,7 +26,8 @@ kinematics::Limits tricycle() {
 
 struct World {
   explicit World(const grid::OccupancyGrid& grid) : clearance(grid) {}
-  Scene scene(const geometry::Footprint& footprint, const kinematics::Limits& limits, Pose2 base, Twist2 twist, double steering_rad = 0.0) const {
+  Scene scene(const geometry::Footprint& footprint, const kinematics::Limits& limits, Pose2 base, Twist2 twist,
+              double steering_rad = 0.0) const {
     const geometry::CoveringDiscs discs = geometry::covering_discs(footprint);
     return {clearance, base, twist, discs.radius_m, limits, 1.2, movers, peers, steering_rad, discs.ahead_m};
   }
@@ -36,9 +37,11 @@ struct World {
 };
 
 TEST(LongVehicle, TheNoseStopsBeforeTheWall) {
-  const World world(hall(12.0, 10.0));      // the nose is 1.6 m before the base, and so is its last disc within 3 cm
-  EXPECT_EQ(obstruction(world.scene(kForklift, tricycle(), {9.8, 5.0, 0.0}, {}), {0.2, 0.0, 0.0}, {}), Obstruction::kNone);
-  EXPECT_EQ(obstruction(world.scene(kForklift, tricycle(), {10.25, 5.0, 0.0}, {}), {0.2, 0.0, 0.0}, {}), Obstruction::kWall);
+  const World world(hall(12.0, 10.0));  // the nose is 1.6 m before the base, and so is its last disc within 3 cm
+  EXPECT_EQ(obstruction(world.scene(kForklift, tricycle(), {9.8, 5.0, 0.0}, {}), {0.2, 0.0, 0.0}, {}),
+            Obstruction::kNone);
+  EXPECT_EQ(obstruction(world.scene(kForklift, tricycle(), {10.25, 5.0, 0.0}, {}), {0.2, 0.0, 0.0}, {}),
+            Obstruction::kWall);
 }
 
 TEST(LongVehicle, TurnsOnTheSpotOnlyWhereItsCornersHaveRoom) {
@@ -58,8 +61,10 @@ TEST(LongVehicle, SwingsItsNoseIntoNothingThatStandsBesideIt) {
   const Pose2 base{6.0, 6.0, 0.0};
   const geometry::CoveringDiscs discs = geometry::covering_discs(kForklift);
   const double nose_m = *std::max_element(discs.ahead_m.begin(), discs.ahead_m.end());
-  const double swung_radps = limits.max_turn_acceleration_radps2 * settings.step_s, braking_mps2 = settings.braking_share * limits.max_deceleration_mps2;
-  const double swung_rad = 0.5 * swung_radps * settings.step_s + 0.5 * swung_radps * swung_radps * nose_m / braking_mps2;
+  const double swung_radps = limits.max_turn_acceleration_radps2 * settings.step_s,
+               braking_mps2 = settings.braking_share * limits.max_deceleration_mps2;
+  const double swung_rad =
+      0.5 * swung_radps * settings.step_s + 0.5 * swung_radps * swung_radps * nose_m / braking_mps2;
   int refused = 0, allowed = 0;
   for (double gap_m = 0.005; gap_m < 0.3; gap_m += 0.005) {
     Mover thing;
@@ -68,7 +73,8 @@ TEST(LongVehicle, SwingsItsNoseIntoNothingThatStandsBesideIt) {
     const double apart_m = discs.radius_m + thing.radius_m + thing.margin_m;
     thing.position_in_map = {base.x + nose_m, base.y + apart_m + gap_m};
     world.movers = {thing};
-    const Obstruction found = obstruction(world.scene(kForklift, limits, base, {}), {0.0, limits.max_turn_radps, 0.0}, settings);
+    const Obstruction found =
+        obstruction(world.scene(kForklift, limits, base, {}), {0.0, limits.max_turn_radps, 0.0}, settings);
     const Point2 nose{base.x + nose_m * std::cos(swung_rad), base.y + nose_m * std::sin(swung_rad)};
     const bool comes_too_near = geometry::distance(nose, thing.position_in_map) < apart_m - 1e-3;
     EXPECT_TRUE(!comes_too_near || found == Obstruction::kMover) << gap_m;
@@ -81,12 +87,14 @@ TEST(LongVehicle, SwingsItsNoseIntoNothingThatStandsBesideIt) {
 TEST(LongVehicle, MindsPeopleBesideItsNose) {
   World world(hall(12.0, 10.0));
   Mover person;
-  person.position_in_map = {6.5, 5.75};      // before the base and to the left, where the disc around the base would be well clear
+  person.position_in_map = {
+      6.5, 5.75};  // before the base and to the left, where the disc around the base would be well clear
   person.velocity_in_map = {0.0, -0.3};
   world.movers = {person};
   const Twist2 ahead{0.6, 0.0, 0.0};
   EXPECT_EQ(obstruction(world.scene(kForklift, tricycle(), {5.0, 5.0, 0.0}, ahead), ahead, {}), Obstruction::kMover);
-  EXPECT_EQ(obstruction(world.scene(geometry::disc(0.3), tricycle(), {5.0, 5.0, 0.0}, ahead), ahead, {}), Obstruction::kNone);
+  EXPECT_EQ(obstruction(world.scene(geometry::disc(0.3), tricycle(), {5.0, 5.0, 0.0}, ahead), ahead, {}),
+            Obstruction::kNone);
 }
 
 TEST(LongVehicle, APeerIsAsLongAsItIs) {
@@ -103,7 +111,8 @@ TEST(LongVehicle, APeerIsAsLongAsItIs) {
   ASSERT_EQ(around.peer_motions.size(), 5U);
   ASSERT_EQ(around.standing.size(), 5U);
   double foremost = 0.0;
-  for (const PeerMotion& motion : around.peer_motions) foremost = std::max(foremost, motion.stopping_in_map.front().y + motion.radius_m);
+  for (const PeerMotion& motion : around.peer_motions)
+    foremost = std::max(foremost, motion.stopping_in_map.front().y + motion.radius_m);
   EXPECT_GE(foremost, 5.0 + 1.6);
   EXPECT_EQ(around.peers.size(), 1U);
 }
@@ -113,7 +122,8 @@ TEST(LongVehicle, TheWindowHoldsOnlyWhatTheWheelCanSteer) {
   const kinematics::Limits limits = tricycle();
   for (const double steering : {-0.9, 0.0, 0.5}) {
     const double v = 0.6;
-    Scene scene = world.scene(kForklift, limits, {10.0, 10.0, 0.0}, {v, kinematics::turn_rate_radps(limits.axle, v, steering), 0.0}, steering);
+    Scene scene = world.scene(kForklift, limits, {10.0, 10.0, 0.0},
+                              {v, kinematics::turn_rate_radps(limits.axle, v, steering), 0.0}, steering);
     for (const double bearing : {-3.0, -1.0, 0.0, 1.0, 3.0}) {
       Aim aim;
       aim.target_in_map = aim.sub_target_in_map = {10.0 + 3.0 * std::cos(bearing), 10.0 + 3.0 * std::sin(bearing)};
@@ -122,7 +132,8 @@ TEST(LongVehicle, TheWindowHoldsOnlyWhatTheWheelCanSteer) {
       const double chosen = kinematics::steering_for_rad(limits.axle, choice.twist, steering);
       EXPECT_LE(std::abs(chosen), limits.axle.max_steering_rad + 1e-9);
       EXPECT_LE(std::abs(chosen - steering), limits.axle.max_steering_rate_radps * DwaSettings{}.heading_s + 1e-9);
-      EXPECT_LE(std::abs(choice.twist.angular_radps), std::abs(choice.twist.linear_mps) / kinematics::least_radius_m(limits.axle) + 1e-9);
+      EXPECT_LE(std::abs(choice.twist.angular_radps),
+                std::abs(choice.twist.linear_mps) / kinematics::least_radius_m(limits.axle) + 1e-9);
     }
   }
 }
@@ -134,7 +145,8 @@ TEST(Omnidirectional, TheWindowHasSidewaysSpeeds) {
   Aim aim;
   aim.target_in_map = aim.sub_target_in_map = {10.0, 13.0};
   const Critic to_target = [](const Samples& samples, const Aim& to, Lane& scores) {
-    for (std::size_t i = 0; i < kLanes; ++i) scores[i] = 10.0 - geometry::distance({samples.end_x_m[i], samples.end_y_m[i]}, to.target_in_map);
+    for (std::size_t i = 0; i < kLanes; ++i)
+      scores[i] = 10.0 - geometry::distance({samples.end_x_m[i], samples.end_y_m[i]}, to.target_in_map);
   };
   const Variant heading_only{"x", {{to_target, 1.0}}};
   const Choice choice = choose(world.scene(geometry::disc(0.35), limits, {10.0, 10.0, 0.0}, {}), aim, heading_only, {});

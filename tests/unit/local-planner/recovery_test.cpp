@@ -19,7 +19,8 @@ std::vector<std::string> details_of(Drive& drive, double seconds, const SeenTrac
   drive.until(seconds, [&] {
     drive.inputs.tracks = {in_the_way};
     drive.inputs.tracks.front().arrived = drive.now;
-    if (std::find(details.begin(), details.end(), drive.output.detail) == details.end()) details.push_back(drive.output.detail);
+    if (std::find(details.begin(), details.end(), drive.output.detail) == details.end())
+      details.push_back(drive.output.detail);
     return false;
   });
   return details;
@@ -35,7 +36,8 @@ TEST(Recovery, TellsEachGradeInItsOrder) {
   drive.give_plan({{3.0, 5.0}, {17.0, 5.0}});
   ASSERT_TRUE(drive.until(5.0, [&] { return drive.base.x > 6.0; }));
   // Somebody who treads on the spot: no thing that stands, so there is no detour, and no way past.
-  const std::vector<std::string> details = details_of(drive, 20.0, drive.track({drive.base.x + 1.6, 5.0}, {-0.3, 0.0}, false));
+  const std::vector<std::string> details =
+      details_of(drive, 20.0, drive.track({drive.base.x + 1.6, 5.0}, {-0.3, 0.0}, false));
   std::string all;
   for (const std::string& detail : details) all += "'" + detail + "' ";
   const std::ptrdiff_t slower = place_of(details, "recovers: slower");
@@ -60,7 +62,9 @@ TEST(Recovery, LetsPeoplePassInsteadOfBackingOff) {
     drive.inputs.tracks.clear();
     for (int i = 0; i < 60; ++i) {
       const double y_m = 5.0 + t_s - 0.6 * i + 1.0;
-      if (std::abs(y_m - 5.0) < 2.0) drive.inputs.tracks.push_back(drive.track({x_m, y_m}, {0.0, 1.0}, false)), drive.inputs.tracks.back().track.id = static_cast<std::uint64_t>(i + 1);
+      if (std::abs(y_m - 5.0) < 2.0)
+        drive.inputs.tracks.push_back(drive.track({x_m, y_m}, {0.0, 1.0}, false)),
+            drive.inputs.tracks.back().track.id = static_cast<std::uint64_t>(i + 1);
     }
     refused_s += drive.output.detail.find("recovers") != std::string::npos ? 0.02 : 0.0;
     return drive.output.detail == "recovers: backs off";
@@ -108,7 +112,8 @@ TEST(Recovery, SaysWhatIsAvoided) {
 TEST(Recovery, ASubTargetInsideAThingIsTakenElsewhere) {
   Drive drive(aisle(4.0));
   drive.give_plan({{3.0, 5.0}, {17.0, 5.0}});
-  drive.inputs.tracks = {drive.track({8.0, 4.3}, {}, true), drive.track({8.0, 4.8}, {}, true)};     // on the lane, and where it would be looked at
+  drive.inputs.tracks = {drive.track({8.0, 4.3}, {}, true),
+                         drive.track({8.0, 4.8}, {}, true)};  // on the lane, and where it would be looked at
   const bool arrived = drive.until(40.0, [&] {
     for (SeenTrack& seen : drive.inputs.tracks) {
       seen.arrived = drive.now;
@@ -130,9 +135,10 @@ grid::OccupancyGrid corner() {
 
 TEST(Recovery, GetsAwayFromACornerThatItCutTooNearly) {
   for (const double yaw : {0.5, 0.7, 0.3}) {
-    Drive drive(corner(), {6.70, 5.24, yaw});       // 0.03 m from the corner, less than the margin; straight on leads nearer
+    Drive drive(corner(), {6.70, 5.24, yaw});  // 0.03 m from the corner, less than the margin; straight on leads nearer
     drive.give_plan({{6.5, 2.0}, {6.5, 5.3}, {6.7, 5.5}, {12.0, 5.5}});
-    EXPECT_TRUE(drive.until(15.0, Phase::kArrived)) << "heading " << yaw << ": stands at " << drive.base.x << ", " << drive.base.y;
+    EXPECT_TRUE(drive.until(15.0, Phase::kArrived))
+        << "heading " << yaw << ": stands at " << drive.base.x << ", " << drive.base.y;
   }
 }
 

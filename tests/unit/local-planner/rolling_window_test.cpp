@@ -19,7 +19,8 @@ Meeting meet(Point2 position, Point2 velocity, double window_m = 10.0) {
   static const grid::ClearanceField clearance(hall(20.0, 20.0));
   static const std::vector<PeerMotion> kNoPeers;
   const std::vector<Mover> movers{{position, velocity, 0.25, 0.1, 0.0}};
-  return predict_meeting({clearance, {10.0, 10.0, 0.0}, {1.0, 0.0, 0.0}, 0.35, {}, 1.2, movers, kNoPeers}, window_m, 5.0);
+  return predict_meeting({clearance, {10.0, 10.0, 0.0}, {1.0, 0.0, 0.0}, 0.35, {}, 1.2, movers, kNoPeers}, window_m,
+                         5.0);
 }
 
 TEST(ClosestApproach, HeadOnIsAtTheMiddle) {
@@ -33,7 +34,9 @@ TEST(ClosestApproach, OfWhoMovesAwayIsNow) {
   EXPECT_DOUBLE_EQ(closest_approach({1.0, 0.0}, {0.5, 0.0}, 5.0).distance_m, 1.0);
 }
 
-TEST(ClosestApproach, WithoutRelativeMotionIsNow) { EXPECT_DOUBLE_EQ(closest_approach({0.0, 2.0}, {}, 5.0).distance_m, 2.0); }
+TEST(ClosestApproach, WithoutRelativeMotionIsNow) {
+  EXPECT_DOUBLE_EQ(closest_approach({0.0, 2.0}, {}, 5.0).distance_m, 2.0);
+}
 
 TEST(ClosestApproach, EndsWithTheHorizon) {
   const Approach approach = closest_approach({10.0, 0.0}, {-1.0, 0.0}, 4.0);
@@ -63,22 +66,30 @@ TEST(RollingWindow, TellsOncomingFromSlower) {
   EXPECT_EQ(meet({11.5, 10.0}, {0.4, 0.0}).encounter, Encounter::kOvertaking);
 }
 
-TEST(RollingWindow, WhoDrivesBesideAtTheSameSpeedIsNotMet) { EXPECT_EQ(meet({10.0, 11.0}, {1.0, 0.0}).encounter, Encounter::kNone); }
+TEST(RollingWindow, WhoDrivesBesideAtTheSameSpeedIsNotMet) {
+  EXPECT_EQ(meet({10.0, 11.0}, {1.0, 0.0}).encounter, Encounter::kNone);
+}
 TEST(RollingWindow, EndsAtTheSensorsRange) { EXPECT_EQ(meet({13.0, 10.0}, {}, 2.5).encounter, Encounter::kNone); }
 
 TEST(RollingWindow, TheSoonestIsTold) {
   static const grid::ClearanceField clearance(hall(20.0, 20.0));
   static const std::vector<PeerMotion> kNoPeers;
   const std::vector<Mover> movers{{{13.0, 10.0}, {}, 0.25, 0.1, 0.0}, {{13.0, 10.0}, {-1.0, 0.0}, 0.25, 0.1, 0.0}};
-  EXPECT_EQ(predict_meeting({clearance, {10.0, 10.0, 0.0}, {1.0, 0.0, 0.0}, 0.35, {}, 1.2, movers, kNoPeers}, 10.0, 5.0).encounter, Encounter::kOncoming);
+  EXPECT_EQ(predict_meeting({clearance, {10.0, 10.0, 0.0}, {1.0, 0.0, 0.0}, 0.35, {}, 1.2, movers, kNoPeers}, 10.0, 5.0)
+                .encounter,
+            Encounter::kOncoming);
 }
 
-/// A vehicle at (3, 5) in a hall or an aisle of 20 m along x, that drives at 1 m/s towards a goal at (17, 5), or on another route.
+/// A vehicle at (3, 5) in a hall or an aisle of 20 m along x, that drives at 1 m/s towards a goal at (17, 5), or on
+/// another route.
 struct Drives {
-  explicit Drives(const grid::OccupancyGrid& grid, std::vector<Point2> way = {{3.0, 5.0}, {17.0, 5.0}}) : clearance(grid), route(resample(way, 0.2)) {}
+  explicit Drives(const grid::OccupancyGrid& grid, std::vector<Point2> way = {{3.0, 5.0}, {17.0, 5.0}})
+      : clearance(grid), route(resample(way, 0.2)) {}
 
   Room room() const { return {clearance, standing, 0.35, 0.02, 0.02}; }
-  Scene scene(double yaw_rad = 0.0) const { return {clearance, {3.0, 5.0, yaw_rad}, {1.0, 0.0, 0.0}, 0.35, {}, 1.2, movers, peers}; }
+  Scene scene(double yaw_rad = 0.0) const {
+    return {clearance, {3.0, 5.0, yaw_rad}, {1.0, 0.0, 0.0}, 0.35, {}, 1.2, movers, peers};
+  }
   std::optional<Point2> sub_target(double window_m = kWindowM) const {
     const Scene now = scene();
     const Room free = room();
@@ -135,19 +146,21 @@ TEST(LocalSubTarget, IsBesideWhatStands) {
 TEST(Avoid, KeepsToThePathWhereNobodyIsMet) {
   Drives drives(hall(20.0, 10.0));
   EXPECT_FALSE(drives.avoidance());
-  drives.movers = {{{6.0, 4.0}, {0.0, 1.5}, 0.25, 0.1, 0.0}};      // passes ahead
+  drives.movers = {{{6.0, 4.0}, {0.0, 1.5}, 0.25, 0.1, 0.0}};  // passes ahead
   EXPECT_FALSE(drives.avoidance());
-  drives.movers = {{{4.5, 5.0}, {0.4, 0.0}, 0.25, 0.1, 0.0}};      // slower
+  drives.movers = {{{4.5, 5.0}, {0.4, 0.0}, 0.25, 0.1, 0.0}};  // slower
   EXPECT_FALSE(drives.avoidance());
 }
 
 TEST(Avoid, AimsWhereNobodyIsMet) {
   Drives drives(hall(20.0, 10.0));
-  for (const Mover& other : {Mover{{7.0, 5.0}, {-1.0, 0.0}, 0.25, 0.1, 0.0}, Mover{{5.0, 3.0}, {0.0, 1.0}, 0.25, 0.1, 0.0}, Mover{{5.5, 5.1}, {}, 0.25, 0.1, 0.0}}) {
+  for (const Mover& other : {Mover{{7.0, 5.0}, {-1.0, 0.0}, 0.25, 0.1, 0.0},
+                             Mover{{5.0, 3.0}, {0.0, 1.0}, 0.25, 0.1, 0.0}, Mover{{5.5, 5.1}, {}, 0.25, 0.1, 0.0}}) {
     drives.movers = {other};
     const auto target = drives.avoidance();
     ASSERT_TRUE(target);
-    EXPECT_EQ(predict_meeting(drives.scene(geometry::bearing({3.0, 5.0}, *target)), kWindowM, kAvoidS).encounter, Encounter::kNone);
+    EXPECT_EQ(predict_meeting(drives.scene(geometry::bearing({3.0, 5.0}, *target)), kWindowM, kAvoidS).encounter,
+              Encounter::kNone);
     EXPECT_GT(target->x, 3.5) << "goes on";
   }
 }

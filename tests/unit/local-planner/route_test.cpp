@@ -24,7 +24,7 @@ TEST(Route, TakesTheNearerEndBeyondItsEnds) {
 TEST(Route, ProjectsToTheNearestPointOfTheStretch) {
   EXPECT_NEAR(kCorner.project({2.5, 0.7}, 0.0, 7.0), 2.5, 1e-12);
   EXPECT_NEAR(kCorner.project({4.4, 2.0}, 0.0, 7.0), 6.0, 1e-12);
-  EXPECT_NEAR(kCorner.project({4.4, 2.0}, 0.0, 3.0), 3.0, 1e-12);      // no further than it was asked for
+  EXPECT_NEAR(kCorner.project({4.4, 2.0}, 0.0, 3.0), 3.0, 1e-12);  // no further than it was asked for
 }
 
 TEST(Route, DropsPointsThatRepeat) {

@@ -1,4 +1,6 @@
 // A few scenarios of the suite; all of them are `aisle experiment local`.
+#include "tools/lockstep/suite.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include "common/config/reader.hpp"
 #include "services/local-planner/core/critic.hpp"
 #include "tools/lockstep/families.hpp"
-#include "tools/lockstep/suite.hpp"
 #include "tools/lockstep/suite_scenarios.hpp"
 
 namespace aisle::lockstep {
@@ -28,7 +29,10 @@ TEST_P(Suite, ReachesItsGoalsInTimeAndTouchesNothing) {
   EXPECT_EQ(row.totals.contacts_moving_vehicle, 0) << (row.bad.empty() ? "" : row.bad.front());
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Suite, testing::Values("static-clutter", "hidden-blocks", "person-crossing", "overtaking", "door", "corridor", "two-vehicles"), name_of);
+INSTANTIATE_TEST_SUITE_P(Families, Suite,
+                         testing::Values("static-clutter", "hidden-blocks", "person-crossing", "overtaking", "door",
+                                         "corridor", "two-vehicles"),
+                         name_of);
 
 class Fused : public testing::TestWithParam<std::string> {};
 
@@ -42,9 +46,10 @@ INSTANTIATE_TEST_SUITE_P(Planners, Fused, testing::Values("li", "wu", "qu", "yu"
 
 TEST(SuiteScenarios, LeadEverybodyToTheirGoal) {
   for (const std::string& family : suite_families()) {
-    if (family == "crowd") continue;      // needs the reference data
+    if (family == "crowd") continue;  // needs the reference data
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
-      for (const double seconds : free_run_s(make_setup(family, seed))) EXPECT_TRUE(std::isfinite(seconds) && seconds > 5.0) << family << " " << seed;
+      for (const double seconds : free_run_s(make_setup(family, seed)))
+        EXPECT_TRUE(std::isfinite(seconds) && seconds > 5.0) << family << " " << seed;
   }
 }
 

@@ -25,7 +25,8 @@ Peer peer(const std::string& id, geometry::Pose2 base, double speed_mps) {
   p.state = {base, {speed_mps, 0.0, 0.0}};
   p.state_arrived = kNow;
   p.phase = Phase::kDriving;
-  p.intent = {{0.0, base}, {1.0, {base.x + speed_mps, base.y, base.yaw}}, {2.0, {base.x + 2.0 * speed_mps, base.y, base.yaw}}};
+  p.intent = {
+      {0.0, base}, {1.0, {base.x + speed_mps, base.y, base.yaw}}, {2.0, {base.x + 2.0 * speed_mps, base.y, base.yaw}}};
   p.intent_arrived = kNow;
   return p;
 }
@@ -38,7 +39,7 @@ TEST(Surroundings, CarryPeopleOnToWhenTheCommandActs) {
   Observer observer{SurroundingsSettings{}};
   Inputs inputs;
   inputs.tracks = {track({2.0, 3.0}, {1.0, 0.0})};
-  const Surroundings around = observe(observer, inputs, 0.1);       // 0.1 s old, 0.05 s on the way, 0.1 s of dead time
+  const Surroundings around = observe(observer, inputs, 0.1);  // 0.1 s old, 0.05 s on the way, 0.1 s of dead time
   ASSERT_EQ(around.movers.size(), 1U);
   EXPECT_NEAR(around.movers[0].position_in_map.x, 2.25, 1e-9);
   EXPECT_TRUE(around.standing.empty());
@@ -63,12 +64,12 @@ TEST(Surroundings, RememberWhoHasWalkedWhileTheyAreTracked) {
     return observe(observer, inputs).movers[0].has_walked;
   };
   EXPECT_FALSE(has_walked({2.0, 3.0}));
-  EXPECT_FALSE(has_walked({2.3, 3.0}));       // another view of a thing
+  EXPECT_FALSE(has_walked({2.3, 3.0}));  // another view of a thing
   EXPECT_TRUE(has_walked({3.0, 3.0}));
   EXPECT_TRUE(has_walked({3.0, 3.0}));
   inputs.tracks.clear();
   observe(observer, inputs);
-  EXPECT_FALSE(has_walked({3.0, 3.0}));       // another track
+  EXPECT_FALSE(has_walked({3.0, 3.0}));  // another track
 }
 
 TEST(Surroundings, KnowWhereAPeerCanStop) {
@@ -78,7 +79,7 @@ TEST(Surroundings, KnowWhereAPeerCanStop) {
   const Surroundings around = observe(observer, inputs);
   const auto& stopping = around.peer_motions[0].stopping_in_map;
   EXPECT_EQ(stopping.front(), (Point2{5.0, 5.0}));
-  EXPECT_GT(stopping.back().x, 5.0 + 0.6);                           // v^2 / 2a, and what it drives before it reacts
+  EXPECT_GT(stopping.back().x, 5.0 + 0.6);  // v^2 / 2a, and what it drives before it reacts
   EXPECT_LT(stopping.back().x, 5.0 + 1.3);
 }
 
@@ -109,7 +110,7 @@ TEST(Surroundings, AClaimBeginsWhereThePeerIsNow) {
   Observer observer{SurroundingsSettings{}};
   Inputs inputs;
   inputs.peers = {peer("agv-2", {5.0, 5.0, 0.0}, 1.0)};
-  inputs.peers[0].state.base_in_map.x = 5.9;                           // the intent is from 0.9 s before
+  inputs.peers[0].state.base_in_map.x = 5.9;  // the intent is from 0.9 s before
   const Surroundings around = observe(observer, inputs);
   EXPECT_DOUBLE_EQ(around.peers[0].claim.front().base_in_map.x, 5.9);
   for (std::size_t i = 1; i < around.peers[0].claim.size(); ++i) EXPECT_GT(around.peers[0].claim[i].base_in_map.x, 5.9);

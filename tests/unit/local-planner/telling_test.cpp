@@ -83,7 +83,8 @@ TEST_F(ClaimedWay, EndWhereItMustStop) {
   ASSERT_FALSE(claim.points.empty());
   EXPECT_NEAR(claim.points.back().base_in_map.x, 5.0, 1e-6);
   EXPECT_TRUE(claim_of(way, 0.0).points.empty());
-  for (std::size_t i = 1; i < claim.points.size(); ++i) EXPECT_GT(claim.points[i].offset_s, claim.points[i - 1].offset_s);
+  for (std::size_t i = 1; i < claim.points.size(); ++i)
+    EXPECT_GT(claim.points[i].offset_s, claim.points[i - 1].offset_s);
 }
 
 }  // namespace

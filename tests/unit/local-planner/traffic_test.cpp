@@ -11,7 +11,8 @@ using geometry::Point2;
 std::vector<IntentPoint> claim(const std::vector<Point2>& points) {
   const Route route(points);
   std::vector<IntentPoint> out;
-  for (double s = 0.0; s <= route.length_m(); s += 0.4) out.push_back({s, {route.at(s).x, route.at(s).y, route.heading_at(s)}});
+  for (double s = 0.0; s <= route.length_m(); s += 0.4)
+    out.push_back({s, {route.at(s).x, route.at(s).y, route.heading_at(s)}});
   return out;
 }
 
@@ -28,7 +29,8 @@ PeerView peer(const std::string& id, const std::vector<Point2>& points, double s
 
 /// Seen from one vehicle on its way.
 struct Me {
-  Me(const std::string& name, const std::vector<Point2>& points) : id(name), route(resample(points, 0.2)), profile(route.points().size(), 1.0) {}
+  Me(const std::string& name, const std::vector<Point2>& points)
+      : id(name), route(resample(points, 0.2)), profile(route.points().size(), 1.0) {}
   Advice among(const std::vector<PeerView>& peers, double s_m = 0.0) const {
     return advise({id, 0.35, s_m, 1.0, 0.5, route.at(s_m), route, profile}, peers, {});
   }
@@ -65,7 +67,8 @@ TEST(Traffic, ExactlyOneOfTwoWaits) {
 }
 
 TEST(Traffic, WhoIsThroughInTimeNeedNotWait) {
-  EXPECT_TRUE(Me("agv-2", {{5.0, -1.2}, {5.0, 7.0}}).among({peer("agv-1", {{-7.0, 0.0}, {12.0, 0.0}})}).yields_to.empty());
+  EXPECT_TRUE(
+      Me("agv-2", {{5.0, -1.2}, {5.0, 7.0}}).among({peer("agv-1", {{-7.0, 0.0}, {12.0, 0.0}})}).yields_to.empty());
 }
 
 TEST(Traffic, WhoIsInTheConflictGoesOn) {

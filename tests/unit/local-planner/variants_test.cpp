@@ -45,26 +45,35 @@ TEST(Variants, AreThoseOfThePapers) {
 
 // L0 to L5 of the papers, in the order C1 to C8.
 TEST(Variants, HaveTheWeightsOfTheirPapers) {
-  const std::vector<Critic> critics{heading_critic,       clearance_critic,           velocity_critic,         sub_target_heading_critic,
-                                    path_distance_critic, sub_target_distance_critic, static_clearance_critic, dynamic_clearance_critic};
+  const std::vector<Critic> critics{
+      heading_critic,       clearance_critic,           velocity_critic,         sub_target_heading_critic,
+      path_distance_critic, sub_target_distance_critic, static_clearance_critic, dynamic_clearance_critic};
   const std::map<std::string, std::vector<double>> weights{
-      {"dwa", {.2, .5, .3, 0, 0, 0, 0, 0}},      {"li", {.05, .2, .3, .1, 0, 0, 0, 0}}, {"wu", {.2, .15, .3, 0, .2, .15, 0, 0}},
-      {"qu", {.2, 0, .3, 0, 0, 0, .1, .4}},      {"yu", {.05, .2, .5, 0, 0, 0, 0, 0}},  {"wang", {.05, .2, .3, 0, 0, 0, 0, 0}},
+      {"dwa", {.2, .5, .3, 0, 0, 0, 0, 0}},    {"li", {.05, .2, .3, .1, 0, 0, 0, 0}},
+      {"wu", {.2, .15, .3, 0, .2, .15, 0, 0}}, {"qu", {.2, 0, .3, 0, 0, 0, .1, .4}},
+      {"yu", {.05, .2, .5, 0, 0, 0, 0, 0}},    {"wang", {.05, .2, .3, 0, 0, 0, 0, 0}},
   };
   for (const auto& [name, expected] : weights) {
     std::vector<double> found(critics.size(), 0.0);
     for (const WeightedCritic& weighted : find_variant(name)->critics)
-      found[static_cast<std::size_t>(std::distance(critics.begin(), std::find(critics.begin(), critics.end(), weighted.score)))] += weighted.weight;
+      found[static_cast<std::size_t>(std::distance(
+          critics.begin(), std::find(critics.begin(), critics.end(), weighted.score)))] += weighted.weight;
     EXPECT_EQ(found, expected) << name;
   }
 }
 
 TEST(Variants, HaveTheLimitsOfTheirPapers) {
-  const PaperLimits wu = find_variant("wu")->paper, qu = find_variant("qu")->paper, yu = find_variant("yu")->paper, wang = find_variant("wang")->paper;
-  EXPECT_EQ(std::tuple(wu.max_speed_mps, wu.max_turn_radps, wu.max_acceleration_mps2, wu.max_turn_acceleration_radps2, wu.horizon_s), std::tuple(1.0, 0.35, 0.2, 0.9, 3.0));
-  EXPECT_EQ(std::tuple(qu.max_speed_mps, qu.max_turn_radps, qu.max_acceleration_mps2, qu.max_turn_acceleration_radps2), std::tuple(2.0, from_degrees(40.0), 0.4, from_degrees(60.0)));
-  EXPECT_EQ(std::tuple(yu.max_speed_mps, yu.max_turn_radps, yu.max_turn_acceleration_radps2, yu.horizon_s), std::tuple(2.0, from_degrees(20.0), from_degrees(50.0), 3.0));
-  EXPECT_EQ(std::tuple(wang.max_speed_mps, wang.max_turn_radps, wang.max_acceleration_mps2, wang.horizon_s), std::tuple(1.5, from_degrees(40.0), 1.0, 2.0));
+  const PaperLimits wu = find_variant("wu")->paper, qu = find_variant("qu")->paper, yu = find_variant("yu")->paper,
+                    wang = find_variant("wang")->paper;
+  EXPECT_EQ(std::tuple(wu.max_speed_mps, wu.max_turn_radps, wu.max_acceleration_mps2, wu.max_turn_acceleration_radps2,
+                       wu.horizon_s),
+            std::tuple(1.0, 0.35, 0.2, 0.9, 3.0));
+  EXPECT_EQ(std::tuple(qu.max_speed_mps, qu.max_turn_radps, qu.max_acceleration_mps2, qu.max_turn_acceleration_radps2),
+            std::tuple(2.0, from_degrees(40.0), 0.4, from_degrees(60.0)));
+  EXPECT_EQ(std::tuple(yu.max_speed_mps, yu.max_turn_radps, yu.max_turn_acceleration_radps2, yu.horizon_s),
+            std::tuple(2.0, from_degrees(20.0), from_degrees(50.0), 3.0));
+  EXPECT_EQ(std::tuple(wang.max_speed_mps, wang.max_turn_radps, wang.max_acceleration_mps2, wang.horizon_s),
+            std::tuple(1.5, from_degrees(40.0), 1.0, 2.0));
 }
 
 TEST_P(AnyVariant, HasWeightedCriticsAndTheLimitsOfItsPaper) {
@@ -118,7 +127,8 @@ TEST_P(AnyVariant, NeverTakesASpeedThatCannotBeStopped) {
     person.velocity_in_map = {2.0 * unit(random) - 1.0, 2.0 * unit(random) - 1.0};
     const std::vector<Mover> movers{person};
     const std::vector<PeerMotion> peers;
-    const Scene scene{clearance, base, {1.2 * unit(random), 2.4 * unit(random) - 1.2, 0.0}, 0.35, {}, 1.2, movers, peers};
+    const Scene scene{clearance, base, {1.2 * unit(random), 2.4 * unit(random) - 1.2, 0.0}, 0.35, {}, 1.2,
+                      movers,    peers};
     Aim aim;
     aim.target_in_map = aim.sub_target_in_map = {place(random), place(random)};
     aim.path_in_map = {base.position(), aim.target_in_map};
@@ -133,7 +143,8 @@ TEST_P(AnyVariant, NeverTakesASpeedThatCannotBeStopped) {
 TEST_P(AnyVariant, ReachesAGoalAndStaysThere) {
   Drive drive(hall(20.0, 10.0), {3.0, 5.0, 1.0}, variant());
   drive.give_plan({{3.0, 5.0}, {10.0, 5.0}, {16.0, 7.0}});
-  ASSERT_TRUE(drive.until(60.0, Phase::kArrived)) << name(drive.output.phase) << " at " << drive.base.x << ", " << drive.base.y;
+  ASSERT_TRUE(drive.until(60.0, Phase::kArrived))
+      << name(drive.output.phase) << " at " << drive.base.x << ", " << drive.base.y;
   EXPECT_LT(geometry::distance(drive.base.position(), {16.0, 7.0}), 0.15);
 }
 

@@ -18,7 +18,9 @@ void expect_good(const Setup& setup) {
   EXPECT_GT(result.least_clearance_m, 0.0);
 }
 
-Setup deployed(const std::string& name) { return read_setup(std::string(AISLE_SOURCE_DIR) + "/deploy/scenarios/" + name + ".yaml", 1); }
+Setup deployed(const std::string& name) {
+  return read_setup(std::string(AISLE_SOURCE_DIR) + "/deploy/scenarios/" + name + ".yaml", 1);
+}
 
 TEST(Vehicles, AForkliftCompletesTheWarehouseWithoutContact) { expect_good(deployed("forklift-warehouse")); }
 

@@ -20,7 +20,7 @@ TEST(Way, GoesOnAlongAPlanThatWasKept) {
   Way way;
   drive_to(38.0, way);
   ASSERT_NEAR(way.lane_s_m(), 38.0, 0.2);
-  way.adopt(there_and_back(), there_and_back().at(38.0), true);       // made anew after a map edit
+  way.adopt(there_and_back(), there_and_back().at(38.0), true);  // made anew after a map edit
   EXPECT_NEAR(way.lane_s_m(), 38.0, 0.2);
 }
 
@@ -33,7 +33,8 @@ TEST(Way, BeginsAPlanThatIsNewWhereTheVehicleIs) {
 
 TEST(Way, FindsItsPlaceFarAlongAPlanThatIsNew) {
   Way way;
-  way.adopt(Route({{0.0, 0.0}, {30.0, 0.0}}), {20.0, 0.5}, false);    // a planner that was restarted gives the plan of before
+  way.adopt(Route({{0.0, 0.0}, {30.0, 0.0}}), {20.0, 0.5},
+            false);  // a planner that was restarted gives the plan of before
   EXPECT_NEAR(way.lane_s_m(), 20.0, 1e-9);
 }
 
@@ -44,7 +45,8 @@ TEST(Way, CountsADetourAsTheWayUntilItRejoins) {
   way.detour({{1.0, 0.0}, {3.0, 1.0}, {5.0, 0.0}}, 5.0);
   EXPECT_TRUE(way.is_on_detour());
   EXPECT_NEAR(way.left_m(), 2.0 * std::hypot(2.0, 1.0) + 15.0, 0.1);
-  for (double x = 1.0; x <= 6.0; x += 0.2) way.progress({x, x < 3.0 ? 0.5 * (x - 1.0) : std::max(0.0, 0.5 * (5.0 - x))});
+  for (double x = 1.0; x <= 6.0; x += 0.2)
+    way.progress({x, x < 3.0 ? 0.5 * (x - 1.0) : std::max(0.0, 0.5 * (5.0 - x))});
   EXPECT_FALSE(way.is_on_detour());
 }
 

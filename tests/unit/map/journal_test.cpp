@@ -15,14 +15,19 @@ using grid::MapEdit;
 using ::testing::HasSubstr;
 
 JournalEntry entry(std::uint64_t revision) {
-  MapEdit edit{"edit-" + std::to_string(revision), "site",    MapEdit::Action::kUnblock, MapEdit::Shape::kPolygon,
-               {{0.1, 1e-300}, {-2.5, 3.0}, {1.0 / 3.0, 7.0}}, 0.25};
+  MapEdit edit{"edit-" + std::to_string(revision),
+               "site",
+               MapEdit::Action::kUnblock,
+               MapEdit::Shape::kPolygon,
+               {{0.1, 1e-300}, {-2.5, 3.0}, {1.0 / 3.0, 7.0}},
+               0.25};
   return {revision, edit, 42, "dispatcher", 1234567890123456789};
 }
 
 class JournalFile : public ::testing::Test {
  protected:
-  std::unique_ptr<Journal> open(const std::string& map_id = "site", std::uint64_t base_hash = 7, const Journal::Options& options = {}) const {
+  std::unique_ptr<Journal> open(const std::string& map_id = "site", std::uint64_t base_hash = 7,
+                                const Journal::Options& options = {}) const {
     return std::make_unique<Journal>(file(), map_id, base_hash, options);
   }
   std::filesystem::path file() const { return folder_.path() / "site.journal"; }

@@ -156,13 +156,16 @@ TEST(MapStore, BoundsTheNumberOfEdits) {
 }
 
 std::unique_ptr<Journal> journal_of(const testing::TemporaryFolder& folder, const Journal::Options& options = {}) {
-  return std::make_unique<Journal>(folder.path() / "site.journal", "site", SiteMap("site", empty_floor()).summary().hash, options);
+  return std::make_unique<Journal>(folder.path() / "site.journal", "site",
+                                   SiteMap("site", empty_floor()).summary().hash, options);
 }
 
 TEST(MapStore, IsTheSameAfterARestartWithItsJournal) {
   const testing::TemporaryFolder folder;
   std::mt19937 random(11);
-  const auto number = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); };
+  const auto number = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
   std::uint64_t revision = 1;
   std::uint64_t hash = 0;
   for (int start = 0; start < 6; ++start) {
@@ -171,7 +174,12 @@ TEST(MapStore, IsTheSameAfterARestartWithItsJournal) {
     EXPECT_TRUE(start == 0 || site.map().summary().hash == hash);
     expect_consistent(site.map());
     for (int i = 0; i < 30; ++i) {
-      MapEdit edit{"e" + std::to_string(start) + "-" + std::to_string(i), "site", MapEdit::Action::kBlock, MapEdit::Shape::kPolygon, {}, 0.0};
+      MapEdit edit{"e" + std::to_string(start) + "-" + std::to_string(i),
+                   "site",
+                   MapEdit::Action::kBlock,
+                   MapEdit::Shape::kPolygon,
+                   {},
+                   0.0};
       if (i % 3 == 0) edit.action = MapEdit::Action::kUnblock;
       for (int corner = 0; corner < 5; ++corner) edit.points_in_map.push_back({number(-2.0, 15.0), number(-3.0, 9.0)});
       const bool applied = site.take(edit, "test", i).result.outcome == Outcome::kApplied;
@@ -209,7 +217,8 @@ TEST(MapStore, RefusesAJournalWhoseEditsDoNotFitTheMap) {
     MapStore site = store(journal_of(folder));
     site.take(block("far", {10.0, 5.0}, {11.0, 6.0}), "test", 1);
   }
-  EXPECT_THROW(MapStore(SiteMap("site", grid::OccupancyGrid({10, 10, 0.1, {0.0, 0.0}})), journal_of(folder), {}), config::BadInput);
+  EXPECT_THROW(MapStore(SiteMap("site", grid::OccupancyGrid({10, 10, 0.1, {0.0, 0.0}})), journal_of(folder), {}),
+               config::BadInput);
 }
 
 }  // namespace

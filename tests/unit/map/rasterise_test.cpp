@@ -10,14 +10,15 @@
 namespace aisle::map {
 namespace {
 
+using geometry::Point2;
 using grid::Geometry;
 using grid::MapEdit;
-using geometry::Point2;
 
 std::set<std::pair<int, int>> cells_of(const std::vector<CellRun>& runs) {
   std::set<std::pair<int, int>> cells;
   for (const CellRun& run : runs) {
-    for (int x = run.x_begin; x < run.x_end; ++x) EXPECT_TRUE(cells.insert({x, run.y}).second) << "twice: " << x << " " << run.y;
+    for (int x = run.x_begin; x < run.x_end; ++x)
+      EXPECT_TRUE(cells.insert({x, run.y}).second) << "twice: " << x << " " << run.y;
   }
   return cells;
 }
@@ -41,12 +42,14 @@ TEST(Rasterise, ARectangleOnCellBordersIsItsCells) {
 
 TEST(Rasterise, CoversWhatItOverlapsAndClipsToTheMap) {
   const Geometry g{10, 10, 1.0, {0.0, 0.0}};
-  EXPECT_EQ(cells_of(rasterise(edit(MapEdit::Shape::kRectangle, {{2.4, 2.4}, {2.6, 3.1}}), g)), (std::set<std::pair<int, int>>{{2, 2}, {2, 3}}));
+  EXPECT_EQ(cells_of(rasterise(edit(MapEdit::Shape::kRectangle, {{2.4, 2.4}, {2.6, 3.1}}), g)),
+            (std::set<std::pair<int, int>>{{2, 2}, {2, 3}}));
   EXPECT_EQ(cells_of(rasterise(edit(MapEdit::Shape::kRectangle, {{-1e9, -1e9}, {1e9, 1e9}}), g)).size(), 100U);
   EXPECT_TRUE(rasterise(edit(MapEdit::Shape::kRectangle, {{20.0, 2.0}, {30.0, 3.0}}), g).empty());
   EXPECT_TRUE(rasterise(edit(MapEdit::Shape::kRectangle, {{2.0, 2.0}, {2.0, 3.0}}), g).empty()) << "no area";
   EXPECT_EQ(cells_of(rasterise(edit(MapEdit::Shape::kDisc, {{5.0, 5.0}}, 1.0), g)).size(), 4U);
-  EXPECT_EQ(cells_of(rasterise(edit(MapEdit::Shape::kDisc, {{5.5, 5.5}}, 0.1), g)), (std::set<std::pair<int, int>>{{5, 5}}));
+  EXPECT_EQ(cells_of(rasterise(edit(MapEdit::Shape::kDisc, {{5.5, 5.5}}, 0.1), g)),
+            (std::set<std::pair<int, int>>{{5, 5}}));
   EXPECT_EQ(cells_of(rasterise(edit(MapEdit::Shape::kDisc, {{5.5, 5.5}}, 0.6), g)).size(), 5U);
 }
 
@@ -72,13 +75,15 @@ TEST(Rasterise, CoversEveryPointInsideAndNoCellFarFromTheShape) {
     for (int i = 0; i < corners; ++i) e.points_in_map.push_back({x(random), y(random)});
     e.radius_m = std::uniform_real_distribution<double>(0.05, 2.0)(random);
     const auto covers = [&](Point2 p) {
-      return e.shape == MapEdit::Shape::kDisc ? geometry::distance(p, e.points_in_map[0]) < e.radius_m : is_inside(e.points_in_map, p);
+      return e.shape == MapEdit::Shape::kDisc ? geometry::distance(p, e.points_in_map[0]) < e.radius_m
+                                              : is_inside(e.points_in_map, p);
     };
     const auto cells = cells_of(rasterise(e, g));
     for (int i = 0; i < 3000; ++i) {
       const Point2 p{x(random), y(random)};
       const grid::Cell c = g.cell_at(p);
-      ASSERT_TRUE(!g.contains(c) || !covers(p) || cells.count({c.x, c.y}) > 0) << "seed " << seed << " at " << p.x << " " << p.y;
+      ASSERT_TRUE(!g.contains(c) || !covers(p) || cells.count({c.x, c.y}) > 0)
+          << "seed " << seed << " at " << p.x << " " << p.y;
     }
     for (const auto& [cx, cy] : cells) {  // a cell is covered somewhere, or an edge runs through it
       const Point2 center = g.center_in_map({cx, cy});
@@ -86,7 +91,9 @@ TEST(Rasterise, CoversEveryPointInsideAndNoCellFarFromTheShape) {
                       ? geometry::distance(center, e.points_in_map[0]) < e.radius_m + 0.7072 * g.resolution_m
                       : is_inside(e.points_in_map, center);
       for (std::size_t i = 0; !near && i < e.points_in_map.size(); ++i) {
-        near = geometry::distance_to_segment(center, e.points_in_map[i], e.points_in_map[(i + 1) % e.points_in_map.size()]) < 0.7072 * g.resolution_m;
+        near =
+            geometry::distance_to_segment(center, e.points_in_map[i],
+                                          e.points_in_map[(i + 1) % e.points_in_map.size()]) < 0.7072 * g.resolution_m;
       }
       ASSERT_TRUE(near) << "seed " << seed << " cell " << cx << " " << cy;
     }

@@ -57,7 +57,8 @@ TEST(Alignment, PullsNoThingTowardsItsOwnPrediction) {
 TEST(Alignment, CorrectsWhatWasNotExpectedAsWell) {
   const SensorNoise noise;
   const geometry::Pose2 error{0.0, 0.0, 0.012};
-  std::vector<Detection> detections{seen({8.0, 2.0}, error, noise), seen({-6.0, 2.0}, error, noise), seen({1.0, 9.0}, error, noise)};
+  std::vector<Detection> detections{seen({8.0, 2.0}, error, noise), seen({-6.0, 2.0}, error, noise),
+                                    seen({1.0, 9.0}, error, noise)};
   align(detections, {expected({8.0, 2.0}), expected({-6.0, 2.0}), std::nullopt}, kSensor, noise, kGate);
   EXPECT_LT(geometry::distance(detections[2].position_in_map, {1.0, 9.0}), 0.03);  // it was 8 cm off
 }

@@ -12,8 +12,9 @@ namespace {
 double cost_of(const std::vector<int>& column_of_row, const std::vector<Candidate>& candidates, double alone) {
   double total = 0.0;
   for (std::size_t row = 0; row < column_of_row.size(); ++row) {
-    const auto found = std::find_if(candidates.begin(), candidates.end(),
-                                    [&](const Candidate& c) { return c.row == static_cast<int>(row) && c.column == column_of_row[row]; });
+    const auto found = std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
+      return c.row == static_cast<int>(row) && c.column == column_of_row[row];
+    });
     total += found != candidates.end() ? found->cost : alone;
   }
   return total;
@@ -37,7 +38,9 @@ TEST(Association, PrefersTheWholeToTheNearest) {
   EXPECT_EQ(assign(2, 2, {{0, 0, 1.0}, {0, 1, 2.0}, {1, 0, 1.5}}, 10.0), (std::vector<int>{1, 0}));
 }
 
-TEST(Association, LeavesAloneWhatHasNoCandidate) { EXPECT_EQ(assign(3, 1, {{1, 0, 1.0}}, 10.0), (std::vector<int>{-1, 0, -1})); }
+TEST(Association, LeavesAloneWhatHasNoCandidate) {
+  EXPECT_EQ(assign(3, 1, {{1, 0, 1.0}}, 10.0), (std::vector<int>{-1, 0, -1}));
+}
 
 TEST(Association, IsAsCheapAsTryingEverything) {
   std::mt19937 random(7);
@@ -60,7 +63,8 @@ TEST(Association, IsAsCheapAsTryingEverything) {
     std::sort(used.begin(), used.end());
     EXPECT_EQ(std::adjacent_find(used.begin(), used.end()), used.end()) << "round " << round;
     std::vector<char> taken(static_cast<std::size_t>(columns), 0);
-    EXPECT_NEAR(cost_of(assigned, candidates, 9.0), least_cost(0, rows, taken, candidates, 9.0), 1e-9) << "round " << round;
+    EXPECT_NEAR(cost_of(assigned, candidates, 9.0), least_cost(0, rows, taken, candidates, 9.0), 1e-9)
+        << "round " << round;
   }
 }
 

@@ -17,10 +17,11 @@ namespace {
 constexpr double kStop_s = 2.0;
 
 const std::vector<Vehicle> kOneVehicle{{"a", {8.0, 2.0, 0.7}, {}, 0.35, 10.0, 360}};
-const std::vector<Vehicle> kTwoVehicles{{"a", {8.0, 2.0, 0.7}, {}, 0.35, 10.0, 360}, {"b", {6.5, 2.5, 0.0}, {}, 0.35, 10.0, 360}};
+const std::vector<Vehicle> kTwoVehicles{{"a", {8.0, 2.0, 0.7}, {}, 0.35, 10.0, 360},
+                                        {"b", {6.5, 2.5, 0.0}, {}, 0.35, 10.0, 360}};
 
-/// Of the second after two stopped: in how many moments there is not one track at each of them; and how often one has another id than
-/// while they came.
+/// Of the second after two stopped: in how many moments there is not one track at each of them; and how often one has
+/// another id than while they came.
 struct Company {
   int moments{0};
   int not_two{0};
@@ -67,7 +68,8 @@ TEST(Company, TwoWhoStopSideBySideAreNotMergedAndKeepTheirIds) {
   for (const std::vector<Vehicle>& fleet : {kOneVehicle, kTwoVehicles}) {
     for (const double gap_m : {0.5, 0.55, 0.6}) {
       const Company company = stop_together(fleet, [&](double leg_m) { return towards_each_other(leg_m, gap_m); });
-      EXPECT_LE(20 * company.not_two, company.moments) << fleet.size() << " vehicles, " << gap_m << " m apart: " << company.not_two;
+      EXPECT_LE(20 * company.not_two, company.moments)
+          << fleet.size() << " vehicles, " << gap_m << " m apart: " << company.not_two;
       EXPECT_LE(company.other_ids, 1) << fleet.size() << " vehicles, " << gap_m << " m apart";
     }
   }
@@ -93,7 +95,9 @@ TEST(Company, TwoWhoBrushPastEachOtherStayTwo) {
     int lost = 0;
     for (unsigned seed = 1; seed <= 16; ++seed) {
       Stage stage(room(16.0, 12.0), fleet, seed);
-      const auto pass = [&](double t) { stage.world.discs = {{{5.0 + 1.2 * t, 6.0}, 0.25}, {{11.0 - 1.2 * t, 6.25}, 0.25}}; };
+      const auto pass = [&](double t) {
+        stage.world.discs = {{{5.0 + 1.2 * t, 6.0}, 0.25}, {{11.0 - 1.2 * t, 6.25}, 0.25}};
+      };
       stage.run(2.0, pass);
       const std::set<std::uint64_t> before{id_at(stage, 0), id_at(stage, 1)};
       stage.run(3.2, pass);
@@ -124,10 +128,12 @@ TEST(Company, DoublesOfOneThingAreMerged) {
       Stage stage(room(16.0, 12.0), {kOneVehicle[0], {"b", {8.0, 10.0, 0.0}, {}, 0.35, 10.0, 360}}, seed);
       stage.world.boxes = {{{kMiddle.x, kMiddle.y, 0.1 * seed}, length_m, 0.15}};
       stage.run(1.0, [](double) {});
-      stage.run(3.0, [](double) {}, [&](double) {
-        ++moments;
-        doubles += pairs_within(stage.tracks, Lifecycle{}.merge_m);
-      });
+      stage.run(
+          3.0, [](double) {},
+          [&](double) {
+            ++moments;
+            doubles += pairs_within(stage.tracks, Lifecycle{}.merge_m);
+          });
     }
     EXPECT_LE(10 * doubles, moments) << length_m << " m long: " << doubles;
   }

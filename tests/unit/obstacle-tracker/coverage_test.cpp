@@ -23,7 +23,8 @@ using geometry::Point2;
 constexpr double kCell_m = 0.5;
 
 grid::Geometry ground(double width_m, double height_m) {
-  return {static_cast<int>(std::lround(width_m / 0.05)), static_cast<int>(std::lround(height_m / 0.05)), 0.05, {0.0, 0.0}};
+  return {
+      static_cast<int>(std::lround(width_m / 0.05)), static_cast<int>(std::lround(height_m / 0.05)), 0.05, {0.0, 0.0}};
 }
 
 /// A lidar that measures exactly.
@@ -35,7 +36,8 @@ Scan exact_scan(const test::World& world, geometry::Pose2 base_in_map, time::Sta
   scan.angle_step_rad = 2.0 * geometry::kPi / rays;
   scan.range_min_m = 0.05;
   for (int i = 0; i < rays; ++i) {
-    const double range_m = world.ray_m(base_in_map.position(), base_in_map.yaw + scan.angle_step_rad * i, scan.range_max_m);
+    const double range_m =
+        world.ray_m(base_in_map.position(), base_in_map.yaw + scan.angle_step_rad * i, scan.range_max_m);
     scan.ranges_m.push_back(static_cast<float>(range_m));
   }
   return scan;
@@ -47,7 +49,8 @@ std::uint8_t age_at(const std::vector<CoverageTile>& tiles, Point2 in_map) {
     const int x = static_cast<int>(std::floor((in_map.x - tile.low_in_map.x) / tile.cell_m));
     const int y = static_cast<int>(std::floor((in_map.y - tile.low_in_map.y) / tile.cell_m));
     if (x < 0 || y < 0 || x >= tile.width_cells || y >= tile.height_cells) continue;
-    return tile.ages[static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.width_cells) + static_cast<std::size_t>(x)];
+    return tile
+        .ages[static_cast<std::size_t>(y) * static_cast<std::size_t>(tile.width_cells) + static_cast<std::size_t>(x)];
   }
   return kNeverSeen;
 }
@@ -85,7 +88,9 @@ Point2 free_place(const test::World& world, std::mt19937_64& random) {
   std::uniform_real_distribution<double> across(1.0, 15.0), up(1.0, 11.0);
   for (;;) {
     const Point2 place{across(random), up(random)};
-    const bool is_free = std::none_of(world.discs.begin(), world.discs.end(), [&](const test::Disc& d) { return geometry::distance(place, d.center_in_map) < d.radius_m + 0.4; });
+    const bool is_free = std::none_of(world.discs.begin(), world.discs.end(), [&](const test::Disc& d) {
+      return geometry::distance(place, d.center_in_map) < d.radius_m + 0.4;
+    });
     if (is_free) return place;
   }
 }
@@ -108,7 +113,9 @@ TEST(Coverage, AgreesWithRaysThatAreMarched) {
         const bool is_seen = age_at(tiles, center) == 0;
         seen += is_seen ? 1 : 0;
         hidden += is_seen ? 0 : 1;
-        const auto where = [&] { return "scene " + std::to_string(scene) + ", cell at " + std::to_string(x) + ", " + std::to_string(y); };
+        const auto where = [&] {
+          return "scene " + std::to_string(scene) + ", cell at " + std::to_string(x) + ", " + std::to_string(y);
+        };
         if (is_seen) {
           EXPECT_LT(away_m, 10.0) << where();
           EXPECT_TRUE(is_way_clear(world, from, center, 0.03)) << where();
@@ -184,7 +191,8 @@ TEST(Coverage, APartialFanSeesNothingBesideIt) {
 TEST(Coverage, RaysThatSawNothingReachAsFarAsTheSensorAndTooNearOnesNowhere) {
   Scan scan = exact_scan(test::World(test::room(40.0, 40.0)), {20.0, 20.0, 0.0}, 10s);
   std::fill(scan.ranges_m.begin(), scan.ranges_m.end(), std::numeric_limits<float>::infinity());
-  for (int i = 80; i < 100; ++i) scan.ranges_m[static_cast<std::size_t>(i)] = 0.01F;  // something hangs before the sensor
+  for (int i = 80; i < 100; ++i)
+    scan.ranges_m[static_cast<std::size_t>(i)] = 0.01F;  // something hangs before the sensor
   Coverage coverage;
   coverage.set_ground(ground(40.0, 40.0));
   coverage.take(scan);
@@ -199,16 +207,16 @@ TEST(Coverage, TellsOnlyTilesThatWereSeenAndNotThoseWithoutNews) {
   EXPECT_TRUE(coverage.due(10s).empty());
   coverage.take(exact_scan(test::World(test::room(16.0, 12.0)), {4.0, 6.0, 0.0}, 10s));
   EXPECT_TRUE(coverage.due(10s).empty()) << "there is no ground yet";
-  coverage.set_ground(ground(100.0, 70.0));   // 32 m a tile: 4 x 3
+  coverage.set_ground(ground(100.0, 70.0));  // 32 m a tile: 4 x 3
   Scan scan = exact_scan(test::World(test::room(100.0, 70.0)), {90.0, 53.0, 0.0}, 11s);
   coverage.take(scan);
   const auto tiles = coverage.due(11s);
-  ASSERT_EQ(tiles.size(), 2U);                // 80 to 100 m across, 43 to 63 m up
+  ASSERT_EQ(tiles.size(), 2U);  // 80 to 100 m across, 43 to 63 m up
   EXPECT_EQ(tiles[0].tile_x, 2U);
   EXPECT_EQ(tiles[0].width_cells, 64);
   EXPECT_EQ(tiles[1].tile_x, 3U);
   EXPECT_EQ(tiles[1].tile_y, 1U);
-  EXPECT_EQ(tiles[1].width_cells, 8);         // of 100 m, 96 are in three tiles
+  EXPECT_EQ(tiles[1].width_cells, 8);  // of 100 m, 96 are in three tiles
   EXPECT_EQ(tiles[1].height_cells, 64);
   EXPECT_EQ(tiles[1].ages.size(), 8U * 64U);
   EXPECT_DOUBLE_EQ(tiles[1].low_in_map.x, 96.0);

@@ -48,7 +48,9 @@ class Chance {
 /// Filters the way with noisy positions and hands (truth, filter) to `judge` after every one of them.
 template <class Judge>
 void follow(const MotionModel& motion, const std::vector<State>& way, Chance& chance, const Judge& judge) {
-  const auto seen = [&](const State& s) { return Eigen::Vector2d(s(0) + chance.draw(kMeasured_m), s(1) + chance.draw(kMeasured_m)); };
+  const auto seen = [&](const State& s) {
+    return Eigen::Vector2d(s(0) + chance.draw(kMeasured_m), s(1) + chance.draw(kMeasured_m));
+  };
   const auto filter = make_filter(motion, seen(way.front()), kMeasured);
   for (std::size_t k = 1; k < way.size(); ++k) {
     filter->predict(kPeriod_s);
@@ -172,8 +174,8 @@ TEST(Turning, HasTheJacobianOfItsMotion) {
   }
 }
 
-// Consistency: Bar-Shalom, Li, Kirubarajan 2001, 5.4.2. The normalised estimation error squared, over many runs of a truth that moves as the
-// filter says, must have the mean of a chi-square with as many degrees of freedom.
+// Consistency: Bar-Shalom, Li, Kirubarajan 2001, 5.4.2. The normalised estimation error squared, over many runs of a
+// truth that moves as the filter says, must have the mean of a chi-square with as many degrees of freedom.
 
 constexpr int kRuns = 200;
 constexpr int kSteps = 40;
@@ -183,7 +185,9 @@ struct Nees {
   std::array<std::array<double, kSteps>, 3> mean{};
 };
 
-double nees_of(const Eigen::VectorXd& error, const Eigen::MatrixXd& covariance) { return error.dot(covariance.inverse() * error); }
+double nees_of(const Eigen::VectorXd& error, const Eigen::MatrixXd& covariance) {
+  return error.dot(covariance.inverse() * error);
+}
 
 template <class WayOf>
 Nees nees_over_runs(const MotionModel& motion, const WayOf& way_of) {
@@ -217,7 +221,8 @@ double bound_of_mean(int n, double sigmas) {
 bool is_consistent(const std::array<double, kSteps>& means, int n) {
   const double low = bound_of_mean(n, -1.96);
   const double high = bound_of_mean(n, 1.96);
-  const auto inside = std::count_if(means.begin(), means.end(), [&](double mean) { return mean >= low && mean <= high; });
+  const auto inside =
+      std::count_if(means.begin(), means.end(), [&](double mean) { return mean >= low && mean <= high; });
   return inside * 10 >= kSteps * 9 && mean_of(means) >= low && mean_of(means) <= high;
 }
 

@@ -22,7 +22,8 @@ std::vector<Detection> detections_of(const World& world, const Vehicle& vehicle,
   const time::Stamp now{std::chrono::seconds(100)};
   const Scan scan = lidar.scan(world, vehicle, {vehicle}, now);
   const TrackerParams params;
-  const SortedScan sorted = sort_rays(scan, world.clearance, lidar.known({vehicle}, now), params.noise, params.explained);
+  const SortedScan sorted =
+      sort_rays(scan, world.clearance, lidar.known({vehicle}, now), params.noise, params.explained);
   return find_detections(scan, sorted, find_clusters(scan, sorted, params.clustering), {}, params.noise, params.shape);
 }
 
@@ -83,7 +84,9 @@ TEST(PartialView, TakesThePartOfAPersonThatAnotherLeavesInSightForOne) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
     const std::vector<Detection> found = detections_of(world, vehicle_at(8.0, 1.0), seed);
     ASSERT_EQ(found.size(), 2U) << "seed " << seed;
-    const auto back = std::max_element(found.begin(), found.end(), [](const Detection& a, const Detection& b) { return a.position_in_map.y < b.position_in_map.y; });
+    const auto back = std::max_element(found.begin(), found.end(), [](const Detection& a, const Detection& b) {
+      return a.position_in_map.y < b.position_in_map.y;
+    });
     EXPECT_TRUE(back->is_partial) << "seed " << seed;
     EXPECT_LT(nees_of(*back, rear), 13.8) << "seed " << seed;
   }
@@ -100,7 +103,8 @@ TEST(PartialView, TakesTwoFacesOfAPalletForOneDetection) {
         const double yaw = slant * geometry::kPi / 16.0;
         world.boxes = {{{8.0, 6.0, yaw}, size.length_m, size.width_m}};
         const std::vector<Detection> found = detections_of(world, vehicle_at(8.0, 2.5, 0.3 * seed), seed);
-        ASSERT_EQ(found.size(), 1U) << size.length_m << " x " << size.width_m << " at " << slant << "/16 pi, seed " << seed;
+        ASSERT_EQ(found.size(), 1U) << size.length_m << " x " << size.width_m << " at " << slant << "/16 pi, seed "
+                                    << seed;
         EXPECT_LT(uncovered_m(found[0]), 0.01);
         EXPECT_LT(found[0].radius_m, 0.5 * std::hypot(size.length_m, size.width_m) + 0.15);
         nees += nees_of(found[0], {8.0, 6.0});

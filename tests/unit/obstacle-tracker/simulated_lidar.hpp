@@ -33,8 +33,8 @@ struct Box {
   std::vector<Point2> corners_in_map() const {
     const double x = 0.5 * length_m;
     const double y = 0.5 * width_m;
-    return {geometry::to_map(center_in_map, {x, y}), geometry::to_map(center_in_map, {-x, y}), geometry::to_map(center_in_map, {-x, -y}),
-            geometry::to_map(center_in_map, {x, -y})};
+    return {geometry::to_map(center_in_map, {x, y}), geometry::to_map(center_in_map, {-x, y}),
+            geometry::to_map(center_in_map, {-x, -y}), geometry::to_map(center_in_map, {x, -y})};
   }
 };
 
@@ -99,7 +99,8 @@ struct World {
     for (const Disc& disc : discs) range_m = std::min(range_m, ray_to_disc_m(from, angle_rad, disc));
     for (const Box& box : boxes) {
       const std::vector<Point2> corners = box.corners_in_map();
-      for (std::size_t i = 0; i < 4; ++i) range_m = std::min(range_m, ray_to_segment_m(from, angle_rad, corners[i], corners[(i + 1) % 4]));
+      for (std::size_t i = 0; i < 4; ++i)
+        range_m = std::min(range_m, ray_to_segment_m(from, angle_rad, corners[i], corners[(i + 1) % 4]));
     }
     return range_m;
   }
@@ -130,7 +131,8 @@ class Lidar {
   }
 
   /// What `vehicle` sees, other vehicles included; the rays follow each other within `sweep_s` while it drives on.
-  Scan scan(const World& world, const Vehicle& vehicle, const std::vector<Vehicle>& fleet, time::Stamp stamp, double sweep_s = 0.0) {
+  Scan scan(const World& world, const Vehicle& vehicle, const std::vector<Vehicle>& fleet, time::Stamp stamp,
+            double sweep_s = 0.0) {
     Scan scan;
     scan.agv_id = vehicle.agv_id;
     scan.stamp = stamp;
@@ -145,12 +147,14 @@ class Lidar {
     scan.range_max_m = vehicle.range_m;
     for (int ray = 0; ray < vehicle.rays; ++ray) {
       const Pose2 base =
-          sweep_s > 0.0 ? kinematics::advance(vehicle.base_in_map, vehicle.twist, sweep_s * ray / (vehicle.rays - 1)) : vehicle.base_in_map;
+          sweep_s > 0.0 ? kinematics::advance(vehicle.base_in_map, vehicle.twist, sweep_s * ray / (vehicle.rays - 1))
+                        : vehicle.base_in_map;
       const double angle_rad = base.yaw + scan.first_angle_rad + ray * scan.angle_step_rad;
       double range_m = world.ray_m(base.position(), angle_rad, vehicle.range_m);
       for (const Vehicle& other : fleet) {
         if (other.agv_id == vehicle.agv_id) continue;
-        range_m = std::min(range_m, ray_to_disc_m(base.position(), angle_rad, {other.base_in_map.position(), other.radius_m}));
+        range_m = std::min(range_m,
+                           ray_to_disc_m(base.position(), angle_rad, {other.base_in_map.position(), other.radius_m}));
       }
       if (range_m < vehicle.range_m) range_m = std::clamp(range_m + draw(noise_.range_m), 0.05, vehicle.range_m);
       scan.ranges_m.push_back(static_cast<float>(range_m));
@@ -162,7 +166,8 @@ class Lidar {
   std::vector<KnownVehicle> known(const std::vector<Vehicle>& fleet, time::Stamp stamp) {
     std::vector<KnownVehicle> known;
     for (const Vehicle& vehicle : fleet) {
-      known.push_back({vehicle.agv_id, false, vehicle.radius_m, 0.0, 0.0, believed(vehicle.base_in_map), vehicle.twist, stamp});
+      known.push_back(
+          {vehicle.agv_id, false, vehicle.radius_m, 0.0, 0.0, believed(vehicle.base_in_map), vehicle.twist, stamp});
     }
     return known;
   }

@@ -8,7 +8,8 @@
 
 namespace aisle::obstacle_tracker::test {
 
-/// Runs a tracker on simulated scans: each vehicle scans at 10 Hz, the vehicles one after another within the tenth of a second.
+/// Runs a tracker on simulated scans: each vehicle scans at 10 Hz, the vehicles one after another within the tenth of a
+/// second.
 class Stage {
  public:
   Stage(const grid::OccupancyGrid& walls, std::vector<Vehicle> vehicles, unsigned seed, const Noise& noise = {})

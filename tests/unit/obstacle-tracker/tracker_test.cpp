@@ -19,7 +19,9 @@ namespace {
 
 const auto kNobodyMoves = [](double) {};
 
-Vehicle vehicle_at(const char* id, double x, double y, double yaw = 0.0) { return {id, {x, y, yaw}, {}, 0.35, 10.0, 360}; }
+Vehicle vehicle_at(const char* id, double x, double y, double yaw = 0.0) {
+  return {id, {x, y, yaw}, {}, 0.35, 10.0, 360};
+}
 
 grid::OccupancyGrid room_with_racks() {
   grid::OccupancyGrid grid = room(20.0, 14.0);
@@ -97,7 +99,8 @@ TEST(Tracker, TakesALateScanOfAnotherVehicleForWhatItShowed) {
 
 TEST(Tracker, SeesNoGhostsStanding) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    Stage stage(room_with_racks(), {vehicle_at("a", 2.0, 2.0, 0.3), vehicle_at("b", 16.0, 7.0, 2.0), vehicle_at("c", 9.0, 5.0)}, seed);
+    Stage stage(room_with_racks(),
+                {vehicle_at("a", 2.0, 2.0, 0.3), vehicle_at("b", 16.0, 7.0, 2.0), vehicle_at("c", 9.0, 5.0)}, seed);
     stage.run(60.0, kNobodyMoves);
     EXPECT_EQ(stage.ids.size(), 0U) << "seed " << seed;
   }
@@ -106,7 +109,9 @@ TEST(Tracker, SeesNoGhostsStanding) {
 TEST(Tracker, SeesNoGhostsOfAVehicleThatSaysItIsLessSureOfItsPose) {
   const Noise lost{0.02, 0.05, geometry::kPi / 180.0};
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    Stage stage(room_with_racks(), {vehicle_at("a", 2.0, 2.0, 0.3), vehicle_at("b", 16.0, 7.0, 2.0), vehicle_at("c", 9.0, 5.0)}, seed, lost);
+    Stage stage(room_with_racks(),
+                {vehicle_at("a", 2.0, 2.0, 0.3), vehicle_at("b", 16.0, 7.0, 2.0), vehicle_at("c", 9.0, 5.0)}, seed,
+                lost);
     stage.run(60.0, kNobodyMoves);
     EXPECT_EQ(stage.ids.size(), 0U) << "seed " << seed;
   }
@@ -139,8 +144,10 @@ TEST(Tracker, SeesNoGhostsWhileItTurnsDuringTheSweep) {
     vehicle.base_in_map = kinematics::advance(start.base_in_map, start.twist, 0.1 * k);
     const time::Stamp stamp = std::chrono::seconds(100) + k * std::chrono::milliseconds(100);
     const time::Stamp end = stamp + std::chrono::milliseconds(90);
-    ASSERT_FALSE(
-        tracker.take(lidar.scan(world, vehicle, {vehicle}, stamp, 0.09), lidar.known({vehicle}, stamp), &world.clearance, end).dropped);
+    ASSERT_FALSE(tracker
+                     .take(lidar.scan(world, vehicle, {vehicle}, stamp, 0.09), lidar.known({vehicle}, stamp),
+                           &world.clearance, end)
+                     .dropped);
     ASSERT_TRUE(tracker.tracks(end).empty()) << "at scan " << k;
   }
 }
@@ -168,7 +175,9 @@ TEST(Tracker, KeepsTheIdBehindAPillar) {
 TEST(Tracker, KeepsTheIdOfOneWhoTurnsRound) {
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Stage stage(room(16.0, 12.0), {vehicle_at("a", 8.0, 2.0)}, seed);
-    stage.run(8.0, [&](double t) { stage.world.discs = {{{6.0 + 1.2 * std::abs(std::remainder(t - 2.0, 4.0)), 6.0}, 0.25}}; });
+    stage.run(8.0, [&](double t) {
+      stage.world.discs = {{{6.0 + 1.2 * std::abs(std::remainder(t - 2.0, 4.0)), 6.0}, 0.25}};
+    });
     EXPECT_EQ(stage.ids.size(), 1U) << "seed " << seed;
   }
 }
@@ -238,7 +247,8 @@ TEST(Tracker, LosesAThingOnceItsPlaceIsSeenFree) {
   const std::uint64_t id = stage.tracks[0].id;
   stage.world.discs.clear();
   std::vector<std::uint64_t> lost;
-  stage.run(5.5, kNobodyMoves, [&](double) { lost.insert(lost.end(), stage.newest.lost.begin(), stage.newest.lost.end()); });
+  stage.run(5.5, kNobodyMoves,
+            [&](double) { lost.insert(lost.end(), stage.newest.lost.begin(), stage.newest.lost.end()); });
   EXPECT_TRUE(stage.tracks.empty());
   EXPECT_EQ(lost, std::vector<std::uint64_t>{id});
 }
@@ -345,7 +355,8 @@ TEST(Tracker, KeepsABoxStaticWhileTheVehicleDrivesAroundIt) {
   stage.run(
       25.0,
       [&](double t) {
-        stage.fleet[0].base_in_map = {8.0 + 3.0 * std::cos(0.25 * t), 6.0 + 3.0 * std::sin(0.25 * t), 0.25 * t + geometry::kPi / 2};
+        stage.fleet[0].base_in_map = {8.0 + 3.0 * std::cos(0.25 * t), 6.0 + 3.0 * std::sin(0.25 * t),
+                                      0.25 * t + geometry::kPi / 2};
         stage.fleet[0].twist = {0.75, 0.25, 0.0};
       },
       [&](double t) {
@@ -365,7 +376,8 @@ TEST(Tracker, DoesNotTakeTheFleetForObstacles) {
     Stage stage(room(16.0, 12.0), {vehicle_at("a", 4.0, 4.0), vehicle_at("b", 8.0, 4.0)}, seed);
     stage.fleet[1].twist = {1.2, 0.4, 0.0};
     const Vehicle start = stage.fleet[1];
-    stage.run(40.0, [&](double t) { stage.fleet[1].base_in_map = kinematics::advance(start.base_in_map, start.twist, t); });
+    stage.run(40.0,
+              [&](double t) { stage.fleet[1].base_in_map = kinematics::advance(start.base_in_map, start.twist, t); });
     EXPECT_TRUE(stage.ids.empty()) << "seed " << seed;
   }
 }
@@ -438,13 +450,15 @@ TEST(Tracker, HoldsNoMoreThanTheFleetAndWhatIsThere) {
   Lidar lidar(1);
   Tracker tracker;
   std::size_t most = 0;
-  for (int k = 0; k < 1200; ++k) {  // two minutes; every 5 s somebody else, and a vehicle of another name in the same place
+  for (int k = 0; k < 1200;
+       ++k) {  // two minutes; every 5 s somebody else, and a vehicle of another name in the same place
     const std::string name = "agv-" + std::to_string(k / 50);
     const std::vector<Vehicle> fleet{vehicle_at(name.c_str(), 8.0, 2.0)};
     const double t = 0.1 * (k % 50);
     world.discs = {{{4.0 + 1.3 * t, 5.0 + 0.2 * (k / 50 % 5)}, 0.25}, {{11.0 - 1.3 * t, 9.0}, 0.25}};
     const time::Stamp now = std::chrono::seconds(100) + k * std::chrono::milliseconds(100);
-    ASSERT_FALSE(tracker.take(lidar.scan(world, fleet[0], fleet, now), lidar.known(fleet, now), &world.clearance, now).dropped);
+    ASSERT_FALSE(
+        tracker.take(lidar.scan(world, fleet[0], fleet, now), lidar.known(fleet, now), &world.clearance, now).dropped);
     most = std::max(most, tracker.tracks_held());
     ASSERT_EQ(tracker.vehicles_held(), 1U);
   }
@@ -481,19 +495,23 @@ TEST(Tracker, DropsWhatItCannotUseAndCountsWhy) {
   EXPECT_EQ(reason_of([](Scan& s) { s.base_in_map.y = 1e308; }), DropReason::kBadGeometry);
   EXPECT_EQ(reason_of([](Scan& s) { s.sweep_s = 3600.0; }), DropReason::kBadGeometry);
   EXPECT_EQ(reason_of([](Scan& s) { s.range_max_m = 0.01; }), DropReason::kBadGeometry);
-  EXPECT_EQ(reason_of([](Scan& s) { s.ranges_m[7] = -std::numeric_limits<float>::infinity(); }), DropReason::kNegativeRange);
+  EXPECT_EQ(reason_of([](Scan& s) { s.ranges_m[7] = -std::numeric_limits<float>::infinity(); }),
+            DropReason::kNegativeRange);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp += std::chrono::seconds(2); }), DropReason::kFuture);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp += std::chrono::hours(1); }), DropReason::kFuture);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp -= std::chrono::seconds(2); }), DropReason::kTooOld);
   EXPECT_EQ(reason_of([](Scan& s) { s.stamp -= std::chrono::minutes(60); }), DropReason::kTooOld);
   EXPECT_EQ(tracker.scans_used(), 0U);
-  EXPECT_EQ(reason_of([](Scan& s) { s.ranges_m[7] = std::numeric_limits<float>::infinity(); }), std::nullopt) << "nothing was seen there";
+  EXPECT_EQ(reason_of([](Scan& s) { s.ranges_m[7] = std::numeric_limits<float>::infinity(); }), std::nullopt)
+      << "nothing was seen there";
   EXPECT_EQ(reason_of([](Scan&) {}), DropReason::kNotNewer);
-  EXPECT_EQ(reason_of([](Scan& s) { s.stamp += std::chrono::milliseconds(10), s.ranges_m.resize(100); }), DropReason::kWrongCount);
+  EXPECT_EQ(reason_of([](Scan& s) { s.stamp += std::chrono::milliseconds(10), s.ranges_m.resize(100); }),
+            DropReason::kWrongCount);
   EXPECT_EQ(tracker.scans_used(), 1U);
-  const std::map<DropReason, std::uint64_t> counted{{DropReason::kUnknownVehicle, 1}, {DropReason::kNoMap, 1},       {DropReason::kNotFinite, 4},
-                                                    {DropReason::kNegativeRange, 2},  {DropReason::kWrongCount, 3},  {DropReason::kBadGeometry, 6},
-                                                    {DropReason::kNotNewer, 1},       {DropReason::kFuture, 2},      {DropReason::kTooOld, 2}};
+  const std::map<DropReason, std::uint64_t> counted{
+      {DropReason::kUnknownVehicle, 1}, {DropReason::kNoMap, 1},      {DropReason::kNotFinite, 4},
+      {DropReason::kNegativeRange, 2},  {DropReason::kWrongCount, 3}, {DropReason::kBadGeometry, 6},
+      {DropReason::kNotNewer, 1},       {DropReason::kFuture, 2},     {DropReason::kTooOld, 2}};
   std::set<std::string> names;
   for (const auto& [reason, times] : counted) {
     EXPECT_EQ(tracker.scans_dropped(reason), times) << name_of(reason);
@@ -510,12 +528,14 @@ TEST(Tracker, IsNotMovedByABrokenScan) {
   const time::Stamp now = stage.start + time::from_seconds(3.0);
   Scan scan = stage.lidar.scan(stage.world, stage.fleet[0], stage.fleet, now);
   scan.ranges_m[7] = std::nanf("");
-  EXPECT_EQ(stage.tracker.take(scan, stage.lidar.known(stage.fleet, now), &stage.world.clearance, now).dropped, DropReason::kNotFinite);
+  EXPECT_EQ(stage.tracker.take(scan, stage.lidar.known(stage.fleet, now), &stage.world.clearance, now).dropped,
+            DropReason::kNotFinite);
   const Track before = stage.tracks[0];
   const Track after = stage.tracker.tracks(stage.start + time::from_seconds(2.9)).at(0);
   EXPECT_EQ(after.position_in_map.x, before.position_in_map.x);
   EXPECT_EQ(after.covariance, before.covariance);
-  scan = stage.lidar.scan(stage.world, stage.fleet[0], stage.fleet, now);  // the next good one of the same moment is taken
+  scan =
+      stage.lidar.scan(stage.world, stage.fleet[0], stage.fleet, now);  // the next good one of the same moment is taken
   EXPECT_FALSE(stage.tracker.take(scan, stage.lidar.known(stage.fleet, now), &stage.world.clearance, now).dropped);
 }
 

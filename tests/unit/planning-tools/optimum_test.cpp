@@ -1,5 +1,5 @@
-// Every scenario of every .scen file of the reference data against the optimum that the file gives. Without the data: skipped.
-// The same by command: aisle plan --map M.map --scen M.scen --planner astar jps
+// Every scenario of every .scen file of the reference data against the optimum that the file gives. Without the data:
+// skipped. The same by command: aisle plan --map M.map --scen M.scen --planner astar jps
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,8 @@ namespace fs = std::filesystem;
 std::vector<fs::path> scenario_files() {
   std::vector<fs::path> files;
   try {
-    const fs::path one = scenario::find_named_file("data:movingai/den520d.map", fs::path(AISLE_SOURCE_DIR) / "deploy/scenarios/any.yaml");
+    const fs::path one = scenario::find_named_file("data:movingai/den520d.map",
+                                                   fs::path(AISLE_SOURCE_DIR) / "deploy/scenarios/any.yaml");
     for (const auto& entry : fs::directory_iterator(one.parent_path())) {
       if (entry.path().extension() == ".scen") files.push_back(entry.path());
     }
@@ -38,7 +39,8 @@ std::vector<fs::path> scenario_files() {
 fs::path map_of(const fs::path& scenarios) {
   fs::path best;
   for (const auto& entry : fs::directory_iterator(scenarios.parent_path())) {
-    const bool is_map = entry.path().extension() == ".map" && scenarios.filename().string().rfind(entry.path().stem().string(), 0) == 0;
+    const bool is_map =
+        entry.path().extension() == ".map" && scenarios.filename().string().rfind(entry.path().stem().string(), 0) == 0;
     if (is_map && entry.path().string().size() > best.string().size()) best = entry.path();
   }
   return best;
@@ -46,8 +48,8 @@ fs::path map_of(const fs::path& scenarios) {
 
 struct Promise {
   const char* planner;
-  std::size_t at_most;       // scenarios a file, evenly spread; astar and jps take all, in a few seconds
-  double least, most;        // length over the file's optimum
+  std::size_t at_most;  // scenarios a file, evenly spread; astar and jps take all, in a few seconds
+  double least, most;   // length over the file's optimum
 };
 
 void PrintTo(const Promise& promise, std::ostream* out) { *out << promise.planner; }
@@ -78,11 +80,14 @@ TEST_P(Optimum, HoldsOnTheReferenceScenarios) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, Optimum,
-                         testing::Values(Promise{"astar", 100000, 1.0 - 1e-5, 1.0 + 1e-5}, Promise{"jps", 100000, 1.0 - 1e-5, 1.0 + 1e-5},
-                                         Promise{"dijkstra", 100, 1.0 - 1e-5, 1.0 + 1e-5}, Promise{"theta", 40, 0.7, 1.0 + 1e-5},
-                                         Promise{"direct", 100, 0.7, 1.0 + 1e-5}, Promise{"wu", 100, 0.7, 1.0 + 1e-5}, Promise{"qu", 100, 0.7, 1.0 + 1e-5},
-                                         Promise{"li", 100, 0.7, 10.0}, Promise{"yu", 100, 0.7, 10.0}, Promise{"wang", 100, 0.7, 10.0},
-                                         Promise{"greedy", 100, 0.99, 100.0}, Promise{"modified-astar", 100, 0.99, 10.0}),
+                         testing::Values(Promise{"astar", 100000, 1.0 - 1e-5, 1.0 + 1e-5},
+                                         Promise{"jps", 100000, 1.0 - 1e-5, 1.0 + 1e-5},
+                                         Promise{"dijkstra", 100, 1.0 - 1e-5, 1.0 + 1e-5},
+                                         Promise{"theta", 40, 0.7, 1.0 + 1e-5}, Promise{"direct", 100, 0.7, 1.0 + 1e-5},
+                                         Promise{"wu", 100, 0.7, 1.0 + 1e-5}, Promise{"qu", 100, 0.7, 1.0 + 1e-5},
+                                         Promise{"li", 100, 0.7, 10.0}, Promise{"yu", 100, 0.7, 10.0},
+                                         Promise{"wang", 100, 0.7, 10.0}, Promise{"greedy", 100, 0.99, 100.0},
+                                         Promise{"modified-astar", 100, 0.99, 10.0}),
                          [](const auto& promise) {
                            std::string name = promise.param.planner;
                            std::replace(name.begin(), name.end(), '-', '_');

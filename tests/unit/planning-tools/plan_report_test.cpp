@@ -1,3 +1,5 @@
+#include "tools/aisle/planning/plan_report.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,7 +11,6 @@
 #include "services/global-planner/core/path_figures.hpp"
 #include "services/global-planner/core/variant.hpp"
 #include "tests/support/ascii_grid.hpp"
-#include "tools/aisle/planning/plan_report.hpp"
 #include "tools/aisle/planning/plan_svg.hpp"
 
 namespace aisle::cli {
@@ -31,7 +32,8 @@ TEST(PlanReport, HasTheNamedFieldsAndNullsWhereNothingWasSolved) {
   const std::vector<std::string> text{"S....", ".###.", "....G"};
   const grid::ClearanceField clearance(test_support::grid_from_text(text), 10.0);
   const auto planner = global_planner::find_variant("astar")->make();
-  const global_planner::Problem problem{clearance, test_support::find_letter(text, 'S'), test_support::find_letter(text, 'G')};
+  const global_planner::Problem problem{clearance, test_support::find_letter(text, 'S'),
+                                        test_support::find_letter(text, 'G')};
   global_planner::Problem refused = problem;
   refused.radius_m = 3.0;
   std::vector<Tally> tallies{Tally("astar"), Tally("astar")};
@@ -39,8 +41,19 @@ TEST(PlanReport, HasTheNamedFieldsAndNullsWhereNothingWasSolved) {
   tallies[0].add(ask(*planner, refused), 0.0);
   tallies[1].add(ask(*planner, refused), 0.0);
   const auto json = json_of(tallies);
-  const char* names[] = {"planner", "asked", "solved", "checker_failures", "length_ratio_mean", "length_ratio_max", "nodes_mean", "turning_points_mean",
-                         "turning_angle_mean_rad", "expanded_mean", "time_us_p50", "time_us_p99", "least_clearance_m"};
+  const char* names[] = {"planner",
+                         "asked",
+                         "solved",
+                         "checker_failures",
+                         "length_ratio_mean",
+                         "length_ratio_max",
+                         "nodes_mean",
+                         "turning_points_mean",
+                         "turning_angle_mean_rad",
+                         "expanded_mean",
+                         "time_us_p50",
+                         "time_us_p99",
+                         "least_clearance_m"};
   for (const char* name : names) EXPECT_TRUE(json[0].contains(name)) << name;
   EXPECT_EQ(json[0].size(), std::size(names));
   EXPECT_EQ(json[0]["asked"], 2);
@@ -64,7 +77,8 @@ TEST(PlanReport, CountsPathsThatTheCheckerRefuses) {
 }
 
 TEST(PlanSvg, DrawsTheMapAndEachPath) {
-  const std::string svg = plan_svg(test_support::grid_from_text({"..#", "..?"}), {{"astar", {{0.5, 0.5}, {1.5, 0.5}}}, {"wang", {{0.5, 0.5}, {1.5, 1.5}}}});
+  const std::string svg = plan_svg(test_support::grid_from_text({"..#", "..?"}),
+                                   {{"astar", {{0.5, 0.5}, {1.5, 0.5}}}, {"wang", {{0.5, 0.5}, {1.5, 1.5}}}});
   EXPECT_THAT(svg, testing::StartsWith("<svg "));
   EXPECT_THAT(svg, testing::HasSubstr(">wang</text>"));
   EXPECT_THAT(svg, testing::HasSubstr("fill=\"#4a5462\""));

@@ -1,3 +1,5 @@
+#include "tools/aisle/planning/queries.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +9,6 @@
 
 #include "common/config/reader.hpp"
 #include "tools/aisle/planning/chosen_planners.hpp"
-#include "tools/aisle/planning/queries.hpp"
 
 namespace aisle::cli {
 namespace {

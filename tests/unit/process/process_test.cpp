@@ -37,9 +37,11 @@ TEST(ExitCode, OfEachKindOfFailureWithOneLine) {
   EXPECT_EQ(run_guarded("p", [] { return 1; }), kNegative);
   EXPECT_EQ(run_guarded("p", [] { return 0; }), kDone);
   int code = 0;
-  EXPECT_EQ(stderr_of([&] { code = run_guarded("p", []() -> int { throw config::BadInput("x.yaml:3: no"); }); }), "p: x.yaml:3: no\n");
+  EXPECT_EQ(stderr_of([&] { code = run_guarded("p", []() -> int { throw config::BadInput("x.yaml:3: no"); }); }),
+            "p: x.yaml:3: no\n");
   EXPECT_EQ(code, kBadInput);
-  EXPECT_EQ(stderr_of([&] { code = run_guarded("p", []() -> int { throw config::BadEnvironment("no interface"); }); }), "p: no interface\n");
+  EXPECT_EQ(stderr_of([&] { code = run_guarded("p", []() -> int { throw config::BadEnvironment("no interface"); }); }),
+            "p: no interface\n");
   EXPECT_EQ(code, kEnvironment);
   EXPECT_EQ(stderr_of([&] { code = run_guarded("p", []() -> int { throw std::logic_error("bug"); }); }), "p: bug\n");
   EXPECT_EQ(code, kNegative);
@@ -51,7 +53,8 @@ TEST(Log, WritesOneLineOfKeysAndValues) {
     spdlog::debug("not shown");
     spdlog::info("revision {}", 3);
   });
-  EXPECT_THAT(line, MatchesRegex("time=[0-9-]+T[0-9:]+\\.[0-9][0-9][0-9]Z level=info instance=map-1 text=\"revision 3\"\n"));
+  EXPECT_THAT(line,
+              MatchesRegex("time=[0-9-]+T[0-9:]+\\.[0-9][0-9][0-9]Z level=info instance=map-1 text=\"revision 3\"\n"));
 }
 
 TEST(Log, TextCannotBreakTheLine) {
@@ -59,7 +62,9 @@ TEST(Log, TextCannotBreakTheLine) {
     start_logging("map%v", "warning");
     spdlog::warn("a\nlevel=error \"x\" \\ \x1b[0m");
   });
-  EXPECT_THAT(line, MatchesRegex(".* level=warning instance=map%v text=\"a\\\\x0alevel=error \\\\\"x\\\\\" \\\\\\\\ \\\\x1b\\[0m\"\n"));
+  EXPECT_THAT(
+      line, MatchesRegex(
+                ".* level=warning instance=map%v text=\"a\\\\x0alevel=error \\\\\"x\\\\\" \\\\\\\\ \\\\x1b\\[0m\"\n"));
 }
 
 TEST(Log, RefusesAnUnknownLevelWithTheNearest) {
@@ -87,7 +92,7 @@ TEST(RateLimit, StaysBoundedUnderAFloodOfKinds) {
   RateLimit limit(seconds(10), 4);
   int allowed = 0;
   for (int i = 0; i < 1000; ++i) allowed += limit.ask("kind " + std::to_string(i), seconds(1)).allowed ? 1 : 0;
-  EXPECT_EQ(allowed, 5);   // four kinds and the shared entry
+  EXPECT_EQ(allowed, 5);  // four kinds and the shared entry
 }
 
 TEST(CpuMeter, GivesTheShareOfOneCoreSinceTheCallBefore) {
@@ -119,7 +124,7 @@ TEST(Leaving, AnAbortOfTheMiddlewareEndsTheProcessCleanly) {
       ::testing::ExitedWithCode(0), "aborted while this process was leaving");
 }
 
-alignas(4096) const std::array<char, 2'000'000> kConstants{{1}};   // not all zero: stands in the program's file
+alignas(4096) const std::array<char, 2'000'000> kConstants{{1}};  // not all zero: stands in the program's file
 
 int sum_of_constants() {
   int sum = 0;

@@ -7,7 +7,8 @@ namespace {
 
 using Kind = AuthorityViolation::Kind;
 
-VehicleReport obeying(double t_s, std::uint32_t epoch, std::uint64_t sequence, std::uint64_t plan_id, double speed_mps = 1.0) {
+VehicleReport obeying(double t_s, std::uint32_t epoch, std::uint64_t sequence, std::uint64_t plan_id,
+                      double speed_mps = 1.0) {
   return {"agv-1", 11, t_s, speed_mps, false, "agv-1", "local-planner-agv-1", 22, epoch, sequence, plan_id};
 }
 

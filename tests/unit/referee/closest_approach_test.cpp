@@ -1,8 +1,9 @@
 #include "tools/referee/core/closest_approach.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <random>
 
 namespace aisle::referee {
@@ -28,7 +29,8 @@ TEST(ClosestApproach, SeesDiscsThatCrossBetweenSamples) {
 }
 
 TEST(ClosestApproach, KnowsThatTheyPassedTheCrossingOneAfterTheOther) {
-  // The paths cross, but the second is 2 m from the crossing when the first is on it: apart by 2 / sqrt(2) at the nearest.
+  // The paths cross, but the second is 2 m from the crossing when the first is on it: apart by 2 / sqrt(2) at the
+  // nearest.
   const Approach approach = closest_approach({kDisc, {-2, 0, 0}, {2, 0, 0}}, {kDisc, {0, -4, 0}, {0, 0, 0}});
   EXPECT_NEAR(approach.clearance_m, std::sqrt(2.0) - 0.7, 1e-12);
   EXPECT_NEAR(approach.at, 0.75, 1e-12);
@@ -56,7 +58,8 @@ TEST(ClosestApproach, RoundsTheCornersOfARectangleForADisc) {
 TEST(ClosestApproach, TurnsTheRectangleWithItsHeading) {
   const Shape plank{0.0, 2.0, 0.2};
   EXPECT_NEAR(closest_approach(stands(plank, {0, 0, 0}), stands(kPoint, {0, 0.6, 0})).clearance_m, 0.5, 1e-9);
-  EXPECT_NEAR(closest_approach(stands(plank, {0, 0, geometry::kPi / 2}), stands(kPoint, {0.6, 0, 0})).clearance_m, 0.5, 1e-9);
+  EXPECT_NEAR(closest_approach(stands(plank, {0, 0, geometry::kPi / 2}), stands(kPoint, {0.6, 0, 0})).clearance_m, 0.5,
+              1e-9);
 }
 
 TEST(ClosestApproach, SeesAPlankThatSweepsByTurningOnly) {
@@ -67,7 +70,8 @@ TEST(ClosestApproach, SeesAPlankThatSweepsByTurningOnly) {
 }
 
 TEST(ClosestApproach, OfTwoRectanglesIsBetweenTheirEdges) {
-  const Approach approach = closest_approach({{0.0, 1.0, 1.0}, {-5, 0.9, 0}, {5, 0.9, 0}}, stands({0.0, 1.0, 0.6}, {0, 0, 0}));
+  const Approach approach =
+      closest_approach({{0.0, 1.0, 1.0}, {-5, 0.9, 0}, {5, 0.9, 0}}, stands({0.0, 1.0, 0.6}, {0, 0, 0}));
   EXPECT_NEAR(approach.clearance_m, 0.1, 1e-9);
 }
 
@@ -80,8 +84,10 @@ double brute_force_m(const Motion& a, const Motion& b) {
     const double side = i % 4;
     const double along = (i / 4) / 24.0 - 0.5;
     const double l = m.shape.length_m, w = m.shape.width_m;
-    const geometry::Point2 p = side == 0 ? geometry::Point2{along * l, w / 2} : side == 1 ? geometry::Point2{along * l, -w / 2}
-                               : side == 2 ? geometry::Point2{l / 2, along * w} : geometry::Point2{-l / 2, along * w};
+    const geometry::Point2 p = side == 0   ? geometry::Point2{along * l, w / 2}
+                               : side == 1 ? geometry::Point2{along * l, -w / 2}
+                               : side == 2 ? geometry::Point2{l / 2, along * w}
+                                           : geometry::Point2{-l / 2, along * w};
     return geometry::to_map(pose, p);
   };
   for (int step = 0; step <= 60; ++step) {
@@ -100,7 +106,9 @@ TEST(ClosestApproach, IsNeverAboveAndCloselyBelowBruteForce) {
     std::uniform_real_distribution<double> place(-3.0, 3.0), turn(-0.3, 0.3), size(0.2, 1.2), heading(-3.1, 3.1);
     const auto motion = [&] {
       const Pose2 begin{place(random), place(random), heading(random)};
-      return Motion{{0.1, size(random), size(random)}, begin, {place(random), place(random), geometry::wrap(begin.yaw + turn(random))}};
+      return Motion{{0.1, size(random), size(random)},
+                    begin,
+                    {place(random), place(random), geometry::wrap(begin.yaw + turn(random))}};
     };
     const Motion a = motion();
     const Motion b = motion();

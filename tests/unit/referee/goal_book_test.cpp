@@ -14,7 +14,9 @@ GoalRecord goal(const std::string& id, double t_s = 0.0) {
   record.assigned_s = t_s;
   return record;
 }
-GoalNews says(GoalNews::Phase phase, const std::string& id, const std::string& reason = "") { return {"agv-1", id, phase, reason, 9.0}; }
+GoalNews says(GoalNews::Phase phase, const std::string& id, const std::string& reason = "") {
+  return {"agv-1", id, phase, reason, 9.0};
+}
 
 TEST(GoalBook, BelievesAnArrivalThatGroundTruthConfirms) {
   GoalBook book;

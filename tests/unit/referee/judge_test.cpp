@@ -103,7 +103,7 @@ TEST(Judge, TimesTheFirstPlanThatKnowsAnEdit) {
   edit.asked_stamp_ns = 1'990'000'000;
   judge.edit_asked(edit);
   judge.edit_answered({"e1", true, "applied", 4, 2.0});
-  judge.plan_arrived(plan(2.01, 7, 3));  // knows nothing of it yet
+  judge.plan_arrived(plan(2.01, 7, 3));       // knows nothing of it yet
   judge.plan_arrived(plan(2.03, 7, 4, 0.3));  // checked again and kept; a busy referee reads it late
   judge.plan_arrived(plan(3.0, 8, 4));
   const RunReport report = judge.finish(4.0);

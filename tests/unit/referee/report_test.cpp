@@ -1,18 +1,18 @@
-#include "tools/referee/report/write_report.hpp"
+#include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <gmock/gmock.h>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 #include "tools/referee/core/judge.hpp"
 #include "tools/referee/report/fleet_svg.hpp"
 #include "tools/referee/report/report_json.hpp"
 #include "tools/referee/report/speeds_svg.hpp"
 #include "tools/referee/report/summary.hpp"
+#include "tools/referee/report/write_report.hpp"
 
 namespace aisle::referee {
 namespace {
@@ -45,7 +45,8 @@ RunReport invented_run(const Walls& walls) {
   const auto drives = [](int i, double t_s) {
     const double phase = 0.25 * t_s * (i % 2 == 0 ? 1.0 : -1.0) + i;
     return Pose2{20.0 + (8.0 + i) * std::cos(phase), 12.5 + (3.0 + 1.6 * i) * std::sin(phase),
-                 geometry::wrap(std::atan2((3.0 + 1.6 * i) * std::cos(phase), -(8.0 + i) * std::sin(phase)) + (i % 2 == 0 ? 0.0 : geometry::kPi))};
+                 geometry::wrap(std::atan2((3.0 + 1.6 * i) * std::cos(phase), -(8.0 + i) * std::sin(phase)) +
+                                (i % 2 == 0 ? 0.0 : geometry::kPi))};
   };
   for (int i = 0; i < 5; ++i) {
     for (int g = 0; g < 2; ++g) {
@@ -75,8 +76,10 @@ RunReport invented_run(const Walls& walls) {
       const bool holds = i == 1 && t_s > 4.0 && t_s < 5.0;
       judge.vehicle_reported({id, 1, t_s, 1.0, holds, id, "lp", 1, 1, static_cast<std::uint64_t>(tick) + 1, 1}, 0);
       judge.body_seen({id, BodyKind::kVehicle, {0.35, 0, 0}, drives(i, t_s), 0.9 + 0.3 * std::sin(t_s + i), t_s, 1});
-      judge.command_arrived({id, 1'000'000'000 + tick * 20'000'000LL, 1'000'000'000 + (tick / 5) * 100'000'000LL, 2.0, t_s});
-      if (t_s >= 10.0) judge.navigation_arrived({id, id + "-0", GoalNews::Phase::kArrived, "", t_s}, i == 2 && t_s > 12 && t_s < 15);
+      judge.command_arrived(
+          {id, 1'000'000'000 + tick * 20'000'000LL, 1'000'000'000 + (tick / 5) * 100'000'000LL, 2.0, t_s});
+      if (t_s >= 10.0)
+        judge.navigation_arrived({id, id + "-0", GoalNews::Phase::kArrived, "", t_s}, i == 2 && t_s > 12 && t_s < 15);
     }
     judge.body_seen({"person-1", BodyKind::kPerson, {0.25, 0, 0}, {2.0 + 1.2 * t_s, 9.0, 0.0}, 1.2, t_s, 1});
     judge.body_seen({"block-1", BodyKind::kBlock, {0.0, 0.8, 0.8}, {35.0, 22.0, 0.3}, 0.0, t_s, 1});
@@ -99,11 +102,34 @@ class Reports : public ::testing::Test {
 
 TEST_F(Reports, HaveEveryFieldThatReadersRelyOn) {
   const nlohmann::ordered_json json = to_json(report_);
-  for (const char* key : {"scenario", "seed", "duration_s", "vehicles", "goals_assigned", "goals_reached", "goals_failed", "contacts",
-                          "contacts_moving_vehicle", "least_clearance_m", "distance_m", "stops", "replans", "planning_ms_p50", "planning_ms_p99",
-                          "control_ms_p50", "control_ms_p99", "scan_to_command_ms_p50", "scan_to_command_ms_p99", "map_edit_to_plan_ms_p99",
-                          "command_gap_ms_p50", "command_gap_ms_p99", "command_gap_ms_max", "cpu_percent_total", "contact_list",
-                          "authority_violations", "vehicle_rows", "service_rows"}) {
+  for (const char* key : {"scenario",
+                          "seed",
+                          "duration_s",
+                          "vehicles",
+                          "goals_assigned",
+                          "goals_reached",
+                          "goals_failed",
+                          "contacts",
+                          "contacts_moving_vehicle",
+                          "least_clearance_m",
+                          "distance_m",
+                          "stops",
+                          "replans",
+                          "planning_ms_p50",
+                          "planning_ms_p99",
+                          "control_ms_p50",
+                          "control_ms_p99",
+                          "scan_to_command_ms_p50",
+                          "scan_to_command_ms_p99",
+                          "map_edit_to_plan_ms_p99",
+                          "command_gap_ms_p50",
+                          "command_gap_ms_p99",
+                          "command_gap_ms_max",
+                          "cpu_percent_total",
+                          "contact_list",
+                          "authority_violations",
+                          "vehicle_rows",
+                          "service_rows"}) {
     EXPECT_TRUE(json.contains(key)) << key;
   }
   EXPECT_EQ(json["vehicles"], 5);
@@ -139,7 +165,8 @@ TEST_F(Reports, AreDrawnOfAnEmptyRunToo) {
 TEST_F(Reports, AreWrittenWhole) {
   const char* kept = std::getenv("AISLE_TEST_OUT");
   const std::filesystem::path folder =
-      kept != nullptr ? std::filesystem::path(kept) : std::filesystem::temp_directory_path() / ("aisle-report-" + std::to_string(getpid()));
+      kept != nullptr ? std::filesystem::path(kept)
+                      : std::filesystem::temp_directory_path() / ("aisle-report-" + std::to_string(getpid()));
   write_report(report_, walls_, folder);
   std::ifstream file(folder / "report.json");
   EXPECT_EQ(nlohmann::json::parse(file)["scenario"], "invented <hall>");

@@ -1,8 +1,9 @@
 #include "tools/referee/core/walls.hpp"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
-#include <gtest/gtest.h>
 #include <random>
 
 namespace aisle::referee {
@@ -18,7 +19,8 @@ TEST(Walls, AreExactlyTheOccupiedSquares) {
   grid::OccupancyGrid map = empty_map(40, 30);
   std::mt19937 random(7);
   for (int y = 0; y < 30; ++y) {
-    for (int x = 0; x < 40; ++x) map.set({x, y}, random() % 3 == 0 ? grid::Occupancy::kOccupied : grid::Occupancy::kFree);
+    for (int x = 0; x < 40; ++x)
+      map.set({x, y}, random() % 3 == 0 ? grid::Occupancy::kOccupied : grid::Occupancy::kFree);
   }
   const Walls walls(map);
   std::vector<int> covered(map.geometry().cells(), 0);
@@ -26,11 +28,13 @@ TEST(Walls, AreExactlyTheOccupiedSquares) {
     for (int y = 0; y < 30; ++y) {
       for (int x = 0; x < 40; ++x) {
         const geometry::Point2 c = map.geometry().center_in_map({x, y});
-        if (c.x > box.low.x && c.x < box.high.x && c.y > box.low.y && c.y < box.high.y) ++covered[map.geometry().index({x, y})];
+        if (c.x > box.low.x && c.x < box.high.x && c.y > box.low.y && c.y < box.high.y)
+          ++covered[map.geometry().index({x, y})];
       }
     }
   }
-  for (std::size_t i = 0; i < covered.size(); ++i) EXPECT_EQ(covered[i], map.cells()[i] == grid::Occupancy::kOccupied ? 1 : 0);
+  for (std::size_t i = 0; i < covered.size(); ++i)
+    EXPECT_EQ(covered[i], map.cells()[i] == grid::Occupancy::kOccupied ? 1 : 0);
 }
 
 TEST(Walls, MeasureToTheCornerOfASquare) {
@@ -62,7 +66,8 @@ TEST(Walls, AreNotSeenFromAfarAndUnknownIsNoWall) {
 TEST(Walls, AgreeWithEverySquareTriedAlone) {
   grid::OccupancyGrid map = empty_map(80, 80);
   std::mt19937 random(3);
-  for (int i = 0; i < 60; ++i) map.set({static_cast<int>(random() % 80), static_cast<int>(random() % 80)}, grid::Occupancy::kOccupied);
+  for (int i = 0; i < 60; ++i)
+    map.set({static_cast<int>(random() % 80), static_cast<int>(random() % 80)}, grid::Occupancy::kOccupied);
   const Walls walls(map);
   std::uniform_real_distribution<double> x(-1.5, 7.5), y(-2.5, 6.5), step(-1.5, 1.5);
   for (int i = 0; i < 200; ++i) {

@@ -1,5 +1,3 @@
-#include "common/scenario/scenario.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -10,6 +8,7 @@
 #include <string>
 
 #include "common/config/reader.hpp"
+#include "common/scenario/scenario.hpp"
 
 namespace aisle::scenario {
 namespace {
@@ -21,8 +20,8 @@ using ::testing::HasSubstr;
 class ReadScenario : public ::testing::Test {
  protected:
   ReadScenario() {
-    root_ = fs::temp_directory_path() /
-            ("aisle-scenario-" + std::to_string(getpid()) + ::testing::UnitTest::GetInstance()->current_test_info()->name());
+    root_ = fs::temp_directory_path() / ("aisle-scenario-" + std::to_string(getpid()) +
+                                         ::testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(root_ / "top/deploy/scenarios");
     fs::create_directories(root_ / "shared/data/ros");
     touch("top/deploy/scenarios/room.txt");
@@ -109,7 +108,8 @@ TEST_F(ReadScenario, PrefersTheDataFolderThatIsSet) {
   fs::create_directories(root_ / "mine/ros");
   touch("mine/ros/depot.yaml");
   setenv("AISLE_DATA", (root_ / "mine").c_str(), 1);
-  EXPECT_EQ(read("map: data:ros/depot.yaml\nvehicles: [{id: a, start: [1, 2]}]\n").map_file, root_ / "mine/ros/depot.yaml");
+  EXPECT_EQ(read("map: data:ros/depot.yaml\nvehicles: [{id: a, start: [1, 2]}]\n").map_file,
+            root_ / "mine/ros/depot.yaml");
 }
 
 TEST_F(ReadScenario, SaysWhatToSetWhenDataIsMissing) {
@@ -119,7 +119,8 @@ TEST_F(ReadScenario, SaysWhatToSetWhenDataIsMissing) {
 }
 
 TEST_F(ReadScenario, DataPathsDoNotLeaveTheirFolder) {
-  EXPECT_THAT(refusal("map: data:../../etc/passwd\nvehicles: [{id: a, start: [1, 2]}]\n"), HasSubstr("leaves the data folder"));
+  EXPECT_THAT(refusal("map: data:../../etc/passwd\nvehicles: [{id: a, start: [1, 2]}]\n"),
+              HasSubstr("leaves the data folder"));
 }
 
 TEST_F(ReadScenario, RefusesAMissingMap) {
@@ -127,12 +128,14 @@ TEST_F(ReadScenario, RefusesAMissingMap) {
 }
 
 TEST_F(ReadScenario, RefusesMissionsOfStrangers) {
-  EXPECT_THAT(refusal(kOneVehicle + "missions: [{vehicle: agv-9, goals: [[1, 1]]}]\n"), HasSubstr("no vehicle 'agv-9'"));
+  EXPECT_THAT(refusal(kOneVehicle + "missions: [{vehicle: agv-9, goals: [[1, 1]]}]\n"),
+              HasSubstr("no vehicle 'agv-9'"));
 }
 
 TEST_F(ReadScenario, ReadsAForklift) {
-  const Scenario s = read("map: room.txt\nvehicles: [{id: f, model: tricycle, start: [1, 2], length_m: 2.4, width_m: 1.1, ahead_m: 0.4, "
-                          "axle: {wheelbase_m: 1.4, is_rear: true}}]\n");
+  const Scenario s = read(
+      "map: room.txt\nvehicles: [{id: f, model: tricycle, start: [1, 2], length_m: 2.4, width_m: 1.1, ahead_m: 0.4, "
+      "axle: {wheelbase_m: 1.4, is_rear: true}}]\n");
   const Vehicle& f = s.vehicles.at(0);
   EXPECT_EQ(f.kinematic_model(), kinematics::Model::kTricycle);
   EXPECT_FALSE(f.footprint().is_disc());
@@ -142,7 +145,9 @@ TEST_F(ReadScenario, ReadsAForklift) {
 }
 
 TEST_F(ReadScenario, RefusesVehiclesThatCannotBe) {
-  const auto of = [&](const std::string& rest) { return refusal("map: room.txt\nvehicles: [{id: a, start: [1, 2], " + rest + "}]\n"); };
+  const auto of = [&](const std::string& rest) {
+    return refusal("map: room.txt\nvehicles: [{id: a, start: [1, 2], " + rest + "}]\n");
+  };
   EXPECT_THAT(of("model: hovercraft"), HasSubstr("differential, omnidirectional or tricycle"));
   EXPECT_THAT(of("length_m: 2.0"), HasSubstr("both, length_m and width_m"));
   EXPECT_THAT(of("length_m: 2.0, width_m: 1.0, radius_m: 0.4"), HasSubstr("a rectangle has none"));
@@ -150,13 +155,15 @@ TEST_F(ReadScenario, RefusesVehiclesThatCannotBe) {
 }
 
 TEST_F(ReadScenario, RefusesTwoThingsOfOneName) {
-  EXPECT_THAT(refusal("map: room.txt\nvehicles: [{id: a, start: [1, 2]}, {id: a, start: [3, 2]}]\n"), HasSubstr("'a' names two things"));
+  EXPECT_THAT(refusal("map: room.txt\nvehicles: [{id: a, start: [1, 2]}, {id: a, start: [3, 2]}]\n"),
+              HasSubstr("'a' names two things"));
   EXPECT_THAT(refusal(kOneVehicle + "blocks: [{id: agv-1, center: [1, 1]}]\n"), HasSubstr("'agv-1' names two things"));
 }
 
 TEST_F(ReadScenario, RefusesTwoMissionsForOneVehicle) {
-  EXPECT_THAT(refusal(kOneVehicle + "missions: [{vehicle: agv-1, goals: [[1, 1]]}, {vehicle: agv-1, goals: [[1, 1]]}]\n"),
-              HasSubstr("has a mission already"));
+  EXPECT_THAT(
+      refusal(kOneVehicle + "missions: [{vehicle: agv-1, goals: [[1, 1]]}, {vehicle: agv-1, goals: [[1, 1]]}]\n"),
+      HasSubstr("has a mission already"));
 }
 
 TEST_F(ReadScenario, RefusesPosesOfTheWrongLength) {
@@ -167,10 +174,13 @@ TEST_F(ReadScenario, RefusesPosesOfTheWrongLength) {
 
 TEST_F(ReadScenario, RefusesNumbersOutOfBounds) {
   EXPECT_THAT(refusal("map: room.txt\nvehicles: [{id: a, start: [1, 2], radius_m: -1}]\n"), HasSubstr("radius_m"));
-  EXPECT_THAT(refusal(kOneVehicle + "map_edits: [{at_s: 1, low: [2, 2], high: [1, 3]}]\n"), HasSubstr("above and to the right"));
+  EXPECT_THAT(refusal(kOneVehicle + "map_edits: [{at_s: 1, low: [2, 2], high: [1, 3]}]\n"),
+              HasSubstr("above and to the right"));
 }
 
-TEST_F(ReadScenario, NamesTheNearestKey) { EXPECT_THAT(refusal(kOneVehicle + "durations_s: 3\n"), HasSubstr("duration_s")); }
+TEST_F(ReadScenario, NamesTheNearestKey) {
+  EXPECT_THAT(refusal(kOneVehicle + "durations_s: 3\n"), HasSubstr("duration_s"));
+}
 
 }  // namespace
 }  // namespace aisle::scenario

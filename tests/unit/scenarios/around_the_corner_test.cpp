@@ -26,7 +26,8 @@ Pass drive(const std::string& only_scans_of, double later_s, double& asked_m) {
   Pass pass;
   pass.result = run(setup, [&](const Snapshot& now) {
     for (const geometry::Body& person : now.things) {
-      const double gap_m = geometry::distance_m(person, now.vehicles.front().position()) - setup.scenario.vehicles.front().radius_m;
+      const double gap_m =
+          geometry::distance_m(person, now.vehicles.front().position()) - setup.scenario.vehicles.front().radius_m;
       pass.person_clearance_m = std::min(pass.person_clearance_m, gap_m);
     }
   });

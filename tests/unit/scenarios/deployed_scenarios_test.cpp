@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMarginM = 0.1;        // beside the vehicle's radius, as the planner keeps
-constexpr double kPassingM = 0.6;       // between two bodies that stand
+constexpr double kMarginM = 0.1;   // beside the vehicle's radius, as the planner keeps
+constexpr double kPassingM = 0.6;  // between two bodies that stand
 
 std::vector<std::string> names() {
   std::vector<std::string> found;
@@ -50,16 +50,19 @@ class Deployed : public ::testing::TestWithParam<std::string> {
 
   double room_m(geometry::Point2 in_map) const { return clearance_.clearance_m(in_map); }
   const Vehicle& vehicle(const std::string& id) const {
-    return *std::find_if(scenario_.vehicles.begin(), scenario_.vehicles.end(), [&](const Vehicle& v) { return v.id == id; });
+    return *std::find_if(scenario_.vehicles.begin(), scenario_.vehicles.end(),
+                         [&](const Vehicle& v) { return v.id == id; });
   }
 
   /// May a vehicle of this radius drive from `from` to `to`, over free cells of the map that `blocked` does not hold?
-  bool connected(geometry::Point2 from, geometry::Point2 to, double radius_m, const std::vector<geometry::Body>& blocked) const {
+  bool connected(geometry::Point2 from, geometry::Point2 to, double radius_m,
+                 const std::vector<geometry::Body>& blocked) const {
     const grid::Geometry& g = grid_.geometry();
     const auto is_open = [&](grid::Cell c) {
       if (!g.contains(c) || !clearance_.is_traversable(c, radius_m)) return false;
-      return std::all_of(blocked.begin(), blocked.end(),
-                         [&](const geometry::Body& body) { return geometry::distance_m(body, g.center_in_map(c)) >= radius_m; });
+      return std::all_of(blocked.begin(), blocked.end(), [&](const geometry::Body& body) {
+        return geometry::distance_m(body, g.center_in_map(c)) >= radius_m;
+      });
     };
     std::vector<char> seen(g.cells(), 0);
     std::queue<grid::Cell> open;
@@ -70,7 +73,8 @@ class Deployed : public ::testing::TestWithParam<std::string> {
       const grid::Cell c = open.front();
       open.pop();
       if (c == goal) return true;
-      for (const grid::Cell next : {grid::Cell{c.x + 1, c.y}, grid::Cell{c.x - 1, c.y}, grid::Cell{c.x, c.y + 1}, grid::Cell{c.x, c.y - 1}}) {
+      for (const grid::Cell next :
+           {grid::Cell{c.x + 1, c.y}, grid::Cell{c.x - 1, c.y}, grid::Cell{c.x, c.y + 1}, grid::Cell{c.x, c.y - 1}}) {
         if (!is_open(next) || seen[g.index(next)] != 0) continue;
         seen[g.index(next)] = 1;
         open.push(next);
@@ -84,7 +88,10 @@ class Deployed : public ::testing::TestWithParam<std::string> {
   }
   static geometry::Body body_of(const MapEdit& edit) {
     const geometry::Point2 middle = 0.5 * (edit.low_in_map + edit.high_in_map);
-    return {geometry::Body::Shape::kRectangle, {middle.x, middle.y, 0.0}, 0.0, edit.high_in_map.x - edit.low_in_map.x,
+    return {geometry::Body::Shape::kRectangle,
+            {middle.x, middle.y, 0.0},
+            0.0,
+            edit.high_in_map.x - edit.low_in_map.x,
             edit.high_in_map.y - edit.low_in_map.y};
   }
 
@@ -98,7 +105,8 @@ TEST_P(Deployed, VehiclesStartInTheFree) {
     EXPECT_GE(room_m(v.start_in_map.position()), v.radius_m + kMarginM + 1.5 * scenario_.start_jitter_m) << v.id;
     for (const Vehicle& other : scenario_.vehicles) {
       if (other.id <= v.id) continue;
-      const double gap_m = geometry::distance(v.start_in_map.position(), other.start_in_map.position()) - v.radius_m - other.radius_m;
+      const double gap_m =
+          geometry::distance(v.start_in_map.position(), other.start_in_map.position()) - v.radius_m - other.radius_m;
       EXPECT_GE(gap_m, kPassingM) << v.id << " and " << other.id;
     }
   }
@@ -107,7 +115,8 @@ TEST_P(Deployed, VehiclesStartInTheFree) {
 TEST_P(Deployed, GoalsLieInTheFree) {
   for (const Mission& mission : scenario_.missions) {
     for (const geometry::Pose2& goal : mission.goals_in_map) {
-      EXPECT_GE(room_m(goal.position()), vehicle(mission.vehicle).radius_m + kMarginM + 0.1) << mission.vehicle << " to " << goal.x << ", " << goal.y;
+      EXPECT_GE(room_m(goal.position()), vehicle(mission.vehicle).radius_m + kMarginM + 0.1)
+          << mission.vehicle << " to " << goal.x << ", " << goal.y;
     }
   }
 }
@@ -122,7 +131,8 @@ TEST_P(Deployed, VehiclesParkWhereNobodyElseGoes) {
     for (const Mission& other : scenario_.missions) {
       if (other.vehicle == id) continue;
       for (const geometry::Pose2& goal : other.goals_in_map) {
-        EXPECT_GE(geometry::distance(place, goal.position()), vehicle(id).radius_m + vehicle(other.vehicle).radius_m + kPassingM)
+        EXPECT_GE(geometry::distance(place, goal.position()),
+                  vehicle(id).radius_m + vehicle(other.vehicle).radius_m + kPassingM)
             << id << " parks at a goal of " << other.vehicle;
       }
     }
@@ -139,7 +149,8 @@ TEST_P(Deployed, EveryGoalStaysReachableWhateverIsBlocked) {
     const Vehicle& v = vehicle(mission.vehicle);
     geometry::Point2 from = v.start_in_map.position();
     for (const geometry::Pose2& goal : mission.goals_in_map) {
-      EXPECT_TRUE(connected(from, goal.position(), v.radius_m + kMarginM, blocked)) << v.id << " to " << goal.x << ", " << goal.y;
+      EXPECT_TRUE(connected(from, goal.position(), v.radius_m + kMarginM, blocked))
+          << v.id << " to " << goal.x << ", " << goal.y;
       from = goal.position();
     }
   }
@@ -147,8 +158,10 @@ TEST_P(Deployed, EveryGoalStaysReachableWhateverIsBlocked) {
 
 TEST_P(Deployed, NothingBeginsOnTopOfAVehicle) {
   for (const Vehicle& v : scenario_.vehicles) {
-    for (const Block& block : scenario_.blocks) EXPECT_GE(geometry::distance_m(body_of(block), v.start_in_map.position()), v.radius_m + 0.5) << block.id;
-    for (const MapEdit& edit : scenario_.map_edits) EXPECT_GE(geometry::distance_m(body_of(edit), v.start_in_map.position()), v.radius_m + 0.5);
+    for (const Block& block : scenario_.blocks)
+      EXPECT_GE(geometry::distance_m(body_of(block), v.start_in_map.position()), v.radius_m + 0.5) << block.id;
+    for (const MapEdit& edit : scenario_.map_edits)
+      EXPECT_GE(geometry::distance_m(body_of(edit), v.start_in_map.position()), v.radius_m + 0.5);
   }
 }
 
@@ -157,7 +170,8 @@ TEST_P(Deployed, WalkersKeepClearOfWalls) {
     for (std::size_t i = 1; i < mover.waypoints_in_map.size(); ++i) {
       const geometry::Point2 a = mover.waypoints_in_map[i - 1];
       const geometry::Point2 way = mover.waypoints_in_map[i] - a;
-      for (double share = 0.0; share <= 1.0; share += 0.002) EXPECT_GE(room_m(a + share * way), mover.radius_m) << mover.id;
+      for (double share = 0.0; share <= 1.0; share += 0.002)
+        EXPECT_GE(room_m(a + share * way), mover.radius_m) << mover.id;
     }
   }
 }
@@ -167,7 +181,8 @@ TEST_P(Deployed, RecordedPeopleHardlyEverWalkThroughWalls) {
     int rows = 0;
     int within = 0;
     for (const fake_world::RecordedPerson& person : fake_world::read_recording(recording)) {
-      for (double t_s = recording.begin_s; t_s < std::min(recording.end_s, recording.begin_s + scenario_.duration_s); t_s += 0.2) {
+      for (double t_s = recording.begin_s; t_s < std::min(recording.end_s, recording.begin_s + scenario_.duration_s);
+           t_s += 0.2) {
         const auto motion = person.at(t_s);
         if (!motion) continue;
         ++rows;

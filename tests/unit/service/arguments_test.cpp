@@ -42,9 +42,10 @@ class Arguments : public ::testing::Test {
 };
 
 TEST_F(Arguments, FillTheSettingsOfTheSite) {
-  EXPECT_EQ(parse({"--domain", "12", "--partition=hall-2", "--interface", "127.0.0.1,10.0.0.4", "--interface", "10.0.0.5", "--peer", "a", "--peer", "b",
-                   "--discovery-server", "10.0.0.1:11811", "--shared-memory"}),
-            "");
+  EXPECT_EQ(
+      parse({"--domain", "12", "--partition=hall-2", "--interface", "127.0.0.1,10.0.0.4", "--interface", "10.0.0.5",
+             "--peer", "a", "--peer", "b", "--discovery-server", "10.0.0.1:11811", "--shared-memory"}),
+      "");
   EXPECT_EQ(settings_.domain, 12);
   EXPECT_EQ(settings_.partition, "hall-2");
   EXPECT_THAT(settings_.interfaces, ElementsAre("127.0.0.1", "10.0.0.4", "10.0.0.5"));
@@ -65,8 +66,10 @@ TEST_F(Arguments, WinOverTheEnvironment) {
 
 TEST_F(Arguments, OfBadValuesAreNamed) {
   // The words between are the parser's own, and differ between its releases.
-  EXPECT_THAT(parse({"--domain", "300"}), ::testing::MatchesRegex("--domain: Value 300 not in range .*230.*; see --help"));
-  EXPECT_THAT(parse({"--domain", "two"}), ::testing::MatchesRegex("--domain: Value two not in range .*230.*; see --help"));
+  EXPECT_THAT(parse({"--domain", "300"}),
+              ::testing::MatchesRegex("--domain: Value 300 not in range .*230.*; see --help"));
+  EXPECT_THAT(parse({"--domain", "two"}),
+              ::testing::MatchesRegex("--domain: Value two not in range .*230.*; see --help"));
   EXPECT_THAT(parse({"--interface", "10.0.0.400"}), ::testing::HasSubstr("--interface"));
 }
 

@@ -27,7 +27,8 @@ TEST(PeerWatch, IgnoresItselfAndNamesAnotherProcessWithItsIdOnce) {
   const std::vector<Finding> findings = watch.take(peer("map", 200), seconds(2), kWallNs);
   ASSERT_THAT(findings, SizeIs(1));
   EXPECT_EQ(findings[0].kind, Finding::Kind::kDuplicateInstance);
-  EXPECT_EQ(findings[0].text, "instance id 'map' is used twice: also by process 42 on host host-b; give one of them another --instance");
+  EXPECT_EQ(findings[0].text,
+            "instance id 'map' is used twice: also by process 42 on host host-b; give one of them another --instance");
   EXPECT_THAT(watch.take(peer("map", 200), seconds(3), kWallNs), IsEmpty());
 }
 
@@ -47,8 +48,10 @@ TEST(PeerWatch, NamesAnotherProcessForItsVehicleOnce) {
   const std::vector<Finding> findings = watch.take(other, seconds(1), kWallNs);
   ASSERT_THAT(findings, SizeIs(1));
   EXPECT_EQ(findings[0].kind, Finding::Kind::kDuplicateVehicle);
-  EXPECT_EQ(findings[0].text, "'agv-1' has two processes of the service fake-vehicle: 'driver-d' (process 42 on host host-b) beside this one; "
-                              "stop one of them, or give it another vehicle's id");
+  EXPECT_EQ(
+      findings[0].text,
+      "'agv-1' has two processes of the service fake-vehicle: 'driver-d' (process 42 on host host-b) beside this one; "
+      "stop one of them, or give it another vehicle's id");
   EXPECT_THAT(watch.take(other, seconds(2), kWallNs), IsEmpty());
 }
 
@@ -63,7 +66,7 @@ TEST(PeerWatch, AnObserverTellsARestartFromTwoAtOnce) {
   PeerWatch watch("", 0, 1);
   EXPECT_THAT(watch.take(peer("map", 100), seconds(1), kWallNs), IsEmpty());
   EXPECT_THAT(watch.take(peer("map", 200), seconds(2), kWallNs), IsEmpty());
-  EXPECT_THAT(watch.take(peer("map", 100), seconds(2) + milliseconds(100), kWallNs), IsEmpty());   // was on its way
+  EXPECT_THAT(watch.take(peer("map", 100), seconds(2) + milliseconds(100), kWallNs), IsEmpty());  // was on its way
   const std::vector<Finding> findings = watch.take(peer("map", 100), seconds(3), kWallNs);
   ASSERT_THAT(findings, SizeIs(1));
   EXPECT_EQ(findings[0].kind, Finding::Kind::kDuplicateInstance);
@@ -85,7 +88,8 @@ TEST(PeerWatch, NamesClocksThatDifferButNotAnOldSample) {
   EXPECT_THAT(watch.take(skewed(1), seconds(1), kWallNs + 1'000'000'000LL), IsEmpty());
   const std::vector<Finding> findings = watch.take(skewed(2), seconds(2), kWallNs + 2'000'000'000LL);
   ASSERT_THAT(findings, SizeIs(1));
-  EXPECT_EQ(findings[0].text, "the clock of host host-b (dispatcher) is 3.0 s behind ours; synchronise both, e.g. with chrony");
+  EXPECT_EQ(findings[0].text,
+            "the clock of host host-b (dispatcher) is 3.0 s behind ours; synchronise both, e.g. with chrony");
   EXPECT_THAT(watch.take(skewed(3), seconds(3), kWallNs + 3'000'000'000LL), IsEmpty());
 
   PeerWatch late("map", 100, 1);

@@ -44,7 +44,9 @@ TEST_F(TrackingSection, HasARowForEveryRecordingAndFleetAndNoise) {
     GTEST_SKIP() << "no reference data here";
   }
   const std::string section = tracking_section(orders_, [](const std::string&) {});
-  for (const char* row : {"| biwi_eth, standing | constant-velocity |", "| biwi_eth at 15 frames a second, driving | interacting-mix |", "| crowds_zara01, driving | nearest-neighbour |", "| biwi_hotel | 4 |", "| 5 cm, 1 degree |"}) {
+  for (const char* row :
+       {"| biwi_eth, standing | constant-velocity |", "| biwi_eth at 15 frames a second, driving | interacting-mix |",
+        "| crowds_zara01, driving | nearest-neighbour |", "| biwi_hotel | 4 |", "| 5 cm, 1 degree |"}) {
     EXPECT_THAT(section, HasSubstr(row));
   }
   EXPECT_TRUE(fs::exists(orders_.pictures / "tracking-biwi_hotel.svg"));
@@ -58,7 +60,8 @@ TEST(DetourTable, ComparesThePredictedWithTheHeldStill) {
     setup.perception = perception;
     bool anybody_moves = false;
     results.push_back(lockstep::run(setup, [&](const lockstep::Snapshot& now) {
-      for (const auto& seen : now.tracks) anybody_moves = anybody_moves || geometry::norm(seen.track.velocity_in_map) > 0.2;
+      for (const auto& seen : now.tracks)
+        anybody_moves = anybody_moves || geometry::norm(seen.track.velocity_in_map) > 0.2;
     }));
     EXPECT_EQ(anybody_moves, perception == lockstep::Perception::kScans);
   }

@@ -53,7 +53,8 @@ TEST(Scoring, KeepsAPairWhenAnotherTrackComesNearer) {
 
 TEST(Scoring, PairsAsManyAsItCan) {
   Scorer scorer(kPeriod_s);
-  scorer.look({person(1, 0.0), person(2, 0.4)}, {claim(7, 0.35), claim(8, 0.8)});  // the nearest pair would leave person 1 alone
+  scorer.look({person(1, 0.0), person(2, 0.4)},
+              {claim(7, 0.35), claim(8, 0.8)});  // the nearest pair would leave person 1 alone
   EXPECT_EQ(scorer.score().misses, 0);
 }
 

@@ -24,7 +24,8 @@ TEST(SmoothWalk, HasAVelocityThatIsItsDerivativeAndNeverJumps) {
   const SmoothWalk walk(kZigzag);
   constexpr double kStep_s = 1e-4;
   for (double t = kStep_s; t < 2.0 - kStep_s; t += 0.01) {
-    const Point2 slope = (0.5 / kStep_s) * (walk.at(t + kStep_s)->position_in_map - walk.at(t - kStep_s)->position_in_map);
+    const Point2 slope =
+        (0.5 / kStep_s) * (walk.at(t + kStep_s)->position_in_map - walk.at(t - kStep_s)->position_in_map);
     EXPECT_LT(geometry::norm(slope - walk.at(t)->velocity_in_map), 2e-3) << t;
     EXPECT_LT(geometry::norm(walk.at(t + kStep_s)->velocity_in_map - walk.at(t - kStep_s)->velocity_in_map), 5e-3) << t;
   }
@@ -39,7 +40,8 @@ TEST(SmoothWalk, KeepsAnEvenPaceAndHurriesAsTold) {
 
 TEST(SmoothWalk, StandsOnTheOnlyRowAndTakesNoMomentTwice) {
   EXPECT_EQ(SmoothWalk(Rows{{1.0, {2.0, 3.0}}}).at(1.0)->velocity_in_map.x, 0.0);
-  EXPECT_NEAR(SmoothWalk(Rows{{0.0, {0.0, 0.0}}, {0.0, {9.0, 9.0}}, {1.0, {1.0, 0.0}}}).at(0.5)->position_in_map.x, 0.5, 1e-12);
+  EXPECT_NEAR(SmoothWalk(Rows{{0.0, {0.0, 0.0}}, {0.0, {9.0, 9.0}}, {1.0, {1.0, 0.0}}}).at(0.5)->position_in_map.x, 0.5,
+              1e-12);
 }
 
 }  // namespace

@@ -15,11 +15,14 @@ namespace {
 /// A file with three people who walk for 10 s, two of them past each other; removed at the end.
 class PeopleFile {
  public:
-  PeopleFile() : name_(testing::TempDir() + "people-" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".txt") {
+  PeopleFile()
+      : name_(testing::TempDir() + "people-" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".txt") {
     std::ofstream out(name_);
     for (int frame = 0; frame <= 250; frame += 10) {
       const double t_s = frame / 25.0;
-      out << frame << " 1 " << t_s << " 0.0\n" << frame << " 2 " << 10.0 - t_s << " 0.9\n" << frame << " 3 " << t_s << " 9.0\n";
+      out << frame << " 1 " << t_s << " 0.0\n"
+          << frame << " 2 " << 10.0 - t_s << " 0.9\n"
+          << frame << " 3 " << t_s << " 9.0\n";
     }
   }
   ~PeopleFile() { std::remove(name_.c_str()); }

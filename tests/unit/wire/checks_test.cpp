@@ -15,7 +15,12 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(Checks, PassWhatIsWithinItsBounds) {
   Checks checks;
-  checks.finite("a", 1e308).within("b", 0.0, 0.0, 1.0).within("c", 1.0, 0.0, 1.0).count("d", 3, 3, 3).id("e", "agv-1").holds(true, "f");
+  checks.finite("a", 1e308)
+      .within("b", 0.0, 0.0, 1.0)
+      .within("c", 1.0, 0.0, 1.0)
+      .count("d", 3, 3, 3)
+      .id("e", "agv-1")
+      .holds(true, "f");
   checks.known("g", EditShape::SHAPE_DISC, EditShape::SHAPE_DISC);
   EXPECT_TRUE(checks.ok());
   EXPECT_EQ(checks.reason(), "");
@@ -31,7 +36,8 @@ TEST(Checks, NoNumberIsWithinNoBounds) {
 TEST(Checks, NameTheFieldTheValueAndTheLimit) {
   EXPECT_EQ(Checks().within("radius_m", 12.5, 0.0, 10.0).reason(), "radius_m = 12.5 is not within 0 and 10");
   EXPECT_EQ(Checks().count("points", 0, 1, 64).reason(), "points has 0 elements, not 1 to 64");
-  EXPECT_EQ(Checks().known("shape", static_cast<EditShape>(7), EditShape::SHAPE_DISC).reason(), "shape = 7 is no known value");
+  EXPECT_EQ(Checks().known("shape", static_cast<EditShape>(7), EditShape::SHAPE_DISC).reason(),
+            "shape = 7 is no known value");
 }
 
 TEST(Checks, KeepTheFirstReason) {

@@ -37,7 +37,8 @@ TEST(GeometryCodec, WrapsTheHeading) {
 }
 
 TEST(GeometryCodec, RefusesNumbersThatNoSiteHas) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308, -1e7}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e308, -1e7}) {
     aisle::Pose pose;
     pose.y_m(bad);
     Checks of_pose;

@@ -93,7 +93,8 @@ TEST(VehicleInfoCodec, RefusesWhatNoVehicleIs) {
       {"max_steering_rad", [](auto& v) { v.max_steering_rad(1.5708); }},
       {"max_steering_rate_radps", [](auto& v) { v.max_steering_rate_radps(-0.5); }},
   };
-  for (const auto& [field, spoil] : spoils) EXPECT_EQ(refusal(forklift(), spoil).rfind(field, 0), 0U) << field << ": " << refusal(forklift(), spoil);
+  for (const auto& [field, spoil] : spoils)
+    EXPECT_EQ(refusal(forklift(), spoil).rfind(field, 0), 0U) << field << ": " << refusal(forklift(), spoil);
   EXPECT_EQ(refusal(forklift(), [](auto&) {}), "");
   EXPECT_EQ(refusal(cart(), [](auto& v) { v.radius_m(11.0); }).rfind("radius_m", 0), 0U);
 }

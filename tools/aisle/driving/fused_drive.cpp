@@ -16,21 +16,25 @@ using local_planner::Route;
 
 constexpr double kRadiusM = 0.35;
 constexpr double kMoverMps = 0.5;
-constexpr double kMoverWayM = 1.4;          // to each side of the planned way
+constexpr double kMoverWayM = 1.4;  // to each side of the planned way
 constexpr double kBoxM = 0.5;
 
 Route planned(const FusedDrive& drive, const DrawnMap& map, const grid::ClearanceField& clearance) {
   global_planner::Problem problem{clearance, map.start_in_map, map.goal_in_map};
   problem.radius_m = kRadiusM + 0.1;
-  return Route(global_planner::find_variant(drive.global)->make()->plan(problem, [] { return false; }).waypoints_in_map);
+  return Route(
+      global_planner::find_variant(drive.global)->make()->plan(problem, [] { return false; }).waypoints_in_map);
 }
 
 /// The places along the way, away from its ends, with this much room around them; nearest to `share` of it first.
-std::vector<double> roomy_places_m(const Route& way, const grid::ClearanceField& clearance, double room_m, double share) {
+std::vector<double> roomy_places_m(const Route& way, const grid::ClearanceField& clearance, double room_m,
+                                   double share) {
   std::vector<double> places;
   for (double s = 3.0; s < way.length_m() - 3.0; s += 0.25)
     if (clearance.clearance_m(way.at(s)) >= room_m) places.push_back(s);
-  std::sort(places.begin(), places.end(), [&](double a, double b) { return std::abs(a - share * way.length_m()) < std::abs(b - share * way.length_m()); });
+  std::sort(places.begin(), places.end(), [&](double a, double b) {
+    return std::abs(a - share * way.length_m()) < std::abs(b - share * way.length_m());
+  });
   return places;
 }
 
@@ -82,7 +86,8 @@ double DriveFigures::changes_of_w() const { return sum_of_changes(points, &Drive
 
 double DriveFigures::greatest_change_of_w() const {
   double most = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i) most = std::max(most, std::abs(points[i].angular_radps - points[i - 1].angular_radps));
+  for (std::size_t i = 1; i < points.size(); ++i)
+    most = std::max(most, std::abs(points[i].angular_radps - points[i - 1].angular_radps));
   return most;
 }
 
@@ -112,7 +117,7 @@ DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& m
   setup.own_variant = drive.local;
   setup.own_variant->paper = drive.limits;
   setup.paper_limits = true;
-  setup.settings.lane.shift_m = 0.0;        // the papers' vehicles are alone and keep no side
+  setup.settings.lane.shift_m = 0.0;  // the papers' vehicles are alone and keep no side
   setup.settings.slows_on_the_way = drive.slows_on_the_way;
   scenario::Vehicle vehicle;
   vehicle.id = "agv-1";
@@ -133,10 +138,13 @@ DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& m
     double gap_m = clearance.clearance_m(here) - kRadiusM;
     for (const geometry::Body& thing : now.things) {
       const double to_thing_m = geometry::distance_m(thing, here) - kRadiusM;
-      if (thing.shape == geometry::Body::Shape::kDisc) figures.nearest_mover_m = std::min(figures.nearest_mover_m, to_thing_m);
-      else gap_m = std::min(gap_m, to_thing_m);
+      if (thing.shape == geometry::Body::Shape::kDisc)
+        figures.nearest_mover_m = std::min(figures.nearest_mover_m, to_thing_m);
+      else
+        gap_m = std::min(gap_m, to_thing_m);
     }
-    figures.points.push_back({now.t_s, now.vehicles[0], now.outputs[0].twist.linear_mps, now.outputs[0].twist.angular_radps, gap_m});
+    figures.points.push_back(
+        {now.t_s, now.vehicles[0], now.outputs[0].twist.linear_mps, now.outputs[0].twist.angular_radps, gap_m});
   });
   return figures;
 }

@@ -10,19 +10,19 @@ namespace aisle::cli {
 
 /// What the papers meet on the way, beside their map.
 struct Surprises {
-  int movers{0};                // cross the planned way, one after the other
-  int hidden_boxes{0};          // stand on it, where there is room beside
+  int movers{0};        // cross the planned way, one after the other
+  int hidden_boxes{0};  // stand on it, where there is room beside
   bool any() const { return movers + hidden_boxes > 0; }
 };
 
 /// One vehicle, as in the local planner's paper, from S to T of a paper's map, cells of 1 m.
 struct FusedDrive {
-  std::string map;              // deploy/experiments/<map>.txt
-  std::string global;           // of the global planner's variants
+  std::string map;     // deploy/experiments/<map>.txt
+  std::string global;  // of the global planner's variants
   local_planner::Variant local;
-  local_planner::PaperLimits limits;      // of the paper that is compared, whoever drives
+  local_planner::PaperLimits limits;  // of the paper that is compared, whoever drives
   Surprises surprises;
-  bool slows_on_the_way{true};            // by our profile of the way; false: by the critics alone
+  bool slows_on_the_way{true};  // by our profile of the way; false: by the critics alone
 };
 
 /// A moment of a drive, as commanded.
@@ -31,22 +31,22 @@ struct DrivePoint {
   geometry::Pose2 base_in_map;
   double linear_mps{0.0};
   double angular_radps{0.0};
-  double gap_m{1e9};                      // from the outline to walls and boxes
+  double gap_m{1e9};  // from the outline to walls and boxes
 };
 
 struct DriveFigures {
   lockstep::Result result;
-  std::vector<DrivePoint> points;         // ten a second
+  std::vector<DrivePoint> points;  // ten a second
   grid::OccupancyGrid grid;
-  int movers{0};                          // that there was room for
-  double nearest_mover_m{1e9};            // between the outlines, while both were there
+  int movers{0};                // that there was room for
+  double nearest_mover_m{1e9};  // between the outlines, while both were there
   /// Did a mover come so near that something had to be done about it?
   bool met_a_mover() const { return movers > 0 && nearest_mover_m < 1.5; }
   bool arrived() const { return result.goals_reached == result.goals_assigned; }
   /// Sums of all changes, up and down: m/s and rad/s.
   double changes_of_v() const;
   double changes_of_w() const;
-  double greatest_change_of_w() const;    // within a tenth of a second
+  double greatest_change_of_w() const;  // within a tenth of a second
   /// Mean speed where walls or boxes are nearer to the outline than this; 0: it never was there.
   double mean_speed_near(double gap_m) const;
 };

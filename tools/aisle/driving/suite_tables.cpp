@@ -15,7 +15,14 @@ namespace {
 using lockstep::SuiteRow;
 using lockstep::Totals;
 
-const std::vector<std::string> kHeading{"goals", "contacts of a moving vehicle", "of others with a standing one", "least clearance m", "time s", "length m", "sign changes of w", "jerk m/s^3"};
+const std::vector<std::string> kHeading{"goals",
+                                        "contacts of a moving vehicle",
+                                        "of others with a standing one",
+                                        "least clearance m",
+                                        "time s",
+                                        "length m",
+                                        "sign changes of w",
+                                        "jerk m/s^3"};
 
 std::vector<std::string> cells(const std::string& first, const Totals& t) {
   const double runs = t.runs;

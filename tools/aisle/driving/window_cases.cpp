@@ -14,7 +14,7 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kLineM = 5.0;            // y of start and goal
+constexpr double kLineM = 5.0;  // y of start and goal
 constexpr double kStartM = 2.0;
 constexpr double kGoalM = 18.0;
 
@@ -27,7 +27,7 @@ lockstep::Setup straight(double aisle_m) {
   }
   lockstep::add_vehicle(setup, 1, {kStartM, kLineM, 0.0}, {{kGoalM, kLineM, 0.0}});
   setup.local = "wu";
-  setup.settings.lane.shift_m = 0.0;      // one vehicle alone keeps no side: what it leaves is the path
+  setup.settings.lane.shift_m = 0.0;  // one vehicle alone keeps no side: what it leaves is the path
   setup.scenario.duration_s = 60.0;
   return setup;
 }
@@ -95,20 +95,25 @@ WindowDrive drive_window_case(const WindowCase& of) {
     looked_s = now.t_s;
     drive.farthest_off_m = std::max(drive.farthest_off_m, std::abs(here.y - kLineM));
     drive.back_on_it_m = std::abs(here.y - kLineM);
-    if (here.x > kStartM + 3.0 && here.x < kGoalM - 3.0) drive.slowest_mps = std::min(drive.slowest_mps, now.outputs[0].twist.linear_mps);
+    if (here.x > kStartM + 3.0 && here.x < kGoalM - 3.0)
+      drive.slowest_mps = std::min(drive.slowest_mps, now.outputs[0].twist.linear_mps);
     drive.asked_for_a_plan = drive.asked_for_a_plan || now.outputs[0].phase == local_planner::Phase::kBlocked;
   });
   return drive;
 }
 
-std::string window_section(const std::filesystem::path& pictures, const std::string& pictures_from_page, const Progress& progress) {
-  std::vector<std::vector<std::string>> rows{{"case", "goal", "contacts", "farthest off the path m", "off it at the end m", "slowest m/s", "aimed at a sub-target s", "asked for another plan"}};
+std::string window_section(const std::filesystem::path& pictures, const std::string& pictures_from_page,
+                           const Progress& progress) {
+  std::vector<std::vector<std::string>> rows{{"case", "goal", "contacts", "farthest off the path m",
+                                              "off it at the end m", "slowest m/s", "aimed at a sub-target s",
+                                              "asked for another plan"}};
   std::string shown;
   for (const WindowCase& of : window_cases()) {
     progress("window: " + of.title);
     const WindowDrive d = drive_window_case(of);
-    rows.push_back({of.title, d.result.goals_reached == 1 ? "reached" : "not reached", std::to_string(d.result.contacts), digits(d.farthest_off_m, 2),
-                    digits(d.back_on_it_m, 2), digits(d.slowest_mps, 2), digits(d.sub_target_s, 1), d.asked_for_a_plan ? "yes" : "no"});
+    rows.push_back({of.title, d.result.goals_reached == 1 ? "reached" : "not reached",
+                    std::to_string(d.result.contacts), digits(d.farthest_off_m, 2), digits(d.back_on_it_m, 2),
+                    digits(d.slowest_mps, 2), digits(d.sub_target_s, 1), d.asked_for_a_plan ? "yes" : "no"});
     write_output_file(pictures / (of.name + ".svg"), window_svg(of.setup.grid, scene_of(of, d)));
     shown += "![" + of.title + "](" + pictures_from_page + "/" + of.name + ".svg)\n\n";
   }

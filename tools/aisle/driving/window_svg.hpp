@@ -7,25 +7,27 @@
 
 namespace aisle::cli {
 
-/// A drive past one mover, or past boxes, as a picture shows it. Ways have a point each tenth of a second, from the start on.
+/// A drive past one mover, or past boxes, as a picture shows it. Ways have a point each tenth of a second, from the
+/// start on.
 struct WindowScene {
   std::string title;
-  geometry::Point2 start_in_map, goal_in_map;               // the path is the line between
+  geometry::Point2 start_in_map, goal_in_map;  // the path is the line between
   double vehicle_radius_m{0.35};
   std::vector<geometry::Point2> driven_in_map;
   double mover_radius_m{0.25};
-  std::vector<geometry::Point2> mover_in_map;               // empty: there is none
+  std::vector<geometry::Point2> mover_in_map;  // empty: there is none
   struct Aimed {
     geometry::Point2 from_in_map, at_in_map;
   };
-  std::vector<Aimed> sub_targets;                           // where it aimed instead of along the path; moments without one are left out
+  std::vector<Aimed> sub_targets;  // where it aimed instead of along the path; moments without one are left out
   struct Box {
     geometry::Point2 low_in_map, high_in_map;
   };
   std::vector<Box> boxes;
 };
 
-/// Both with their outlines and the time, every two seconds while they move; the local sub-targets, each with where it was aimed at from; where they came nearest; a scale in metres; as an SVG file's text.
+/// Both with their outlines and the time, every two seconds while they move; the local sub-targets, each with where it
+/// was aimed at from; where they came nearest; a scale in metres; as an SVG file's text.
 std::string window_svg(const grid::OccupancyGrid& grid, const WindowScene& scene);
 
 }  // namespace aisle::cli

@@ -4,10 +4,14 @@ namespace aisle::cli {
 
 Json to_json(const aisle::Point& sample) { return Json{{"x_m", sample.x_m()}, {"y_m", sample.y_m()}}; }
 
-Json to_json(const aisle::Pose& sample) { return Json{{"x_m", sample.x_m()}, {"y_m", sample.y_m()}, {"yaw_rad", sample.yaw_rad()}}; }
+Json to_json(const aisle::Pose& sample) {
+  return Json{{"x_m", sample.x_m()}, {"y_m", sample.y_m()}, {"yaw_rad", sample.yaw_rad()}};
+}
 
 Json to_json(const aisle::Twist& sample) {
-  return Json{{"linear_mps", sample.linear_mps()}, {"angular_radps", sample.angular_radps()}, {"sideways_mps", sample.sideways_mps()}};
+  return Json{{"linear_mps", sample.linear_mps()},
+              {"angular_radps", sample.angular_radps()},
+              {"sideways_mps", sample.sideways_mps()}};
 }
 
 Json to_json(const aisle::Origin& sample) {

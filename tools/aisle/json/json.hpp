@@ -1,6 +1,6 @@
 #pragma once
-// One to_json for each type of idl/, with the field names of the IDL; enumerators in lower case without their prefix, hashes as
-// hexadecimal text (a JSON number would lose digits). Numbers that are not finite become null when written.
+// One to_json for each type of idl/, with the field names of the IDL; enumerators in lower case without their prefix,
+// hashes as hexadecimal text (a JSON number would lose digits). Numbers that are not finite become null when written.
 #include <nlohmann/json.hpp>
 #include <string>
 

@@ -29,12 +29,9 @@ Json to_json(const aisle::MapInfo& sample) {
 Json to_json(const aisle::MapTile& sample) {
   Json cells = Json::array();
   for (const auto cell : sample.cells()) cells.push_back(static_cast<unsigned>(cell));
-  return Json{{"map_id", sample.map_id().to_string()},
-              {"tile_x", sample.tile_x()},
-              {"tile_y", sample.tile_y()},
-              {"revision", sample.revision()},
-              {"hash", hexadecimal(sample.hash())},
-              {"cells", std::move(cells)}};
+  return Json{
+      {"map_id", sample.map_id().to_string()}, {"tile_x", sample.tile_x()},          {"tile_y", sample.tile_y()},
+      {"revision", sample.revision()},         {"hash", hexadecimal(sample.hash())}, {"cells", std::move(cells)}};
 }
 
 Json to_json(const aisle::MapRequest& sample) {
@@ -55,12 +52,9 @@ Json to_json(const aisle::MapEdit& sample) {
 }
 
 Json to_json(const aisle::MapEditResult& sample) {
-  return Json{{"edit_id", sample.edit_id().to_string()},
-              {"by", to_json(sample.by())},
-              {"map_id", sample.map_id().to_string()},
-              {"outcome", name_of(sample.outcome())},
-              {"detail", sample.detail().to_string()},
-              {"revision", sample.revision()},
+  return Json{{"edit_id", sample.edit_id().to_string()}, {"by", to_json(sample.by())},
+              {"map_id", sample.map_id().to_string()},   {"outcome", name_of(sample.outcome())},
+              {"detail", sample.detail().to_string()},   {"revision", sample.revision()},
               {"changed_cells", sample.changed_cells()}};
 }
 

@@ -14,7 +14,8 @@ namespace aisle::cli {
 template <std::size_t N, class Enum>
 std::string enumerator_name(const std::array<const char*, N>& names, Enum value) {
   const auto index = static_cast<std::int64_t>(value);
-  return index >= 0 && index < static_cast<std::int64_t>(N) ? names[static_cast<std::size_t>(index)] : std::to_string(index);
+  return index >= 0 && index < static_cast<std::int64_t>(N) ? names[static_cast<std::size_t>(index)]
+                                                            : std::to_string(index);
 }
 
 inline std::string hexadecimal(std::uint64_t value) {

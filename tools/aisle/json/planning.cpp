@@ -3,14 +3,17 @@
 namespace aisle::cli {
 namespace {
 
-constexpr std::array kPlanOutcomes{"found", "no_path", "start_blocked", "goal_blocked", "out_of_map", "out_of_time", "cancelled"};
+constexpr std::array kPlanOutcomes{"found",      "no_path",     "start_blocked", "goal_blocked",
+                                   "out_of_map", "out_of_time", "cancelled"};
 constexpr std::array kTriggers{"new_goal", "map_changed", "track", "vehicle_blocked", "takeover"};
 constexpr std::array kPhases{"waiting", "turning", "driving", "avoiding", "blocked", "arrived", "failed", "held"};
-constexpr std::array kReasons{"none",          "no_goal",       "no_map",   "no_plan", "no_state", "no_tracker", "stale_state",
-                              "stale_tracker", "plan_outdated", "obstacle", "vehicle", "yielding", "off_path",   "unreachable",
-                              "cancelled",     "late",          "authority"};
+constexpr std::array kReasons{"none",        "no_goal",       "no_map",        "no_plan",  "no_state", "no_tracker",
+                              "stale_state", "stale_tracker", "plan_outdated", "obstacle", "vehicle",  "yielding",
+                              "off_path",    "unreachable",   "cancelled",     "late",     "authority"};
 
-Json json_of_intent(const aisle::IntentPoint& point) { return Json{{"offset_s", point.offset_s()}, {"base_in_map", to_json(point.base_in_map())}}; }
+Json json_of_intent(const aisle::IntentPoint& point) {
+  return Json{{"offset_s", point.offset_s()}, {"base_in_map", to_json(point.base_in_map())}};
+}
 
 }  // namespace
 

@@ -10,7 +10,9 @@ namespace aisle::cli {
 namespace {
 
 Json json_of_use(const aisle::ScanUse& use) {
-  return Json{{"agv_id", use.agv_id().to_string()}, {"scan_sequence", use.scan_sequence()}, {"scan_stamp_ns", use.scan_stamp_ns()}};
+  return Json{{"agv_id", use.agv_id().to_string()},
+              {"scan_sequence", use.scan_sequence()},
+              {"scan_stamp_ns", use.scan_stamp_ns()}};
 }
 
 constexpr int kSeenLongAgo = 254;
@@ -27,7 +29,8 @@ char letter(std::uint8_t age, double age_step_s) {
 Json picture_of(const aisle::Coverage& sample) {
   Json rows = Json::array();
   const std::size_t width = sample.width_cells();
-  const std::size_t height = width == 0 ? 0 : std::min<std::size_t>(sample.height_cells(), sample.ages().size() / width);
+  const std::size_t height =
+      width == 0 ? 0 : std::min<std::size_t>(sample.height_cells(), sample.ages().size() / width);
   for (std::size_t y = height; y-- > 0;) {
     std::string row;
     for (std::size_t x = 0; x < width; ++x) row += letter(sample.ages()[y * width + x], sample.age_step_s());
@@ -39,7 +42,9 @@ Json picture_of(const aisle::Coverage& sample) {
 }  // namespace
 
 Json to_json(const aisle::Coverage& sample) {
-  const auto count = [&](auto is_counted) { return std::count_if(sample.ages().begin(), sample.ages().end(), is_counted); };
+  const auto count = [&](auto is_counted) {
+    return std::count_if(sample.ages().begin(), sample.ages().end(), is_counted);
+  };
   return Json{{"source_id", sample.source_id().to_string()},
               {"tile_x", sample.tile_x()},
               {"tile_y", sample.tile_y()},

@@ -65,14 +65,10 @@ Json to_json(const aisle::Scan& sample) {
 }
 
 Json to_json(const aisle::VelocityCommand& sample) {
-  return Json{{"agv_id", sample.agv_id().to_string()},
-              {"by", to_json(sample.by())},
-              {"goal_id", sample.goal_id().to_string()},
-              {"plan_id", sample.plan_id()},
-              {"map_revision", sample.map_revision()},
-              {"twist", to_json(sample.twist())},
-              {"scan_stamp_ns", sample.scan_stamp_ns()},
-              {"control_ms", sample.control_ms()}};
+  return Json{{"agv_id", sample.agv_id().to_string()},   {"by", to_json(sample.by())},
+              {"goal_id", sample.goal_id().to_string()}, {"plan_id", sample.plan_id()},
+              {"map_revision", sample.map_revision()},   {"twist", to_json(sample.twist())},
+              {"scan_stamp_ns", sample.scan_stamp_ns()}, {"control_ms", sample.control_ms()}};
 }
 
 Json to_json(const aisle::WorldObstacle& sample) {

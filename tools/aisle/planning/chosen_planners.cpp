@@ -20,7 +20,8 @@ std::vector<const global_planner::Variant*> chosen_planners(const std::vector<st
     std::string all;
     for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
     const std::string nearest = config::nearest_name(name, known);
-    throw config::BadInput("--planner: '" + name + "' is unknown" + (nearest.empty() ? "." : "; did you mean " + nearest + "?") + " There are " + all);
+    throw config::BadInput("--planner: '" + name + "' is unknown" +
+                           (nearest.empty() ? "." : "; did you mean " + nearest + "?") + " There are " + all);
   }
   return chosen;
 }

@@ -12,7 +12,8 @@ struct DrawnMap {
   geometry::Point2 goal_in_map;
 };
 
-/// '#' occupied, '.' free, one 'S' and one 'T' for start and goal (free); the first line is the top row. Lower left corner at (0, 0).
+/// '#' occupied, '.' free, one 'S' and one 'T' for start and goal (free); the first line is the top row. Lower left
+/// corner at (0, 0).
 /// @throws config::BadInput with file and line
 DrawnMap read_drawn_map(const std::filesystem::path& file, double cell_m);
 

@@ -20,7 +20,9 @@ std::string markdown_table(const std::vector<std::vector<std::string>>& rows) {
   return text + "\n";
 }
 
-std::string digits(double value, int after_point) { return std::isfinite(value) ? fmt::format("{:.{}f}", value, after_point) : "-"; }
+std::string digits(double value, int after_point) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, after_point) : "-";
+}
 
 std::string with_section(const std::string& page, const std::string& name, const std::string& text) {
   const std::string begin = "<!-- " + name + ": begin -->\n";

@@ -11,8 +11,8 @@ std::string markdown_table(const std::vector<std::vector<std::string>>& rows);
 /// "12.34"; "-" for what is not a number.
 std::string digits(double value, int after_point);
 
-/// The page with everything between the lines `<!-- name: begin -->` and `<!-- name: end -->` replaced by `text`; a section that is not
-/// there yet is added at the end, so that several experiments share a page.
+/// The page with everything between the lines `<!-- name: begin -->` and `<!-- name: end -->` replaced by `text`; a
+/// section that is not there yet is added at the end, so that several experiments share a page.
 std::string with_section(const std::string& page, const std::string& name, const std::string& text);
 
 }  // namespace aisle::cli

@@ -11,7 +11,9 @@
 namespace aisle::cli {
 namespace {
 
-config::BadEnvironment not_writable(const std::string& file) { return config::BadEnvironment(file + ": cannot be written; check the folder and its permissions"); }
+config::BadEnvironment not_writable(const std::string& file) {
+  return config::BadEnvironment(file + ": cannot be written; check the folder and its permissions");
+}
 
 bool takes_writing(const std::filesystem::path& place, bool is_folder) {
   std::error_code ignored;
@@ -23,7 +25,8 @@ bool takes_writing(const std::filesystem::path& place, bool is_folder) {
 void check_writable(const std::string& file) {
   std::error_code ignored;
   const bool is_there = std::filesystem::exists(file, ignored);
-  if (!takes_writing(is_there ? std::filesystem::path(file) : std::filesystem::absolute(file).parent_path(), !is_there)) throw not_writable(file);
+  if (!takes_writing(is_there ? std::filesystem::path(file) : std::filesystem::absolute(file).parent_path(), !is_there))
+    throw not_writable(file);
 }
 
 void write_output_file(const std::string& file, const std::string& text) {

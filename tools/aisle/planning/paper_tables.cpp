@@ -27,27 +27,74 @@ struct Published {
 };
 
 struct Case {
-  const char* map;            // deploy/experiments/<map>.txt
+  const char* map;  // deploy/experiments/<map>.txt
   const char* title;
-  const char* planner;        // the paper's
-  Heuristic heuristic;        // of its baseline
+  const char* planner;  // the paper's
+  Heuristic heuristic;  // of its baseline
   Moves moves;
-  double safe_distance_m;     // beside lines, from the middle of a cell of 1 m
+  double safe_distance_m;  // beside lines, from the middle of a cell of 1 m
   std::vector<Published> published;
 };
 
 const std::vector<Case>& cases() {
   using F = Figure;
   static const std::vector<Case> all{
-      {"li-simple", "LI table II, 10x10 simple", "li", Heuristic::kEuclidean, Moves::kFour, 0.0, {{F::kLength, 18.00, 14.83}, {F::kNodes, 10, 5}}},
-      {"li-complex", "LI table II, 20x20 complex", "li", Heuristic::kEuclidean, Moves::kFour, 0.0, {{F::kLength, 38.00, 29.85}, {F::kNodes, 16, 10}}},
+      {"li-simple",
+       "LI table II, 10x10 simple",
+       "li",
+       Heuristic::kEuclidean,
+       Moves::kFour,
+       0.0,
+       {{F::kLength, 18.00, 14.83}, {F::kNodes, 10, 5}}},
+      {"li-complex",
+       "LI table II, 20x20 complex",
+       "li",
+       Heuristic::kEuclidean,
+       Moves::kFour,
+       0.0,
+       {{F::kLength, 38.00, 29.85}, {F::kNodes, 16, 10}}},
       {"wu", "WU figure 8", "wu", Heuristic::kEuclidean, Moves::kEight, 0.0, {{F::kTurns, 8, 3}}},
-      {"qu-simple", "QU table 2, 21x21 simple", "qu", Heuristic::kEuclidean, Moves::kEight, 0.0, {{F::kLength, 24.4879, 21.0280}, {F::kTurns, 8, 2}}},
-      {"qu-maze", "QU table 2, 21x21 maze", "qu", Heuristic::kEuclidean, Moves::kEight, 0.0, {{F::kLength, 30.3848, 25.1659}, {F::kTurns, 12, 5}}},
-      {"yu-1", "YU table 2, 20x20 scene 1", "yu", Heuristic::kEuclidean, Moves::kEight, 0.0, {{F::kLength, 27.0026, 24.8729}, {F::kTurns, 5, 4}, {F::kExpanded, 108, 88}}},
-      {"yu-2", "YU table 3, 20x20 scene 2", "yu", Heuristic::kEuclidean, Moves::kEight, 0.0, {{F::kLength, 23.3848, 24.3454}, {F::kTurns, 9, 2}, {F::kExpanded, 112, 92}}},
-      {"yu-3", "YU table 4, 50x50", "yu", Heuristic::kEuclidean, Moves::kEight, 0.0, {{F::kLength, 62.2548, 60.0237}, {F::kTurns, 13, 8}, {F::kExpanded, 820, 211}}},
-      {"wang-1", "WANG tables 1 and 2, 20x20", "wang", Heuristic::kChebyshev, Moves::kEight, 0.0,
+      {"qu-simple",
+       "QU table 2, 21x21 simple",
+       "qu",
+       Heuristic::kEuclidean,
+       Moves::kEight,
+       0.0,
+       {{F::kLength, 24.4879, 21.0280}, {F::kTurns, 8, 2}}},
+      {"qu-maze",
+       "QU table 2, 21x21 maze",
+       "qu",
+       Heuristic::kEuclidean,
+       Moves::kEight,
+       0.0,
+       {{F::kLength, 30.3848, 25.1659}, {F::kTurns, 12, 5}}},
+      {"yu-1",
+       "YU table 2, 20x20 scene 1",
+       "yu",
+       Heuristic::kEuclidean,
+       Moves::kEight,
+       0.0,
+       {{F::kLength, 27.0026, 24.8729}, {F::kTurns, 5, 4}, {F::kExpanded, 108, 88}}},
+      {"yu-2",
+       "YU table 3, 20x20 scene 2",
+       "yu",
+       Heuristic::kEuclidean,
+       Moves::kEight,
+       0.0,
+       {{F::kLength, 23.3848, 24.3454}, {F::kTurns, 9, 2}, {F::kExpanded, 112, 92}}},
+      {"yu-3",
+       "YU table 4, 50x50",
+       "yu",
+       Heuristic::kEuclidean,
+       Moves::kEight,
+       0.0,
+       {{F::kLength, 62.2548, 60.0237}, {F::kTurns, 13, 8}, {F::kExpanded, 820, 211}}},
+      {"wang-1",
+       "WANG tables 1 and 2, 20x20",
+       "wang",
+       Heuristic::kChebyshev,
+       Moves::kEight,
+       0.0,
        {{F::kLength, 30.73, 28.53}, {F::kNodes, 28, 4}, {F::kTurns, 7, 2}, {F::kExpanded, 228, 96}}},
       {"wang-map-1", "WANG table 3, map 1, 5 blocks", "wang", Heuristic::kChebyshev, Moves::kEight, 0.0, {}},
       {"wang-map-2", "WANG table 3, map 2, 19 blocks", "wang", Heuristic::kChebyshev, Moves::kEight, 0.0, {}},
@@ -64,20 +111,28 @@ struct Row {
 
 double figure_of(const Answer& answer, Figure figure) {
   switch (figure) {
-    case Figure::kLength: return answer.figures.length_m;
-    case Figure::kNodes: return answer.figures.nodes;
-    case Figure::kTurns: return answer.figures.turning_points;
-    case Figure::kExpanded: break;
+    case Figure::kLength:
+      return answer.figures.length_m;
+    case Figure::kNodes:
+      return answer.figures.nodes;
+    case Figure::kTurns:
+      return answer.figures.turning_points;
+    case Figure::kExpanded:
+      break;
   }
   return static_cast<double>(answer.plan.expanded);
 }
 
 const char* name_of(Figure figure) {
   switch (figure) {
-    case Figure::kLength: return "length m";
-    case Figure::kNodes: return "nodes";
-    case Figure::kTurns: return "turning points";
-    case Figure::kExpanded: break;
+    case Figure::kLength:
+      return "length m";
+    case Figure::kNodes:
+      return "nodes";
+    case Figure::kTurns:
+      return "turning points";
+    case Figure::kExpanded:
+      break;
   }
   return "expanded";
 }
@@ -95,14 +150,18 @@ std::string verdict(const Published& published, double ours_from, double ours_to
 
 class PaperCase {
  public:
-  PaperCase(const Case& of, const std::filesystem::path& maps) : case_(of), map_(read_drawn_map(maps / (std::string(of.map) + ".txt"), 1.0)) {
+  PaperCase(const Case& of, const std::filesystem::path& maps)
+      : case_(of), map_(read_drawn_map(maps / (std::string(of.map) + ".txt"), 1.0)) {
     const grid::ClearanceField clearance(map_.grid, 10.0);
     global_planner::Problem problem{clearance, map_.start_in_map, map_.goal_in_map};
     problem.safe_distance_m = of.safe_distance_m;
-    rows_.push_back({"traditional A*, as drawn", ask(*global_planner::traditional_astar(of.heuristic, of.moves), problem)});
-    for (const global_planner::Variant& variant : global_planner::all_variants()) rows_.push_back({variant.name, ask(*variant.make(), problem)});
+    rows_.push_back(
+        {"traditional A*, as drawn", ask(*global_planner::traditional_astar(of.heuristic, of.moves), problem)});
+    for (const global_planner::Variant& variant : global_planner::all_variants())
+      rows_.push_back({variant.name, ask(*variant.make(), problem)});
     for (const Row& row : rows_) {
-      if (row.answer.plan.outcome != global_planner::Outcome::kFound) throw config::BadInput(std::string(of.map) + ".txt: " + row.name + " finds no path");
+      if (row.answer.plan.outcome != global_planner::Outcome::kFound)
+        throw config::BadInput(std::string(of.map) + ".txt: " + row.name + " finds no path");
     }
   }
 
@@ -119,18 +178,21 @@ class PaperCase {
       const double drawn = figure_of(rows_.front().answer, published.figure);
       const double astar = figure_of(of("astar"), published.figure);
       const double ours = figure_of(of(case_.planner), published.figure);
-      lines.push_back({case_.title, name_of(published.figure), pair(published.figure, published.traditional, published.improved),
-                       pair(published.figure, drawn, ours), verdict(published, drawn, ours), pair(published.figure, astar, ours)});
+      lines.push_back(
+          {case_.title, name_of(published.figure), pair(published.figure, published.traditional, published.improved),
+           pair(published.figure, drawn, ours), verdict(published, drawn, ours), pair(published.figure, astar, ours)});
     }
     return lines;
   }
 
   std::string all_planners() const {
-    std::vector<std::vector<std::string>> table{{"planner", "length m", "nodes", "turning points", "turned rad", "expanded", "least clearance m"}};
+    std::vector<std::vector<std::string>> table{
+        {"planner", "length m", "nodes", "turning points", "turned rad", "expanded", "least clearance m"}};
     for (const Row& row : rows_) {
       const auto& f = row.answer.figures;
-      table.push_back({row.name, digits(f.length_m, 2), std::to_string(f.nodes), std::to_string(f.turning_points), digits(f.turning_angle_rad, 2),
-                       std::to_string(row.answer.plan.expanded), digits(f.least_clearance_m, 2)});
+      table.push_back({row.name, digits(f.length_m, 2), std::to_string(f.nodes), std::to_string(f.turning_points),
+                       digits(f.turning_angle_rad, 2), std::to_string(row.answer.plan.expanded),
+                       digits(f.least_clearance_m, 2)});
     }
     return markdown_table(table);
   }
@@ -149,8 +211,8 @@ class PaperCase {
 
 }  // namespace
 
-std::string paper_tables(const std::filesystem::path& maps, const std::filesystem::path& pictures, const std::string& pictures_from_page,
-                         const Progress& progress) {
+std::string paper_tables(const std::filesystem::path& maps, const std::filesystem::path& pictures,
+                         const std::string& pictures_from_page, const Progress& progress) {
   std::vector<std::vector<std::string>> compared{
       {"table", "figure", "published", "ours, from A* as drawn", "direction", "ours, from an A* that cuts no corner"}};
   std::string details;
@@ -159,7 +221,8 @@ std::string paper_tables(const std::filesystem::path& maps, const std::filesyste
     const PaperCase paper_case(of, maps);
     for (auto& line : paper_case.compared()) compared.push_back(std::move(line));
     write_output_file(pictures / (std::string(of.map) + ".svg"), paper_case.picture());
-    details += std::string("#### ") + of.title + "\n\n![" + of.title + "](" + pictures_from_page + "/" + of.map + ".svg)\n\n" + paper_case.all_planners();
+    details += std::string("#### ") + of.title + "\n\n![" + of.title + "](" + pictures_from_page + "/" + of.map +
+               ".svg)\n\n" + paper_case.all_planners();
   }
   return markdown_table(compared) + details;
 }

@@ -10,7 +10,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-std::string text(double value, int digits) { return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-"; }
+std::string text(double value, int digits) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
+}
 
 }  // namespace
 
@@ -35,13 +37,15 @@ Json json_of(const std::vector<Tally>& tallies) {
 }
 
 std::vector<std::vector<std::string>> rows_of(const std::vector<Tally>& tallies) {
-  std::vector<std::vector<std::string>> rows{{"planner", "asked", "solved", "faults", "length m", "ratio", "ratio max", "nodes", "turns", "turned rad",
-                                              "expanded", "p50 us", "p99 us", "clearance m"}};
+  std::vector<std::vector<std::string>> rows{{"planner", "asked", "solved", "faults", "length m", "ratio", "ratio max",
+                                              "nodes", "turns", "turned rad", "expanded", "p50 us", "p99 us",
+                                              "clearance m"}};
   for (const Tally& t : tallies) {
-    rows.push_back({t.planner(), std::to_string(t.asked()), std::to_string(t.solved()), std::to_string(t.checker_failures()), text(t.length_mean_m(), 3),
-                    text(t.length_ratio_mean(), 5), text(t.length_ratio_max(), 5), text(t.nodes_mean(), 1), text(t.turning_points_mean(), 1),
-                    text(t.turning_angle_mean_rad(), 2), text(t.expanded_mean(), 0), text(t.time_us(0.5), 1), text(t.time_us(0.99), 1),
-                    t.solved() > 0 ? text(t.least_clearance_m(), 3) : "-"});
+    rows.push_back({t.planner(), std::to_string(t.asked()), std::to_string(t.solved()),
+                    std::to_string(t.checker_failures()), text(t.length_mean_m(), 3), text(t.length_ratio_mean(), 5),
+                    text(t.length_ratio_max(), 5), text(t.nodes_mean(), 1), text(t.turning_points_mean(), 1),
+                    text(t.turning_angle_mean_rad(), 2), text(t.expanded_mean(), 0), text(t.time_us(0.5), 1),
+                    text(t.time_us(0.99), 1), t.solved() > 0 ? text(t.least_clearance_m(), 3) : "-"});
   }
   return rows;
 }

@@ -8,16 +8,19 @@
 namespace aisle::cli {
 namespace {
 
-constexpr int kMostBlocks = 400;       // along the longer edge of the map
+constexpr int kMostBlocks = 400;  // along the longer edge of the map
 constexpr double kEdge_px = 800.0;
 constexpr double kLegend_px = 150.0;
-constexpr std::array<const char*, 10> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6a3d9a", "#8c6d31", "#b2182b", "#1b7837"};
+constexpr std::array<const char*, 10> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
+                                               "#56b4e9", "#6a3d9a", "#8c6d31", "#b2182b", "#1b7837"};
 
 struct Sheet {
   grid::Geometry geometry;
   double px_per_cell;
   double x(geometry::Point2 p) const { return (p.x - geometry.origin_in_map.x) / geometry.resolution_m * px_per_cell; }
-  double y(geometry::Point2 p) const { return (geometry.height - (p.y - geometry.origin_in_map.y) / geometry.resolution_m) * px_per_cell; }
+  double y(geometry::Point2 p) const {
+    return (geometry.height - (p.y - geometry.origin_in_map.y) / geometry.resolution_m) * px_per_cell;
+  }
 };
 
 grid::Occupancy block_at(const grid::OccupancyGrid& grid, int x0, int y0, int edge) {
@@ -44,8 +47,9 @@ std::string map_layer(const grid::OccupancyGrid& grid, const Sheet& sheet) {
       if (here != grid::Occupancy::kFree) {
         const double top = (g.height - std::min(y + edge, g.height)) * sheet.px_per_cell;
         std::string& layer = here == grid::Occupancy::kOccupied ? occupied : unknown;
-        layer += fmt::format("M{:.5g} {:.5g}h{:.5g}v{:.5g}h{:.5g}z", x * sheet.px_per_cell, top, (std::min(end, g.width) - x) * sheet.px_per_cell,
-                             edge * sheet.px_per_cell, -(std::min(end, g.width) - x) * sheet.px_per_cell);
+        layer += fmt::format("M{:.5g} {:.5g}h{:.5g}v{:.5g}h{:.5g}z", x * sheet.px_per_cell, top,
+                             (std::min(end, g.width) - x) * sheet.px_per_cell, edge * sheet.px_per_cell,
+                             -(std::min(end, g.width) - x) * sheet.px_per_cell);
       }
       x = end;
     }
@@ -57,9 +61,13 @@ std::string path_layer(const std::vector<geometry::Point2>& path, const Sheet& s
   std::string points, dots;
   for (const geometry::Point2 p : path) {
     points += fmt::format("{:.1f},{:.1f} ", sheet.x(p), sheet.y(p));
-    if (path.size() <= 60) dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>", sheet.x(p), sheet.y(p), colour);
+    if (path.size() <= 60)
+      dots += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3\" fill=\"{}\"/>", sheet.x(p), sheet.y(p), colour);
   }
-  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\" opacity=\"0.85\"/>{}\n", points, colour, dots);
+  return fmt::format(
+      "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\" "
+      "opacity=\"0.85\"/>{}\n",
+      points, colour, dots);
 }
 
 }  // namespace
@@ -75,12 +83,16 @@ std::string plan_svg(const grid::OccupancyGrid& grid, const std::vector<DrawnPat
     const char* colour = kColours[i % kColours.size()];
     body += path_layer(paths[i].in_map, sheet, colour);
     const double y = 20.0 + 20.0 * static_cast<double>(i);
-    legend += fmt::format("<path d=\"M{0:.0f} {1:.0f}h24\" stroke=\"{2}\" stroke-width=\"3\"/><text x=\"{3:.0f}\" y=\"{4:.0f}\">{5}</text>\n", width + 10, y,
-                          colour, width + 40, y + 4, paths[i].name);
+    legend += fmt::format(
+        "<path d=\"M{0:.0f} {1:.0f}h24\" stroke=\"{2}\" stroke-width=\"3\"/><text x=\"{3:.0f}\" "
+        "y=\"{4:.0f}\">{5}</text>\n",
+        width + 10, y, colour, width + 40, y + 4, paths[i].name);
   }
-  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-                     "font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" fill=\"#f5f7fa\"/>\n{2}{3}</svg>\n",
-                     width + kLegend_px, std::max(height, 30.0 + 20.0 * static_cast<double>(paths.size())), body, legend);
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
+      "font-family=\"sans-serif\" font-size=\"13\">\n<rect width=\"100%\" height=\"100%\" "
+      "fill=\"#f5f7fa\"/>\n{2}{3}</svg>\n",
+      width + kLegend_px, std::max(height, 30.0 + 20.0 * static_cast<double>(paths.size())), body, legend);
 }
 
 }  // namespace aisle::cli

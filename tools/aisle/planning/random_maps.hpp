@@ -13,7 +13,8 @@ inline int random_between(std::mt19937& random, int low, int high) {
 }
 
 /// Each cell is occupied with this chance in percent.
-inline grid::OccupancyGrid random_cells(std::mt19937& random, int width, int height, int occupied_percent, double resolution_m = 1.0) {
+inline grid::OccupancyGrid random_cells(std::mt19937& random, int width, int height, int occupied_percent,
+                                        double resolution_m = 1.0) {
   grid::OccupancyGrid grid(grid::Geometry{width, height, resolution_m, {0.0, 0.0}});
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -24,7 +25,8 @@ inline grid::OccupancyGrid random_cells(std::mt19937& random, int width, int hei
 }
 
 /// `blocks` rectangles with edges of 1 to `longest` cells, that leave the lower left and upper right corner free.
-inline grid::OccupancyGrid random_blocks(std::mt19937& random, int edge, int blocks, int longest, double resolution_m = 1.0) {
+inline grid::OccupancyGrid random_blocks(std::mt19937& random, int edge, int blocks, int longest,
+                                         double resolution_m = 1.0) {
   grid::OccupancyGrid grid(grid::Geometry{edge, edge, resolution_m, {0.0, 0.0}});
   for (int i = 0; i < blocks; ++i) {
     const int w = random_between(random, 1, longest);

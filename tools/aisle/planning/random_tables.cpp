@@ -17,7 +17,7 @@ using global_planner::Outcome;
 using global_planner::Problem;
 
 constexpr unsigned kBlockMaps = 200;
-constexpr int kAntsUpTo = 60;   // cells an edge: on larger maps ants walk for long and arrive nowhere near the optimum
+constexpr int kAntsUpTo = 60;  // cells an edge: on larger maps ants walk for long and arrive nowhere near the optimum
 
 struct Contestant {
   std::string name;
@@ -29,7 +29,8 @@ struct Contestant {
 std::vector<Contestant> contestants() {
   std::vector<Contestant> all;
   for (const global_planner::Variant& variant : global_planner::all_variants()) {
-    if (variant.name != "hybrid") all.push_back({variant.name, variant.make(), Tally(variant.name)});   // as theta without headings
+    if (variant.name != "hybrid")
+      all.push_back({variant.name, variant.make(), Tally(variant.name)});  // as theta without headings
   }
   return all;
 }
@@ -47,7 +48,8 @@ std::string percent(int part, int of) { return of == 0 ? "-" : digits(100.0 * pa
 
 double quantile(std::vector<double> of, double part) {
   std::sort(of.begin(), of.end());
-  return of.empty() ? 0.0 : of[std::min(of.size() - 1, static_cast<std::size_t>(part * static_cast<double>(of.size())))];
+  return of.empty() ? 0.0
+                    : of[std::min(of.size() - 1, static_cast<std::size_t>(part * static_cast<double>(of.size())))];
 }
 
 grid::OccupancyGrid block_map(unsigned seed) {
@@ -71,22 +73,27 @@ constexpr Claim kClaims[] = {{"li", global_planner::Heuristic::kEuclidean, globa
 }  // namespace
 
 std::string block_direction_table(const Progress& progress) {
-  std::vector<std::vector<std::string>> table{{"planner", "from", "maps", "length", "shorter", "fewer turns", "fewer nodes", "fewer expanded"}};
+  std::vector<std::vector<std::string>> table{
+      {"planner", "from", "maps", "length", "shorter", "fewer turns", "fewer nodes", "fewer expanded"}};
   for (const Claim& claim : kClaims) {
     progress(std::string("block maps, directions: ") + claim.planner);
-    Contestant from_drawn{"A* as drawn", global_planner::traditional_astar(claim.heuristic, claim.moves), Tally(claim.planner)};
-    Contestant from_drivable{"an A* that cuts no corner", global_planner::find_variant("astar")->make(), Tally(claim.planner)};
+    Contestant from_drawn{"A* as drawn", global_planner::traditional_astar(claim.heuristic, claim.moves),
+                          Tally(claim.planner)};
+    Contestant from_drivable{"an A* that cuts no corner", global_planner::find_variant("astar")->make(),
+                             Tally(claim.planner)};
     const auto planner = global_planner::find_variant(claim.planner)->make();
     for (unsigned seed = 1; seed <= kBlockMaps; ++seed) {
       const grid::ClearanceField clearance(block_map(seed), 20.0);
       const Problem problem{clearance, {0.5, 0.5}, {19.5, 19.5}};
       const Answer ours = ask(*planner, problem);
       if (ours.plan.outcome != Outcome::kFound) continue;
-      for (Contestant* baseline : {&from_drawn, &from_drivable}) compare(*baseline, ours, ask(*baseline->planner, problem));
+      for (Contestant* baseline : {&from_drawn, &from_drivable})
+        compare(*baseline, ours, ask(*baseline->planner, problem));
     }
     for (const Contestant* c : {&from_drawn, &from_drivable}) {
-      table.push_back({claim.planner, c->name, std::to_string(c->maps), digits(c->tally.length_ratio_mean(), 4), percent(c->shorter, c->maps),
-                       percent(c->straighter, c->maps), percent(c->fewer_nodes, c->maps), percent(c->fewer_expanded, c->maps)});
+      table.push_back({claim.planner, c->name, std::to_string(c->maps), digits(c->tally.length_ratio_mean(), 4),
+                       percent(c->shorter, c->maps), percent(c->straighter, c->maps), percent(c->fewer_nodes, c->maps),
+                       percent(c->fewer_expanded, c->maps)});
     }
   }
   return markdown_table(table);
@@ -104,10 +111,11 @@ std::string block_map_table(const Progress& progress) {
       const Problem problem{clearance, {0.5, 0.5}, {19.5, 19.5}};
       const global_planner::Plan ours = planner->plan(problem, nullptr);
       if (ours.outcome != Outcome::kFound) continue;
-      fewer.push_back(100.0 - 100.0 * static_cast<double>(ours.expanded) / static_cast<double>(traditional->plan(problem, nullptr).expanded));
+      fewer.push_back(100.0 - 100.0 * static_cast<double>(ours.expanded) /
+                                  static_cast<double>(traditional->plan(problem, nullptr).expanded));
     }
-    table.push_back({variant.name, digits(quantile(fewer, 0.25), 1) + " %", digits(quantile(fewer, 0.5), 1) + " %", digits(quantile(fewer, 0.75), 1) + " %",
-                     std::to_string(fewer.size())});
+    table.push_back({variant.name, digits(quantile(fewer, 0.25), 1) + " %", digits(quantile(fewer, 0.5), 1) + " %",
+                     digits(quantile(fewer, 0.75), 1) + " %", std::to_string(fewer.size())});
   }
   return markdown_table(table);
 }
@@ -117,7 +125,9 @@ std::string random_map_table(int occupied_percent, int maps, const Progress& pro
   const auto astar = global_planner::find_variant("astar")->make();
   int solvable = 0;
   for (int i = 0; i < maps; ++i) {
-    if (i % 50 == 0) progress("random maps, " + std::to_string(occupied_percent) + " %: " + std::to_string(i) + " of " + std::to_string(maps));
+    if (i % 50 == 0)
+      progress("random maps, " + std::to_string(occupied_percent) + " %: " + std::to_string(i) + " of " +
+               std::to_string(maps));
     std::mt19937 random(static_cast<unsigned>(occupied_percent * 100000 + i));
     const int edge = random_between(random, 20, 200);
     grid::OccupancyGrid grid = random_cells(random, edge, edge, occupied_percent);
@@ -133,16 +143,20 @@ std::string random_map_table(int occupied_percent, int maps, const Progress& pro
       compare(who, ask(*who.planner, problem), baseline);
     }
   }
-  std::vector<std::vector<std::string>> table{{"planner", "maps", "faults", "length/optimum", "p99", "turns", "nodes", "expanded", "p99", "shorter",
-                                               "fewer turns", "fewer nodes", "fewer expanded"}};
+  std::vector<std::vector<std::string>> table{{"planner", "maps", "faults", "length/optimum", "p99", "turns", "nodes",
+                                               "expanded", "p99", "shorter", "fewer turns", "fewer nodes",
+                                               "fewer expanded"}};
   for (const Contestant& who : all) {
     const Tally& t = who.tally;
-    table.push_back({who.name, std::to_string(t.solved()), std::to_string(t.checker_failures()), digits(t.length_ratio_mean(), 4), digits(t.length_ratio_p99(), 4),
-                     digits(t.turning_points_mean(), 1), digits(t.nodes_mean(), 1), digits(t.expanded_mean(), 0), digits(t.expanded_p99(), 0),
-                     percent(who.shorter, who.maps), percent(who.straighter, who.maps), percent(who.fewer_nodes, who.maps), percent(who.fewer_expanded, who.maps)});
+    table.push_back({who.name, std::to_string(t.solved()), std::to_string(t.checker_failures()),
+                     digits(t.length_ratio_mean(), 4), digits(t.length_ratio_p99(), 4),
+                     digits(t.turning_points_mean(), 1), digits(t.nodes_mean(), 1), digits(t.expanded_mean(), 0),
+                     digits(t.expanded_p99(), 0), percent(who.shorter, who.maps), percent(who.straighter, who.maps),
+                     percent(who.fewer_nodes, who.maps), percent(who.fewer_expanded, who.maps)});
   }
-  return std::to_string(solvable) + " of " + std::to_string(maps) + " maps have a path; seeds " + std::to_string(occupied_percent * 100000) + " to " +
-         std::to_string(occupied_percent * 100000 + maps - 1) + ".\n\n" + markdown_table(table);
+  return std::to_string(solvable) + " of " + std::to_string(maps) + " maps have a path; seeds " +
+         std::to_string(occupied_percent * 100000) + " to " + std::to_string(occupied_percent * 100000 + maps - 1) +
+         ".\n\n" + markdown_table(table);
 }
 
 }  // namespace aisle::cli

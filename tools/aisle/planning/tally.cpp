@@ -11,7 +11,8 @@ namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 }
 
-Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem, const global_planner::Outline& outline) {
+Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem,
+           const global_planner::Outline& outline) {
   Answer answer;
   const auto begun = std::chrono::steady_clock::now();
   answer.plan = planner.plan(problem, nullptr);
@@ -36,10 +37,13 @@ void Tally::add(const Answer& answer, double optimum_m) {
   turning_points_.push_back(answer.figures.turning_points);
   turning_angle_rad_.push_back(answer.figures.turning_angle_rad);
   expanded_.push_back(static_cast<double>(answer.plan.expanded));
-  least_clearance_m_ = solved_ == 1 ? answer.figures.least_clearance_m : std::min(least_clearance_m_, answer.figures.least_clearance_m);
+  least_clearance_m_ =
+      solved_ == 1 ? answer.figures.least_clearance_m : std::min(least_clearance_m_, answer.figures.least_clearance_m);
 }
 
-double Tally::length_ratio_max() const { return ratio_.empty() ? kNothing : *std::max_element(ratio_.begin(), ratio_.end()); }
+double Tally::length_ratio_max() const {
+  return ratio_.empty() ? kNothing : *std::max_element(ratio_.begin(), ratio_.end());
+}
 
 double Tally::mean(const std::vector<double>& of) {
   return of.empty() ? kNothing : std::accumulate(of.begin(), of.end(), 0.0) / static_cast<double>(of.size());

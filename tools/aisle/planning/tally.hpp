@@ -11,13 +11,14 @@ namespace aisle::cli {
 /// One answer of one planner.
 struct Answer {
   global_planner::Plan plan;
-  global_planner::PathFigures figures;   // when found
-  std::string fault;                     // what the path checker says, empty when nothing
+  global_planner::PathFigures figures;  // when found
+  std::string fault;                    // what the path checker says, empty when nothing
   double time_us{0.0};
 };
 
 /// Asks, checks and measures; checks a rectangle as such.
-Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem, const global_planner::Outline& outline = {});
+Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem,
+           const global_planner::Outline& outline = {});
 
 /// What one planner did over many queries.
 class Tally {
@@ -46,7 +47,7 @@ class Tally {
 
  private:
   static double mean(const std::vector<double>& of);
-  static double quantile(std::vector<double> of, double part);   // nearest rank
+  static double quantile(std::vector<double> of, double part);  // nearest rank
 
   std::string planner_;
   int asked_{0}, solved_{0}, checker_failures_{0};

@@ -56,8 +56,9 @@ std::vector<std::string> cells(const std::string& family, const std::string& tra
 }  // namespace
 
 std::string detour_table(int seeds, const Progress& progress) {
-  std::vector<std::vector<std::string>> table{
-      {"family", "tracks", "goals", "contacts of a moving vehicle", "least clearance m", "length m", "beyond the plan m", "time s", "new plans"}};
+  std::vector<std::vector<std::string>> table{{"family", "tracks", "goals", "contacts of a moving vehicle",
+                                               "least clearance m", "length m", "beyond the plan m", "time s",
+                                               "new plans"}};
   Drives predicted;
   Drives held_still;
   for (const char* family : {"person-crossing", "person-oncoming", "overtaking", "crowd"}) {

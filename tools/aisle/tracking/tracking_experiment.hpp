@@ -16,7 +16,8 @@ struct TrackingExperiment {
   int detour_seeds{8};                // drives of each family, with prediction and without; 0: left out
 };
 
-/// The section on the obstacle tracker of docs/experiments.md. The same text for the same orders: nothing in it depends on the machine.
+/// The section on the obstacle tracker of docs/experiments.md. The same text for the same orders: nothing in it depends
+/// on the machine.
 /// @throws config::BadInput when a file that is there cannot be used
 std::string tracking_section(const TrackingExperiment& orders, const Progress& progress);
 

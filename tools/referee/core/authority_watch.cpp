@@ -1,7 +1,8 @@
 #include "tools/referee/core/authority_watch.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace aisle::referee {
 
@@ -9,10 +10,14 @@ using Kind = AuthorityViolation::Kind;
 
 const char* name_of(Kind kind) {
   switch (kind) {
-    case Kind::kForeignVehicle: return "foreign_vehicle";
-    case Kind::kEpochWentBack: return "epoch_went_back";
-    case Kind::kSequenceWentBack: return "sequence_went_back";
-    case Kind::kStalePlan: break;
+    case Kind::kForeignVehicle:
+      return "foreign_vehicle";
+    case Kind::kEpochWentBack:
+      return "epoch_went_back";
+    case Kind::kSequenceWentBack:
+      return "sequence_went_back";
+    case Kind::kStalePlan:
+      break;
   }
   return "stale_plan";
 }
@@ -45,12 +50,14 @@ void AuthorityWatch::vehicle_reported(const VehicleReport& report) {
 
 void AuthorityWatch::check_order(Followed& vehicle, const VehicleReport& report) {
   judge(vehicle, report, Kind::kEpochWentBack, report.command_epoch < vehicle.highest_epoch,
-        fmt::format("obeys epoch {} of {} after epoch {}", report.command_epoch, report.command_source, vehicle.highest_epoch));
+        fmt::format("obeys epoch {} of {} after epoch {}", report.command_epoch, report.command_source,
+                    vehicle.highest_epoch));
   vehicle.highest_epoch = std::max(vehicle.highest_epoch, report.command_epoch);
-  const bool same_sender =
-      vehicle.source == report.command_source && vehicle.source_boot == report.command_boot && vehicle.epoch == report.command_epoch;
+  const bool same_sender = vehicle.source == report.command_source && vehicle.source_boot == report.command_boot &&
+                           vehicle.epoch == report.command_epoch;
   judge(vehicle, report, Kind::kSequenceWentBack, same_sender && report.command_sequence < vehicle.sequence,
-        fmt::format("obeys command {} of {} after command {}", report.command_sequence, report.command_source, vehicle.sequence));
+        fmt::format("obeys command {} of {} after command {}", report.command_sequence, report.command_source,
+                    vehicle.sequence));
   vehicle.sequence = same_sender ? std::max(vehicle.sequence, report.command_sequence) : report.command_sequence;
   vehicle.source = report.command_source;
   vehicle.source_boot = report.command_boot;
@@ -69,10 +76,12 @@ void AuthorityWatch::check_plan(Followed& vehicle, const VehicleReport& report) 
     violated = report.t_s - vehicle.plan_since_s > (vehicle.plan_drivable ? kGrace_s : kBrakingGrace_s);
   }
   judge(vehicle, report, Kind::kStalePlan, violated,
-        fmt::format("drives {:.2f} m/s by plan {} while {} is the newest", report.speed_mps, report.command_plan_id, vehicle.plan_id));
+        fmt::format("drives {:.2f} m/s by plan {} while {} is the newest", report.speed_mps, report.command_plan_id,
+                    vehicle.plan_id));
 }
 
-void AuthorityWatch::judge(Followed& vehicle, const VehicleReport& report, Kind kind, bool violated, const std::string& text) {
+void AuthorityWatch::judge(Followed& vehicle, const VehicleReport& report, Kind kind, bool violated,
+                           const std::string& text) {
   bool& going_on = vehicle.going_on[kind];
   if (violated && !going_on) violations_.push_back({kind, report.agv_id, report.t_s, text});
   going_on = violated;

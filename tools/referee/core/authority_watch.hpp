@@ -29,10 +29,10 @@ struct AuthorityViolation {
   std::string text;
 };
 
-/// Says whether a vehicle obeyed someone it should not have: a command for another vehicle, of an epoch lower than one it obeyed
-/// before, an older one of the same sender, or one of a plan that was replaced more than kGrace_s ago while it drives
-/// (kBrakingGrace_s where the newest plan is a refusal, or the command belongs to no plan: it may brake). A vehicle that holds obeys nobody.
-/// Each kind is reported once until it ends. A vehicle that restarts begins anew.
+/// Says whether a vehicle obeyed someone it should not have: a command for another vehicle, of an epoch lower than one
+/// it obeyed before, an older one of the same sender, or one of a plan that was replaced more than kGrace_s ago while
+/// it drives (kBrakingGrace_s where the newest plan is a refusal, or the command belongs to no plan: it may brake). A
+/// vehicle that holds obeys nobody. Each kind is reported once until it ends. A vehicle that restarts begins anew.
 class AuthorityWatch {
  public:
   /// `plan_id` is the newest for this vehicle; `drivable`: a path was found.
@@ -62,7 +62,8 @@ class AuthorityWatch {
   };
   void check_order(Followed& vehicle, const VehicleReport& report);
   void check_plan(Followed& vehicle, const VehicleReport& report);
-  void judge(Followed& vehicle, const VehicleReport& report, AuthorityViolation::Kind kind, bool violated, const std::string& text);
+  void judge(Followed& vehicle, const VehicleReport& report, AuthorityViolation::Kind kind, bool violated,
+             const std::string& text);
 
   std::map<std::string, Followed> vehicles_;
   std::vector<AuthorityViolation> violations_;

@@ -141,7 +141,8 @@ Approach closest_approach(const Motion& a, const Motion& b) {
   const int steps = std::max(1, static_cast<int>(std::ceil(std::max(turn_of(a), turn_of(b)) / kTurnStep_rad)));
   Approach best{1e18, 0.0};
   for (int i = 0; i < steps; ++i) {
-    const Approach part = approach_with_fixed_headings(a, b, static_cast<double>(i) / steps, static_cast<double>(i + 1) / steps);
+    const Approach part =
+        approach_with_fixed_headings(a, b, static_cast<double>(i) / steps, static_cast<double>(i + 1) / steps);
     consider(best, part.clearance_m, part.at);
   }
   return best;

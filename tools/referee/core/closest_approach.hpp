@@ -26,9 +26,9 @@ struct Approach {
   double at{0.0};           // when, as a share of the interval, 0..1
 };
 
-/// Least clearance of two bodies during one interval. Exact for discs and for rectangles that keep their headings (the path of one
-/// relative to the other is a segment, and its distance to the Minkowski difference of the outlines is closed form); for a
-/// rectangle that turns it is too small by at most 1 % of its half diagonal, never too large.
+/// Least clearance of two bodies during one interval. Exact for discs and for rectangles that keep their headings (the
+/// path of one relative to the other is a segment, and its distance to the Minkowski difference of the outlines is
+/// closed form); for a rectangle that turns it is too small by at most 1 % of its half diagonal, never too large.
 Approach closest_approach(const Motion& a, const Motion& b);
 
 }  // namespace aisle::referee

@@ -15,9 +15,12 @@ constexpr double kShortest_s = 0.005;
 
 PairClass class_of(BodyKind other) {
   switch (other) {
-    case BodyKind::kVehicle: return PairClass::kVehicleVehicle;
-    case BodyKind::kPerson: return PairClass::kVehiclePerson;
-    case BodyKind::kBlock: break;
+    case BodyKind::kVehicle:
+      return PairClass::kVehicleVehicle;
+    case BodyKind::kPerson:
+      return PairClass::kVehiclePerson;
+    case BodyKind::kBlock:
+      break;
   }
   return PairClass::kVehicleBlock;
 }
@@ -31,10 +34,14 @@ Pose2 middle_in_map(const Pose2& base_in_map, double ahead_m) {
 
 const char* name_of(PairClass pair) {
   switch (pair) {
-    case PairClass::kVehicleVehicle: return "vehicle_vehicle";
-    case PairClass::kVehiclePerson: return "vehicle_person";
-    case PairClass::kVehicleBlock: return "vehicle_block";
-    case PairClass::kVehicleWall: break;
+    case PairClass::kVehicleVehicle:
+      return "vehicle_vehicle";
+    case PairClass::kVehiclePerson:
+      return "vehicle_person";
+    case PairClass::kVehicleBlock:
+      return "vehicle_block";
+    case PairClass::kVehicleWall:
+      break;
   }
   return "vehicle_wall";
 }
@@ -50,7 +57,8 @@ std::optional<double> Clearances::overall_m() const {
 ContactWatch::ContactWatch(const Walls* walls) : walls_(walls) {}
 
 void ContactWatch::see(const BodySample& sample) {
-  const auto [found, is_new] = bodies_.try_emplace(sample.id, Body{sample.kind, sample.shape, sample.boot_id, {}, sample.t_s});
+  const auto [found, is_new] =
+      bodies_.try_emplace(sample.id, Body{sample.kind, sample.shape, sample.boot_id, {}, sample.t_s});
   Body& body = found->second;
   if (body.boot_id != sample.boot_id) {
     body = Body{sample.kind, sample.shape, sample.boot_id, {}, sample.t_s};
@@ -62,8 +70,10 @@ void ContactWatch::see(const BodySample& sample) {
   if (!body.knots.empty() && body.knots.back().t_s < judged_until_s_) {  // it was judged to stand there until now
     body.knots.push_back({judged_until_s_, body.knots.back().pose, body.knots.back().speed_mps});
   }
-  const double not_before_s = body.knots.empty() ? judged_until_s_ : std::max(judged_until_s_, body.knots.back().t_s) + 1e-9;
-  body.knots.push_back({std::max(sample.t_s, not_before_s), middle_in_map(sample.base_in_map, sample.ahead_m), sample.speed_mps});
+  const double not_before_s =
+      body.knots.empty() ? judged_until_s_ : std::max(judged_until_s_, body.knots.back().t_s) + 1e-9;
+  body.knots.push_back(
+      {std::max(sample.t_s, not_before_s), middle_in_map(sample.base_in_map, sample.ahead_m), sample.speed_mps});
 }
 
 void ContactWatch::gone(const std::string& id) { bodies_.erase(id); }
@@ -111,13 +121,14 @@ ContactWatch::Knot ContactWatch::knot_at(const Body& body, double t_s) {
   if (after == body.knots.end()) return body.knots.back();
   const Knot& from = *std::prev(after);
   const double share = (t_s - from.t_s) / (after->t_s - from.t_s);
-  const Pose2 pose{from.pose.x + share * (after->pose.x - from.pose.x), from.pose.y + share * (after->pose.y - from.pose.y),
+  const Pose2 pose{from.pose.x + share * (after->pose.x - from.pose.x),
+                   from.pose.y + share * (after->pose.y - from.pose.y),
                    geometry::wrap(from.pose.yaw + share * geometry::wrap(after->pose.yaw - from.pose.yaw))};
   return {t_s, pose, from.speed_mps + share * (after->speed_mps - from.speed_mps)};
 }
 
-/// A body's motion in one moment; its speed is the greater of what its samples say and what its places say, of a rectangle that turns
-/// that of its corners.
+/// A body's motion in one moment; its speed is the greater of what its samples say and what its places say, of a
+/// rectangle that turns that of its corners.
 ContactWatch::Piece ContactWatch::piece_of(const Body& body, const Moment& moment) {
   const Knot begin = knot_at(body, moment.begin_s);
   const Knot end = knot_at(body, moment.end_s);
@@ -126,8 +137,10 @@ ContactWatch::Piece ContactWatch::piece_of(const Body& body, const Moment& momen
   if (dt_s >= kShortest_s) {
     piece.velocity_x_mps = (end.pose.x - begin.pose.x) / dt_s;
     piece.velocity_y_mps = (end.pose.y - begin.pose.y) / dt_s;
-    const double swing_m = body.shape.is_disc() ? 0.0 : body.shape.reach_m() * std::abs(geometry::wrap(end.pose.yaw - begin.pose.yaw));
-    piece.speed_mps = std::max({piece.speed_mps, std::hypot(piece.velocity_x_mps, piece.velocity_y_mps), swing_m / dt_s});
+    const double swing_m =
+        body.shape.is_disc() ? 0.0 : body.shape.reach_m() * std::abs(geometry::wrap(end.pose.yaw - begin.pose.yaw));
+    piece.speed_mps =
+        std::max({piece.speed_mps, std::hypot(piece.velocity_x_mps, piece.velocity_y_mps), swing_m / dt_s});
   } else {
     const double way_m = geometry::distance(begin.pose.position(), end.pose.position());
     const geometry::Point2 along = way_m > 0.0 ? (1.0 / way_m) * (end.pose.position() - begin.pose.position())
@@ -138,7 +151,8 @@ ContactWatch::Piece ContactWatch::piece_of(const Body& body, const Moment& momen
   return piece;
 }
 
-void ContactWatch::judge_pair(const std::string& id_a, const Body& a, const std::string& id_b, const Body& b, double until_s) {
+void ContactWatch::judge_pair(const std::string& id_a, const Body& a, const std::string& id_b, const Body& b,
+                              double until_s) {
   const std::vector<double> moments = breaks(a, &b, until_s);
   for (std::size_t i = 1; i < moments.size(); ++i) {
     const Moment moment{moments[i - 1], moments[i]};
@@ -154,12 +168,13 @@ void ContactWatch::judge_walls(const std::string& id, const Body& body, double u
     const Moment moment{moments[i - 1], moments[i]};
     const Piece piece = piece_of(body, moment);
     const std::optional<Approach> approach = walls_->closest(piece.motion);
-    note(PairClass::kVehicleWall, id, piece, "wall", nullptr, moment, approach.value_or(Approach{Walls::kSearch_m, 0.0}));
+    note(PairClass::kVehicleWall, id, piece, "wall", nullptr, moment,
+         approach.value_or(Approach{Walls::kSearch_m, 0.0}));
   }
 }
 
-void ContactWatch::note(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b,
-                        const Moment& moment, const Approach& approach) {
+void ContactWatch::note(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b,
+                        const Piece* b, const Moment& moment, const Approach& approach) {
   std::optional<double>& least = clearances_.least_m[static_cast<std::size_t>(pair)];
   if (!least || approach.clearance_m < *least) least = approach.clearance_m;
   if (approach.clearance_m <= kTouch_m) {
@@ -172,11 +187,12 @@ void ContactWatch::note(PairClass pair, const std::string& id_a, const Piece& a,
   }
 }
 
-void ContactWatch::note_touch(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b,
-                              double t_s, double depth_m, double at) {
+void ContactWatch::note_touch(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b,
+                              const Piece* b, double t_s, double depth_m, double at) {
   auto touch = touches_.find({id_a, id_b});
   if (touch == touches_.end()) {
-    const geometry::Point2 where = a.motion.begin.position() + at * (a.motion.end.position() - a.motion.begin.position());
+    const geometry::Point2 where =
+        a.motion.begin.position() + at * (a.motion.end.position() - a.motion.begin.position());
     contacts_.push_back({pair, id_a, id_b, t_s, t_s, where, 0.0, 0.0, 0.0});
     touch = touches_.emplace(std::make_pair(id_a, id_b), Touch{contacts_.size() - 1, t_s}).first;
   }
@@ -186,7 +202,8 @@ void ContactWatch::note_touch(PairClass pair, const std::string& id_a, const Pie
   contact.depth_m = std::max(contact.depth_m, depth_m);
   const double other_x = b != nullptr ? b->velocity_x_mps : 0.0;
   const double other_y = b != nullptr ? b->velocity_y_mps : 0.0;
-  contact.relative_speed_mps = std::max(contact.relative_speed_mps, std::hypot(a.velocity_x_mps - other_x, a.velocity_y_mps - other_y));
+  contact.relative_speed_mps =
+      std::max(contact.relative_speed_mps, std::hypot(a.velocity_x_mps - other_x, a.velocity_y_mps - other_y));
   const double other_vehicle_mps = pair == PairClass::kVehicleVehicle ? b->speed_mps : 0.0;
   contact.vehicle_speed_mps = std::max({contact.vehicle_speed_mps, a.speed_mps, other_vehicle_mps});
 }

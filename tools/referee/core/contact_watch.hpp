@@ -31,8 +31,8 @@ struct BodySample {
 geometry::Pose2 middle_in_map(const geometry::Pose2& base_in_map, double ahead_m);
 
 enum class PairClass { kVehicleVehicle, kVehiclePerson, kVehicleBlock, kVehicleWall };
-inline constexpr std::array<PairClass, 4> kPairClasses{PairClass::kVehicleVehicle, PairClass::kVehiclePerson, PairClass::kVehicleBlock,
-                                                       PairClass::kVehicleWall};
+inline constexpr std::array<PairClass, 4> kPairClasses{PairClass::kVehicleVehicle, PairClass::kVehiclePerson,
+                                                       PairClass::kVehicleBlock, PairClass::kVehicleWall};
 /// "vehicle_vehicle", "vehicle_person", ...
 const char* name_of(PairClass pair);
 
@@ -56,10 +56,11 @@ struct Clearances {
   std::optional<double> overall_m() const;
 };
 
-/// Judges contacts between vehicles, persons, blocks and walls from ground truth; person with person or wall is nobody's fault.
-/// Between two samples a body is taken to move straight, whatever their distance, so nothing slips through between samples;
-/// pairs are compared on a common time, whatever the moments of their samples. A body that falls silent stays where it was
-/// (vehicles for good, others for kMemory_s). Touches of one pair that follow within kMerge_s are one contact.
+/// Judges contacts between vehicles, persons, blocks and walls from ground truth; person with person or wall is
+/// nobody's fault. Between two samples a body is taken to move straight, whatever their distance, so nothing slips
+/// through between samples; pairs are compared on a common time, whatever the moments of their samples. A body that
+/// falls silent stays where it was (vehicles for good, others for kMemory_s). Touches of one pair that follow within
+/// kMerge_s are one contact.
 class ContactWatch {
  public:
   /// `walls` may be null: then there are none. It must outlive the watch.
@@ -111,10 +112,10 @@ class ContactWatch {
   static Piece piece_of(const Body& body, const Moment& moment);
   void judge_pair(const std::string& id_a, const Body& a, const std::string& id_b, const Body& b, double until_s);
   void judge_walls(const std::string& id, const Body& body, double until_s);
-  void note(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b, const Moment& moment,
-            const Approach& approach);
-  void note_touch(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b, double t_s,
-                  double depth_m, double at);
+  void note(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b,
+            const Moment& moment, const Approach& approach);
+  void note_touch(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b,
+                  double t_s, double depth_m, double at);
   void forget(double until_s);
 
   const Walls* walls_;

@@ -16,8 +16,8 @@ struct DrivePoint {
   Standing standing{Standing::kNone};
 };
 
-/// One vehicle's way from ground truth: metres driven, and stops. A stop: it stood, neither driving nor turning, for kStand_s
-/// with a goal still open, after it had moved.
+/// One vehicle's way from ground truth: metres driven, and stops. A stop: it stood, neither driving nor turning, for
+/// kStand_s with a goal still open, after it had moved.
 class DriveBook {
  public:
   /// In order of time.

@@ -1,16 +1,21 @@
 #include "tools/referee/core/goal_book.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace aisle::referee {
 
 const char* name_of(GoalOutcome outcome) {
   switch (outcome) {
-    case GoalOutcome::kOpen: return "open";
-    case GoalOutcome::kReached: return "reached";
-    case GoalOutcome::kFailed: return "failed";
-    case GoalOutcome::kCancelled: break;
+    case GoalOutcome::kOpen:
+      return "open";
+    case GoalOutcome::kReached:
+      return "reached";
+    case GoalOutcome::kFailed:
+      return "failed";
+    case GoalOutcome::kCancelled:
+      break;
   }
   return "cancelled";
 }
@@ -35,12 +40,14 @@ void GoalBook::assigned(const GoalRecord& goal, bool cancelled) {
     }
     return;  // the same goal again, e.g. by a dispatcher that restarted
   }
-  const auto known = std::find_if(goals_.begin(), goals_.end(),
-                                  [&](const GoalRecord& g) { return g.agv_id == goal.agv_id && g.goal_id == goal.goal_id; });
+  const auto known = std::find_if(goals_.begin(), goals_.end(), [&](const GoalRecord& g) {
+    return g.agv_id == goal.agv_id && g.goal_id == goal.goal_id;
+  });
   if (newest != nullptr && newest->outcome == GoalOutcome::kOpen) {
     newest->outcome = GoalOutcome::kFailed;
     newest->decided_s = goal.assigned_s;
-    newest->reason = newest->reason.empty() ? "replaced by " + goal.goal_id : newest->reason + "; replaced by " + goal.goal_id;
+    newest->reason =
+        newest->reason.empty() ? "replaced by " + goal.goal_id : newest->reason + "; replaced by " + goal.goal_id;
   }
   if (cancelled) return;
   if (known != goals_.end()) {  // given a second time
@@ -80,16 +87,19 @@ void GoalBook::close(double t_s) {
     if (goal.outcome != GoalOutcome::kOpen) continue;
     goal.outcome = GoalOutcome::kFailed;
     goal.decided_s = t_s;
-    goal.reason = goal.reason.empty() ? "not reached before the end of the run" : goal.reason + " until the end of the run";
+    goal.reason =
+        goal.reason.empty() ? "not reached before the end of the run" : goal.reason + " until the end of the run";
   }
 }
 
 int GoalBook::assigned_count(const std::string& agv_id) const {
-  return static_cast<int>(std::count_if(goals_.begin(), goals_.end(), [&](const GoalRecord& g) { return g.agv_id == agv_id; }));
+  return static_cast<int>(
+      std::count_if(goals_.begin(), goals_.end(), [&](const GoalRecord& g) { return g.agv_id == agv_id; }));
 }
 
 int GoalBook::count(GoalOutcome outcome) const {
-  return static_cast<int>(std::count_if(goals_.begin(), goals_.end(), [&](const GoalRecord& g) { return g.outcome == outcome; }));
+  return static_cast<int>(
+      std::count_if(goals_.begin(), goals_.end(), [&](const GoalRecord& g) { return g.outcome == outcome; }));
 }
 
 }  // namespace aisle::referee

@@ -31,8 +31,9 @@ struct GoalNews {
   double t_s{0.0};
 };
 
-/// Which goals were given and what became of them. A vehicle's claim to have arrived counts only where ground truth has it within
-/// the goal's tolerance and kSlack_m (localisation and braking); a goal replaced by another before it was reached has failed.
+/// Which goals were given and what became of them. A vehicle's claim to have arrived counts only where ground truth has
+/// it within the goal's tolerance and kSlack_m (localisation and braking); a goal replaced by another before it was
+/// reached has failed.
 class GoalBook {
  public:
   void assigned(const GoalRecord& goal, bool cancelled);
@@ -52,8 +53,8 @@ class GoalBook {
  private:
   GoalRecord* newest_of(const std::string& agv_id);
 
-  std::vector<GoalRecord> goals_;                 // in the order they were given
-  std::map<std::string, std::size_t> newest_;     // of each vehicle
+  std::vector<GoalRecord> goals_;              // in the order they were given
+  std::map<std::string, std::size_t> newest_;  // of each vehicle
 };
 
 const char* name_of(GoalOutcome outcome);

@@ -38,14 +38,16 @@ void Judge::body_seen(const BodySample& sample) {
   book.last_truth_s = sample.t_s;
   book.truth_boot = sample.boot_id;
   const Standing standing = book.holds ? Standing::kHolds : book.waits ? Standing::kWaits : Standing::kNone;
-  book.row.drive.drove(sample.t_s, sample.base_in_map, sample.speed_mps, goals_.open_goal(sample.id) != nullptr, standing);
+  book.row.drive.drove(sample.t_s, sample.base_in_map, sample.speed_mps, goals_.open_goal(sample.id) != nullptr,
+                       standing);
 }
 
 void Judge::trace_body(const BodySample& sample) {
   BodyTrace& trace = bodies_[sample.id];
   trace.kind = sample.kind;
   trace.shape = sample.shape;
-  const bool moved = trace.way.empty() || geometry::distance(trace.way.back().second.position(), sample.base_in_map.position()) > 0.05;
+  const bool moved =
+      trace.way.empty() || geometry::distance(trace.way.back().second.position(), sample.base_in_map.position()) > 0.05;
   if (moved && (trace.way.empty() || sample.t_s - trace.way.back().first >= kBodyTrace_s)) {
     trace.way.emplace_back(sample.t_s, sample.base_in_map);
   }
@@ -102,7 +104,8 @@ void Judge::navigation_arrived(const GoalNews& news, bool waits) {
 }
 
 void Judge::edit_asked(const EditRow& edit) {
-  const bool known = std::any_of(edits_.begin(), edits_.end(), [&](const EditRow& e) { return e.edit_id == edit.edit_id; });
+  const bool known =
+      std::any_of(edits_.begin(), edits_.end(), [&](const EditRow& e) { return e.edit_id == edit.edit_id; });
   if (!known) edits_.push_back(edit);
 }
 
@@ -111,7 +114,8 @@ void Judge::edit_planned_for(std::int64_t asked_stamp_ns, std::int64_t plan_stam
 }
 
 void Judge::edit_answered(const EditAnswer& answer) {
-  const auto row = std::find_if(edits_.begin(), edits_.end(), [&](const EditRow& e) { return e.edit_id == answer.edit_id; });
+  const auto row =
+      std::find_if(edits_.begin(), edits_.end(), [&](const EditRow& e) { return e.edit_id == answer.edit_id; });
   if (row == edits_.end() || row->answered_s >= 0.0) return;
   row->answered_s = answer.t_s;
   row->outcome = answer.outcome;

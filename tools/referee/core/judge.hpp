@@ -18,8 +18,8 @@ struct PlanNews {
   std::string outcome;  // "no path: ...", for the report
   std::vector<geometry::Point2> waypoints_in_map;
   double planning_ms{0.0};
-  std::int64_t stamp_ns{0};       // when it was written
-  double t_s{0.0};                // when it arrived
+  std::int64_t stamp_ns{0};  // when it was written
+  double t_s{0.0};           // when it arrived
 };
 
 struct CommandNews {
@@ -27,15 +27,15 @@ struct CommandNews {
   std::int64_t stamp_ns{0};
   std::int64_t scan_stamp_ns{0};  // 0: knows of no scan
   double control_ms{0.0};
-  double t_s{0.0};                // when it arrived
+  double t_s{0.0};  // when it arrived
 };
 
 struct EditAnswer {
   std::string edit_id;
   bool applied{false};
-  std::string outcome;            // "applied", "refused: ..."
+  std::string outcome;  // "applied", "refused: ..."
   std::uint64_t revision{0};
-  double t_s{0.0};                // when it arrived
+  double t_s{0.0};  // when it arrived
 };
 
 struct HealthNews {
@@ -72,8 +72,8 @@ class Judge {
   /// Judges contacts up to `until_s`: some tenths of a second behind the newest sample, so that none comes too late.
   void advance(double until_s);
 
-  /// Each vehicle was given all its goals and they are decided, or has reported its goal as failed for kGiveUp_s; and all have
-  /// stood for kSettle_s at `now_s`.
+  /// Each vehicle was given all its goals and they are decided, or has reported its goal as failed for kGiveUp_s; and
+  /// all have stood for kSettle_s at `now_s`.
   bool is_over(double now_s) const;
   const ContactWatch& contacts() const { return contacts_; }
   const GoalBook& goals() const { return goals_; }

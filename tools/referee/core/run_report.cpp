@@ -8,25 +8,32 @@
 namespace aisle::referee {
 
 int RunReport::count(GoalOutcome outcome) const {
-  return static_cast<int>(std::count_if(goals.begin(), goals.end(), [&](const GoalRecord& g) { return g.outcome == outcome; }));
+  return static_cast<int>(
+      std::count_if(goals.begin(), goals.end(), [&](const GoalRecord& g) { return g.outcome == outcome; }));
 }
 
-int RunReport::goals_missed() const { return goals_expected - count(GoalOutcome::kReached) - count(GoalOutcome::kCancelled); }
+int RunReport::goals_missed() const {
+  return goals_expected - count(GoalOutcome::kReached) - count(GoalOutcome::kCancelled);
+}
 
 int RunReport::contacts_moving_vehicle() const {
-  return static_cast<int>(std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.vehicle_moved(); }));
+  return static_cast<int>(
+      std::count_if(contacts.begin(), contacts.end(), [](const Contact& c) { return c.vehicle_moved(); }));
 }
 
 double RunReport::distance_m() const {
-  return std::accumulate(vehicles.begin(), vehicles.end(), 0.0, [](double sum, const auto& v) { return sum + v.second.drive.distance_m(); });
+  return std::accumulate(vehicles.begin(), vehicles.end(), 0.0,
+                         [](double sum, const auto& v) { return sum + v.second.drive.distance_m(); });
 }
 
 int RunReport::stops() const {
-  return std::accumulate(vehicles.begin(), vehicles.end(), 0, [](int sum, const auto& v) { return sum + v.second.drive.stops(); });
+  return std::accumulate(vehicles.begin(), vehicles.end(), 0,
+                         [](int sum, const auto& v) { return sum + v.second.drive.stops(); });
 }
 
 int RunReport::replans() const {
-  return std::accumulate(vehicles.begin(), vehicles.end(), 0, [](int sum, const auto& v) { return sum + v.second.replans; });
+  return std::accumulate(vehicles.begin(), vehicles.end(), 0,
+                         [](int sum, const auto& v) { return sum + v.second.replans; });
 }
 
 Distribution RunReport::command_gap_ms() const {

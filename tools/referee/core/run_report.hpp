@@ -22,7 +22,7 @@ struct PlanTrace {
 struct VehicleRow {
   std::string agv_id;
   Shape shape;
-  double ahead_m{0.0};           // of the shape's middle before the vehicle's base
+  double ahead_m{0.0};  // of the shape's middle before the vehicle's base
   DriveBook drive;
   std::vector<PlanTrace> plans;
   int replans{0};
@@ -43,7 +43,7 @@ struct EditRow {
   std::string edit_id;
   bool block{true};
   std::vector<geometry::Point2> outline_in_map;  // of a disc: points on it
-  std::int64_t asked_stamp_ns{0};  // when it was written
+  std::int64_t asked_stamp_ns{0};                // when it was written
   double asked_s{0.0};
   double answered_s{-1.0};
   std::string outcome;  // "applied", "refused: ..."; empty: no answer
@@ -80,7 +80,8 @@ struct RunReport {
   Distribution map_edit_to_plan_ms;
   std::string ended_because;
   double person_clearance_m{0.0};  // that the scenario asks for
-  bool people_give_way{true};  // false where people are recordings: these walk into vehicles that stand, which is not held against them
+  bool people_give_way{
+      true};  // false where people are recordings: these walk into vehicles that stand, which is not held against them
 
   int count(GoalOutcome outcome) const;
   int goals_missed() const;

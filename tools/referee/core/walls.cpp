@@ -28,7 +28,9 @@ std::vector<Run> runs_of_row(const grid::OccupancyGrid& map, int row) {
   return runs;
 }
 
-double gap(double low_a, double high_a, double low_b, double high_b) { return std::max({0.0, low_a - high_b, low_b - high_a}); }
+double gap(double low_a, double high_a, double low_b, double high_b) {
+  return std::max({0.0, low_a - high_b, low_b - high_a});
+}
 
 }  // namespace
 
@@ -67,12 +69,15 @@ void Walls::sort_into_bins() {
   bins_x_ = std::max(1, static_cast<int>(std::ceil((high_.x - low_.x) / kBin_m)));
   bins_y_ = std::max(1, static_cast<int>(std::ceil((high_.y - low_.y) / kBin_m)));
   bins_.resize(static_cast<std::size_t>(bins_x_) * static_cast<std::size_t>(bins_y_));
-  const auto bin = [](double offset_m, int count) { return std::clamp(static_cast<int>(offset_m / kBin_m), 0, count - 1); };
+  const auto bin = [](double offset_m, int count) {
+    return std::clamp(static_cast<int>(offset_m / kBin_m), 0, count - 1);
+  };
   for (std::size_t i = 0; i < boxes_.size(); ++i) {
     const WallBox& box = boxes_[i];
     for (int y = bin(box.low.y - low_.y, bins_y_); y <= bin(box.high.y - low_.y, bins_y_); ++y) {
       for (int x = bin(box.low.x - low_.x, bins_x_); x <= bin(box.high.x - low_.x, bins_x_); ++x) {
-        bins_[static_cast<std::size_t>(y) * static_cast<std::size_t>(bins_x_) + static_cast<std::size_t>(x)].push_back(i);
+        bins_[static_cast<std::size_t>(y) * static_cast<std::size_t>(bins_x_) + static_cast<std::size_t>(x)].push_back(
+            i);
       }
     }
   }
@@ -88,9 +93,11 @@ std::optional<Approach> Walls::closest(const Motion& body) const {
   std::optional<Approach> best;
   for (int y = bin(low.y - kSearch_m - low_.y, bins_y_); y <= bin(high.y + kSearch_m - low_.y, bins_y_); ++y) {
     for (int x = bin(low.x - kSearch_m - low_.x, bins_x_); x <= bin(high.x + kSearch_m - low_.x, bins_x_); ++x) {
-      for (const std::size_t i : bins_[static_cast<std::size_t>(y) * static_cast<std::size_t>(bins_x_) + static_cast<std::size_t>(x)]) {
+      for (const std::size_t i :
+           bins_[static_cast<std::size_t>(y) * static_cast<std::size_t>(bins_x_) + static_cast<std::size_t>(x)]) {
         const WallBox& box = boxes_[i];
-        const double at_least_m = std::hypot(gap(low.x, high.x, box.low.x, box.high.x), gap(low.y, high.y, box.low.y, box.high.y));
+        const double at_least_m =
+            std::hypot(gap(low.x, high.x, box.low.x, box.high.x), gap(low.y, high.y, box.low.y, box.high.y));
         if (at_least_m > (best ? std::max(0.0, best->clearance_m) : kSearch_m)) continue;
         const geometry::Pose2 center{0.5 * (box.low.x + box.high.x), 0.5 * (box.low.y + box.high.y), 0.0};
         const Motion wall{{0.0, box.high.x - box.low.x, box.high.y - box.low.y}, center, center};

@@ -6,9 +6,9 @@
 
 namespace aisle::referee {
 
-/// The run as one picture: walls, plans (thin), ways driven (thick, with the vehicle's outline every kOutlineEvery_s), people
-/// (dotted), hidden blocks, map edits (hatched), goals, contacts (red), the figures and a legend. Shows the part of the map where
-/// something happened.
+/// The run as one picture: walls, plans (thin), ways driven (thick, with the vehicle's outline every kOutlineEvery_s),
+/// people (dotted), hidden blocks, map edits (hatched), goals, contacts (red), the figures and a legend. Shows the part
+/// of the map where something happened.
 std::string fleet_svg(const RunReport& report, const Walls& walls);
 
 inline constexpr double kOutlineEvery_s = 3.0;

@@ -22,19 +22,31 @@ void quantiles(Json& out, const std::string& name, const Distribution& figures) 
 Json goals_failed(const RunReport& report) {
   Json failed = Json::array();
   for (const GoalRecord& goal : report.goals) {
-    if (goal.outcome == GoalOutcome::kFailed) failed.push_back({{"agv", goal.agv_id}, {"goal", goal.goal_id}, {"reason", goal.reason}});
+    if (goal.outcome == GoalOutcome::kFailed)
+      failed.push_back({{"agv", goal.agv_id}, {"goal", goal.goal_id}, {"reason", goal.reason}});
   }
   const int never_given = report.goals_expected - static_cast<int>(report.goals.size());
-  if (never_given > 0) failed.push_back({{"agv", ""}, {"goal", ""}, {"reason", std::to_string(never_given) + " goals of the scenario were never given"}});
+  if (never_given > 0)
+    failed.push_back({{"agv", ""},
+                      {"goal", ""},
+                      {"reason", std::to_string(never_given) + " goals of the scenario were never given"}});
   return failed;
 }
 
 Json contacts_of(const RunReport& report) {
   Json list = Json::array();
   for (const Contact& c : report.contacts) {
-    list.push_back({{"kind", name_of(c.pair)}, {"a", c.a}, {"b", c.b}, {"begin_s", number(c.begin_s)}, {"end_s", number(c.end_s)},
-                    {"x_m", number(c.at_in_map.x)}, {"y_m", number(c.at_in_map.y)}, {"relative_speed_mps", number(c.relative_speed_mps)},
-                    {"vehicle_speed_mps", number(c.vehicle_speed_mps)}, {"depth_m", number(c.depth_m)}, {"vehicle_moved", c.vehicle_moved()}});
+    list.push_back({{"kind", name_of(c.pair)},
+                    {"a", c.a},
+                    {"b", c.b},
+                    {"begin_s", number(c.begin_s)},
+                    {"end_s", number(c.end_s)},
+                    {"x_m", number(c.at_in_map.x)},
+                    {"y_m", number(c.at_in_map.y)},
+                    {"relative_speed_mps", number(c.relative_speed_mps)},
+                    {"vehicle_speed_mps", number(c.vehicle_speed_mps)},
+                    {"depth_m", number(c.depth_m)},
+                    {"vehicle_moved", c.vehicle_moved()}});
   }
   return list;
 }
@@ -51,8 +63,9 @@ Json vehicle_rows(const RunReport& report) {
   Json rows = Json::array();
   for (const auto& [id, row] : report.vehicles) {
     const auto of_this = [&id = id](const GoalRecord& g) { return g.agv_id == id; };
-    const auto reached = std::count_if(report.goals.begin(), report.goals.end(),
-                                       [&](const GoalRecord& g) { return of_this(g) && g.outcome == GoalOutcome::kReached; });
+    const auto reached = std::count_if(report.goals.begin(), report.goals.end(), [&](const GoalRecord& g) {
+      return of_this(g) && g.outcome == GoalOutcome::kReached;
+    });
     Json out{{"agv", id},
              {"goals_assigned", std::count_if(report.goals.begin(), report.goals.end(), of_this)},
              {"goals_reached", reached},
@@ -73,7 +86,10 @@ Json vehicle_rows(const RunReport& report) {
 Json service_rows(const RunReport& report) {
   Json rows = Json::array();
   for (const auto& [id, row] : report.services) {
-    rows.push_back({{"instance", id}, {"service", row.service}, {"starts", row.starts}, {"cpu_percent", number(row.cpu_percent_mean())},
+    rows.push_back({{"instance", id},
+                    {"service", row.service},
+                    {"starts", row.starts},
+                    {"cpu_percent", number(row.cpu_percent_mean())},
                     {"resident_mb_max", number(row.resident_mb_max)}});
   }
   return rows;
@@ -82,8 +98,11 @@ Json service_rows(const RunReport& report) {
 Json edit_rows(const RunReport& report) {
   Json rows = Json::array();
   for (const EditRow& edit : report.edits) {
-    rows.push_back({{"edit", edit.edit_id}, {"action", edit.block ? "block" : "unblock"}, {"asked_s", number(edit.asked_s)},
-                    {"outcome", edit.outcome.empty() ? "no answer" : edit.outcome}, {"revision", edit.revision}});
+    rows.push_back({{"edit", edit.edit_id},
+                    {"action", edit.block ? "block" : "unblock"},
+                    {"asked_s", number(edit.asked_s)},
+                    {"outcome", edit.outcome.empty() ? "no answer" : edit.outcome},
+                    {"revision", edit.revision}});
   }
   return rows;
 }
@@ -105,7 +124,8 @@ nlohmann::ordered_json to_json(const RunReport& report) {
            {"contacts_moving_vehicle", report.contacts_moving_vehicle()},
            {"least_clearance_m", number(report.clearances.overall_m())}};
   for (const PairClass pair : kPairClasses) {
-    out[std::string("least_clearance_") + name_of(pair) + "_m"] = number(report.clearances.least_m[static_cast<std::size_t>(pair)]);
+    out[std::string("least_clearance_") + name_of(pair) + "_m"] =
+        number(report.clearances.least_m[static_cast<std::size_t>(pair)]);
   }
   out["person_clearance_asked_m"] = number(report.person_clearance_m);
   out["distance_m"] = number(report.distance_m());

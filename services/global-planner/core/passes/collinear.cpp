@@ -10,14 +10,15 @@ using geometry::Point2;
 bool is_straight(Point2 a, Point2 b, Point2 c, double tolerance_m) {
   const Point2 before = b - a;
   const Point2 after = c - b;
-  return std::abs(geometry::cross(before, after)) <= tolerance_m * geometry::norm(after) && geometry::dot(before, after) >= 0.0;
+  return std::abs(geometry::cross(before, after)) <= tolerance_m * geometry::norm(after) &&
+         geometry::dot(before, after) >= 0.0;
 }
 
 /// Keeps the ends, what turns, and whatever `must_stay` says.
 template <class MustStay>
 void drop_straight(const Drivable& drivable, std::vector<Point2>& path, const MustStay& must_stay) {
   if (path.size() < 3) return;
-  const double tolerance_m = 1e-6 * drivable.geometry().resolution_m;   // cell centres are exact but for rounding
+  const double tolerance_m = 1e-6 * drivable.geometry().resolution_m;  // cell centres are exact but for rounding
   std::size_t kept = 1;
   for (std::size_t i = 1; i + 1 < path.size(); ++i) {
     if (!is_straight(path[kept - 1], path[i], path[i + 1], tolerance_m) || must_stay(path[i])) path[kept++] = path[i];

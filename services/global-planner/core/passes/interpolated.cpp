@@ -7,14 +7,17 @@ namespace aisle::global_planner::passes {
 namespace {
 
 using geometry::Point2;
-constexpr int kMostSamples = 64;   // a segment
+constexpr int kMostSamples = 64;  // a segment
 
-/// The farthest sample from `from` towards `to` that `eye` can be joined to; `from` itself is known to be. As if all were tried, from
-/// the farthest on; those that lie in the shadow of one cell are left out together, found by bisection.
+/// The farthest sample from `from` towards `to` that `eye` can be joined to; `from` itself is known to be. As if all
+/// were tried, from the farthest on; those that lie in the shadow of one cell are left out together, found by
+/// bisection.
 Point2 farthest_seen(const Drivable& drivable, Point2 eye, Point2 from, Point2 to) {
   const double cells = geometry::distance(from, to) / drivable.geometry().resolution_m;
   const int samples = std::clamp(static_cast<int>(std::ceil(cells)), 1, kMostSamples);
-  const auto sample = [&](int i) { return i == samples ? to : from + (static_cast<double>(i) / samples) * (to - from); };
+  const auto sample = [&](int i) {
+    return i == samples ? to : from + (static_cast<double>(i) / samples) * (to - from);
+  };
   grid::Blocker blocker;
   for (int i = samples; i > 0;) {
     if (drivable.is_line_free(eye, sample(i), blocker)) return sample(i);

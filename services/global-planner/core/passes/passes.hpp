@@ -10,24 +10,27 @@ using Pass = void (*)(const Drivable& drivable, std::vector<geometry::Point2>& p
 
 namespace passes {
 
-/// P1: drops a point that lies on the straight line between its neighbours and between them (LI, WU, QU, YU, WANG step 1).
+/// P1: drops a point that lies on the straight line between its neighbours and between them (LI, WU, QU, YU, WANG step
+/// 1).
 void collinear(const Drivable& drivable, std::vector<geometry::Point2>& path_in_map);
 
 /// P1a: as P1, but a point stays where one of the eight cells around it is not for this vehicle (LI).
 void collinear_away_from_obstacles(const Drivable& drivable, std::vector<geometry::Point2>& path_in_map);
 
-/// P2: drops the corner of a right angle between two neighbouring cells that the vehicle can drive between directly (LI).
+/// P2: drops the corner of a right angle between two neighbouring cells that the vehicle can drive between directly
+/// (LI).
 void right_angle(const Drivable& drivable, std::vector<geometry::Point2>& path_in_map);
 
-/// P3: from each kept point on to the farthest point before the first that it cannot be joined to (WANG step 2, QU, YU).
+/// P3: from each kept point on to the farthest point before the first that it cannot be joined to (WANG step 2, QU,
+/// YU).
 void greedy_line_of_sight(const Drivable& drivable, std::vector<geometry::Point2>& path_in_map);
 
-/// P4: P3 with lines that keep the problem's safe distance everywhere, again and again until nothing changes (QU, YU third). A path
-/// that comes nearer itself keeps its points there.
+/// P4: P3 with lines that keep the problem's safe distance everywhere, again and again until nothing changes (QU, YU
+/// third). A path that comes nearer itself keeps its points there.
 void safe_distance(const Drivable& drivable, std::vector<geometry::Point2>& path_in_map);
 
-/// P5: moves the start of each segment along it, to the farthest sample (one a cell, at most 64) that the point kept before can be
-/// joined to (WU step 2).
+/// P5: moves the start of each segment along it, to the farthest sample (one a cell, at most 64) that the point kept
+/// before can be joined to (WU step 2).
 void interpolated_forward(const Drivable& drivable, std::vector<geometry::Point2>& path_in_map);
 
 /// P6: P5 from the goal to the start (WU step 3).

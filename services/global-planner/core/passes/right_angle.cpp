@@ -13,7 +13,8 @@ void right_angle(const Drivable& drivable, std::vector<geometry::Point2>& path) 
   };
   std::size_t kept = 1;
   for (std::size_t next = 1; next + 1 < path.size(); ++next) {
-    const bool is_needless = are_neighbours(path[kept - 1], path[next + 1]) && drivable.is_line_free(path[kept - 1], path[next + 1]);
+    const bool is_needless =
+        are_neighbours(path[kept - 1], path[next + 1]) && drivable.is_line_free(path[kept - 1], path[next + 1]);
     if (!is_needless) path[kept++] = path[next];
   }
   path[kept++] = path.back();

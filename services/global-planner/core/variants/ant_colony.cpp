@@ -1,6 +1,7 @@
-// Ant colony, LI's comparator (its table V), row G9; after Dorigo, Gambardella 1997. Ants walk from the start to the goal, drawn by
-// pheromone and by steps that lengthen the way least; dead ends are walked back. The best walk of all marks its cells anew each round.
-// An ant that has walked back to the start has seen all there is: then there is no path. The draws are the same for each query.
+// Ant colony, LI's comparator (its table V), row G9; after Dorigo, Gambardella 1997. Ants walk from the start to the
+// goal, drawn by pheromone and by steps that lengthen the way least; dead ends are walked back. The best walk of all
+// marks its cells anew each round. An ant that has walked back to the start has seen all there is: then there is no
+// path. The draws are the same for each query.
 #include <array>
 #include <cmath>
 #include <random>
@@ -16,9 +17,9 @@ namespace {
 
 constexpr int kRounds = 15;
 constexpr int kAnts = 8;
-constexpr std::size_t kMostSteps = 400000;   // of all ants together; the first may take as many as it needs
+constexpr std::size_t kMostSteps = 400000;  // of all ants together; the first may take as many as it needs
 constexpr float kEvaporation = 0.2F;
-constexpr float kGreed = 2.0F;               // a step that lengthens the way by a cell is e^2 times less likely
+constexpr float kGreed = 2.0F;  // a step that lengthens the way by a cell is e^2 times less likely
 constexpr std::uint32_t kSeed = 9;
 
 using Walk = std::vector<grid::Cell>;
@@ -150,11 +151,11 @@ class AntColony final : public Planner {
   }
 
   static constexpr std::int32_t kNowhere = -1;
-  static constexpr std::int32_t kLeft = -2;   // walked back
+  static constexpr std::int32_t kLeft = -2;  // walked back
 
   grid::Cell start_, goal_;
   std::vector<float> pheromone_;
-  std::vector<std::int32_t> place_in_walk_;   // of each cell: its place in the ant's walk
+  std::vector<std::int32_t> place_in_walk_;  // of each cell: its place in the ant's walk
   Walk walk_, seen_, best_;
   std::uint32_t best_cost_{0};
   std::mt19937 random_;

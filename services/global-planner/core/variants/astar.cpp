@@ -1,4 +1,5 @@
-// A* with the octile distance (Hart, Nilsson, Raphael 1968): optimal among 8-connected paths, and the baseline of the others.
+// A* with the octile distance (Hart, Nilsson, Raphael 1968): optimal among 8-connected paths, and the baseline of the
+// others.
 #include "services/global-planner/core/best_first.hpp"
 #include "services/global-planner/core/distances.hpp"
 #include "services/global-planner/core/variant.hpp"

@@ -1,5 +1,6 @@
-// A* that prefers clearance: nearer to an obstacle than Problem::preferred_clearance_m a metre costs up to four times as much, so that a
-// path runs in the middle of an aisle and not along its racks. Points are joined only where the straight line costs no more.
+// A* that prefers clearance: nearer to an obstacle than Problem::preferred_clearance_m a metre costs up to four times
+// as much, so that a path runs in the middle of an aisle and not along its racks. Points are joined only where the
+// straight line costs no more.
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -14,7 +15,7 @@ namespace aisle::global_planner {
 namespace {
 
 using geometry::Point2;
-constexpr double kAversion = 3.0;   // beside an obstacle a metre costs 1 + this many
+constexpr double kAversion = 3.0;  // beside an obstacle a metre costs 1 + this many
 
 class PreferClearance final : public Planner {
  public:
@@ -25,7 +26,8 @@ class PreferClearance final : public Planner {
 
  private:
   Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
-    preferred_m_ = std::max(1e-6, problem.preferred_clearance_m > 0.0 ? problem.preferred_clearance_m : 2.0 * problem.radius_m);
+    preferred_m_ =
+        std::max(1e-6, problem.preferred_clearance_m > 0.0 ? problem.preferred_clearance_m : 2.0 * problem.radius_m);
     const grid::Geometry& geometry = drivable.geometry();
     const grid::Cell start = geometry.cell_at(problem.start_in_map);
     const grid::Cell goal = geometry.cell_at(problem.goal_in_map);
@@ -44,8 +46,8 @@ class PreferClearance final : public Planner {
     return plan;
   }
 
-  Outcome run(const grid::ClearanceField& clearance, const Drivable& drivable, grid::Cell start, grid::Cell goal, const OutOfTime& out_of_time,
-              std::size_t& expanded) {
+  Outcome run(const grid::ClearanceField& clearance, const Drivable& drivable, grid::Cell start, grid::Cell goal,
+              const OutOfTime& out_of_time, std::size_t& expanded) {
     const grid::Geometry& geometry = drivable.geometry();
     const auto width = static_cast<std::uint32_t>(geometry.width);
     nodes_.begin(geometry.cells());
@@ -54,7 +56,7 @@ class PreferClearance final : public Planner {
     open_.push(octile(start, goal), static_cast<std::uint32_t>(geometry.index(start)), 0);
     BucketQueue::Entry entry;
     while (open_.pop(entry)) {
-      if (nodes_.is_closed(entry.cell) || nodes_.cost(entry.cell) != entry.cost) continue;   // stale
+      if (nodes_.is_closed(entry.cell) || nodes_.cost(entry.cell) != entry.cost) continue;  // stale
       if (expanded % 256 == 0 && out_of_time && out_of_time()) return Outcome::kOutOfTime;
       nodes_.close(entry.cell);
       const grid::Cell cell{static_cast<int>(entry.cell % width), static_cast<int>(entry.cell / width)};
@@ -65,7 +67,8 @@ class PreferClearance final : public Planner {
         const Step& step = kSteps[static_cast<std::size_t>(direction)];
         const grid::Cell next{cell.x + step.dx, cell.y + step.dy};
         const std::size_t index = geometry.index(next);
-        const std::uint32_t cost = entry.cost + static_cast<std::uint32_t>(step.cost * price(clearance.clearance_m(next)));
+        const std::uint32_t cost =
+            entry.cost + static_cast<std::uint32_t>(step.cost * price(clearance.clearance_m(next)));
         if (nodes_.is_known(index) && cost >= nodes_.cost(index)) continue;
         nodes_.reach(index, cost, direction);
         open_.push(cost + octile(next, goal), static_cast<std::uint32_t>(index), cost);
@@ -85,13 +88,15 @@ class PreferClearance final : public Planner {
     return sum / pieces * length_m;
   }
 
-  void join_where_no_dearer(const grid::ClearanceField& clearance, const Drivable& drivable, std::vector<Point2>& path) const {
+  void join_where_no_dearer(const grid::ClearanceField& clearance, const Drivable& drivable,
+                            std::vector<Point2>& path) const {
     passes::collinear(drivable, path);
     std::size_t kept = 1;
     double since_kept = path.size() > 1 ? price_of(clearance, path[0], path[1]) : 0.0;
     for (std::size_t next = 1; next + 1 < path.size(); ++next) {
       const double through = since_kept + price_of(clearance, path[next], path[next + 1]);
-      const bool is_needless = price_of(clearance, path[kept - 1], path[next + 1]) <= through && drivable.is_line_free(path[kept - 1], path[next + 1]);
+      const bool is_needless = price_of(clearance, path[kept - 1], path[next + 1]) <= through &&
+                               drivable.is_line_free(path[kept - 1], path[next + 1]);
       since_kept = is_needless ? through : price_of(clearance, path[next], path[next + 1]);
       if (!is_needless) path[kept++] = path[next];
     }
@@ -107,7 +112,8 @@ class PreferClearance final : public Planner {
 }  // namespace
 
 Variant clear() {
-  return {"clear", "A* that prefers clearance: nearer than preferred_clearance_m a metre costs up to four times as much", false,
+  return {"clear",
+          "A* that prefers clearance: nearer than preferred_clearance_m a metre costs up to four times as much", false,
           []() -> std::unique_ptr<Planner> { return std::make_unique<PreferClearance>(); }};
 }
 

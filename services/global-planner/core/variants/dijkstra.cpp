@@ -1,4 +1,5 @@
-// Dijkstra 1959: no heuristic, so every cell nearer than the goal is expanded. Optimal, and the yardstick of the others.
+// Dijkstra 1959: no heuristic, so every cell nearer than the goal is expanded. Optimal, and the yardstick of the
+// others.
 #include "services/global-planner/core/best_first.hpp"
 #include "services/global-planner/core/variant.hpp"
 
@@ -13,7 +14,8 @@ struct CostAlone {
 }  // namespace
 
 Variant dijkstra() {
-  return {"dijkstra", "G0: g; optimal on the grid, no passes", true, [] { return best_first<CostAlone>(Closed::kStay, kDrivableDiagonals, {}); }};
+  return {"dijkstra", "G0: g; optimal on the grid, no passes", true,
+          [] { return best_first<CostAlone>(Closed::kStay, kDrivableDiagonals, {}); }};
 }
 
 }  // namespace aisle::global_planner

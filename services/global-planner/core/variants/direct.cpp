@@ -1,5 +1,5 @@
-// The quick one: the grid's optimum by jump points, then straightened (P1, P3, P5, P6). No search of the papers is as fast on a large
-// map; lengths come near Theta*'s, and are never longer than the grid's optimum.
+// The quick one: the grid's optimum by jump points, then straightened (P1, P3, P5, P6). No search of the papers is as
+// fast on a large map; lengths come near Theta*'s, and are never longer than the grid's optimum.
 #include "services/global-planner/core/passes/passes.hpp"
 #include "services/global-planner/core/variant.hpp"
 
@@ -31,8 +31,10 @@ class Direct final : public Planner {
 }  // namespace
 
 Variant direct() {
-  return {"direct", "jump point search, then collinear points, lines of sight, interpolation forwards and backwards; the quick one", false,
-          []() -> std::unique_ptr<Planner> { return std::make_unique<Direct>(); }, true};
+  return {
+      "direct",
+      "jump point search, then collinear points, lines of sight, interpolation forwards and backwards; the quick one",
+      false, []() -> std::unique_ptr<Planner> { return std::make_unique<Direct>(); }, true};
 }
 
 }  // namespace aisle::global_planner

@@ -1,7 +1,8 @@
-// Hybrid A* (Dolgov, Thrun, Montemerlo, Diebel 2010), for vehicles that cannot turn on the spot: arcs of the turning radius to either
-// side and straights, forwards and, dearer, backwards, over cells of place and heading. The heuristic is the way's length for a point,
-// flooded from the goal; every now and then a Dubins path is tried that ends at the goal, heading included. Resolution-complete, not
-// optimal. A vehicle that turns on the spot gets a Theta* path, which knows no headings.
+// Hybrid A* (Dolgov, Thrun, Montemerlo, Diebel 2010), for vehicles that cannot turn on the spot: arcs of the turning
+// radius to either side and straights, forwards and, dearer, backwards, over cells of place and heading. The heuristic
+// is the way's length for a point, flooded from the goal; every now and then a Dubins path is tried that ends at the
+// goal, heading included. Resolution-complete, not optimal. A vehicle that turns on the spot gets a Theta* path, which
+// knows no headings.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -25,9 +26,10 @@ using geometry::Point2;
 using geometry::Pose2;
 
 constexpr int kHeadings = 72;
-constexpr double kReverseFactor = 2.0;         // a metre backwards costs as much as two forwards
-constexpr double kSteerRadii = 0.25;           // steering otherwise costs as much as this many turning radii: a wheel takes its time
-constexpr double kTurnBackRadii = 1.0;         // and changing between them as much as this many turning radii
+constexpr double kReverseFactor = 2.0;  // a metre backwards costs as much as two forwards
+constexpr double kSteerRadii =
+    0.25;  // steering otherwise costs as much as this many turning radii: a wheel takes its time
+constexpr double kTurnBackRadii = 1.0;  // and changing between them as much as this many turning radii
 constexpr std::size_t kMostExpanded = 1000000;
 constexpr std::uint32_t kNoParent = std::numeric_limits<std::uint32_t>::max();
 
@@ -65,8 +67,8 @@ class Hybrid final : public Planner {
     Pose2 pose_in_map;
     double cost_m;
     std::uint32_t parent;
-    double turn;          // of the arc that led here
-    double length_m;      // of that arc; negative: backwards
+    double turn;      // of the arc that led here
+    double length_m;  // of that arc; negative: backwards
   };
   struct Open {
     double through_m;
@@ -80,13 +82,16 @@ class Hybrid final : public Planner {
     steering_ = problem.steering;
     goal_in_map_ = problem.goal_in_map;
     const double cell_m = drivable.geometry().resolution_m;
-    // A step leaves its cell of place and heading: it turns by more than one of the headings, and is longer than a diagonal.
+    // A step leaves its cell of place and heading: it turns by more than one of the headings, and is longer than a
+    // diagonal.
     lattice_m_ = std::max(cell_m, 0.15 * steering_.turning_radius_m);
     step_m_ = std::max(1.5 * lattice_m_, 1.1 * 2.0 * geometry::kPi / kHeadings * steering_.turning_radius_m);
     sample_m_ = 0.5 * cell_m;
     cover(problem);
-    if (problem.least_radius_m >= problem.radius_m && !fits(start_of(problem))) return {Outcome::kStartBlocked, {}, 0.0, 0, {}};
-    if (steering_.goal_yaw_rad && !fits({goal_in_map_.x, goal_in_map_.y, *steering_.goal_yaw_rad})) return {Outcome::kGoalBlocked, {}, 0.0, 0, {}};
+    if (problem.least_radius_m >= problem.radius_m && !fits(start_of(problem)))
+      return {Outcome::kStartBlocked, {}, 0.0, 0, {}};
+    if (steering_.goal_yaw_rad && !fits({goal_in_map_.x, goal_in_map_.y, *steering_.goal_yaw_rad}))
+      return {Outcome::kGoalBlocked, {}, 0.0, 0, {}};
     to_goal_m_ = distances_to_goal(drivable, drivable.geometry().cell_at(goal_in_map_));
     Plan plan;
     plan.outcome = run(start_of(problem), out_of_time, plan);
@@ -97,8 +102,8 @@ class Hybrid final : public Planner {
     return {problem.start_in_map.x, problem.start_in_map.y, geometry::wrap(problem.steering.start_yaw_rad)};
   }
 
-  /// What the discs ahead must keep: between two samples they move on arcs beside the chords that are looked at, and who interpolates
-  /// between the samples' poses moves a little beside those arcs.
+  /// What the discs ahead must keep: between two samples they move on arcs beside the chords that are looked at, and
+  /// who interpolates between the samples' poses moves a little beside those arcs.
   void cover(const Problem& problem) {
     double farthest_m = 0.0;
     for (const double ahead_m : steering_.discs_ahead_m) farthest_m = std::max(farthest_m, std::abs(ahead_m));
@@ -111,8 +116,9 @@ class Hybrid final : public Planner {
   }
 
   bool fits(const Pose2& pose) const {
-    return std::all_of(steering_.discs_ahead_m.begin(), steering_.discs_ahead_m.end(),
-                       [&](double ahead_m) { return beside_chords_->is_free(geometry::to_map(pose, {ahead_m, 0.0})); });
+    return std::all_of(steering_.discs_ahead_m.begin(), steering_.discs_ahead_m.end(), [&](double ahead_m) {
+      return beside_chords_->is_free(geometry::to_map(pose, {ahead_m, 0.0}));
+    });
   }
 
   Outcome run(const Pose2& start, const OutOfTime& out_of_time, Plan& plan) {
@@ -126,11 +132,12 @@ class Hybrid final : public Planner {
       const std::uint32_t at = open.top().node;
       open.pop();
       const Node node = nodes_[at];
-      if (node.cost_m > best_[key(node.pose_in_map)]) continue;   // stale
+      if (node.cost_m > best_[key(node.pose_in_map)]) continue;  // stale
       if (plan.expanded % 256 == 0 && out_of_time && out_of_time()) return Outcome::kOutOfTime;
       if (plan.expanded++ >= next_shot) {
         if (shoot(at, plan)) return Outcome::kFound;
-        next_shot = plan.expanded + 1 + static_cast<std::size_t>(heuristic_m(node.pose_in_map) / steering_.turning_radius_m);
+        next_shot =
+            plan.expanded + 1 + static_cast<std::size_t>(heuristic_m(node.pose_in_map) / steering_.turning_radius_m);
       }
       for (const double turn : {0.0, 1.0 / steering_.turning_radius_m, -1.0 / steering_.turning_radius_m}) {
         for (const double length_m : {step_m_, -step_m_}) {
@@ -151,7 +158,9 @@ class Hybrid final : public Planner {
     if (!std::isfinite(heuristic_m(end))) return kNoParent;
     const bool turns_back = from.parent != kNoParent && (from.length_m < 0.0) != (length_m < 0.0);
     const bool steers = from.parent != kNoParent && from.turn != turn;
-    const double cost_m = from.cost_m + (steers ? kSteerRadii * steering_.turning_radius_m : 0.0) + std::abs(length_m) * (length_m < 0.0 ? kReverseFactor : 1.0) + (turns_back ? kTurnBackRadii * steering_.turning_radius_m : 0.0);
+    const double cost_m = from.cost_m + (steers ? kSteerRadii * steering_.turning_radius_m : 0.0) +
+                          std::abs(length_m) * (length_m < 0.0 ? kReverseFactor : 1.0) +
+                          (turns_back ? kTurnBackRadii * steering_.turning_radius_m : 0.0);
     const auto [known, is_new] = best_.try_emplace(key(end), std::numeric_limits<double>::infinity());
     if (cost_m >= known->second || !is_arc_free(from.pose_in_map, turn, length_m)) return kNoParent;
     known->second = cost_m;
@@ -165,9 +174,11 @@ class Hybrid final : public Planner {
     const int headings = steering_.goal_yaw_rad ? 1 : 16;
     for (int i = 0; i < headings; ++i) {
       const double yaw_rad = steering_.goal_yaw_rad.value_or(2.0 * geometry::kPi * i / headings);
-      shots.push_back(shortest_dubins(nodes_[at].pose_in_map, {goal_in_map_.x, goal_in_map_.y, geometry::wrap(yaw_rad)}, steering_.turning_radius_m));
+      shots.push_back(shortest_dubins(nodes_[at].pose_in_map, {goal_in_map_.x, goal_in_map_.y, geometry::wrap(yaw_rad)},
+                                      steering_.turning_radius_m));
     }
-    std::sort(shots.begin(), shots.end(), [](const DubinsPath& a, const DubinsPath& b) { return a.length_m < b.length_m; });
+    std::sort(shots.begin(), shots.end(),
+              [](const DubinsPath& a, const DubinsPath& b) { return a.length_m < b.length_m; });
     for (const DubinsPath& shot : shots) {
       if (!std::isfinite(shot.length_m) || !is_shot_free(shot)) continue;
       write(at, shot, plan);
@@ -185,22 +196,29 @@ class Hybrid final : public Planner {
     return true;
   }
 
-  int samples(double length_m) const { return std::max(1, static_cast<int>(std::ceil(std::abs(length_m) / sample_m_))); }
+  int samples(double length_m) const {
+    return std::max(1, static_cast<int>(std::ceil(std::abs(length_m) / sample_m_)));
+  }
 
   bool is_arc_free(const Pose2& from, double turn, double length_m) const {
     Pose2 before = from;
     const int n = samples(length_m);
-    const double piece_m = std::abs(length_m) / n * arc_radii_;   // what the disc moves that moves most
+    const double piece_m = std::abs(length_m) / n * arc_radii_;  // what the disc moves that moves most
     for (int i = 1; i <= n; ++i) {
-      if (const int passed = i - 1 + static_cast<int>(std::clamp(room_m(before) / piece_m, 0.0, n - i + 1.0)); passed >= i) {
+      if (const int passed = i - 1 + static_cast<int>(std::clamp(room_m(before) / piece_m, 0.0, n - i + 1.0));
+          passed >= i) {
         before = along_arc(from, turn, length_m * passed / n);
         i = passed;
         continue;
       }
       const Pose2 here = along_arc(from, turn, length_m * i / n);
-      if (!is_in_map(drivable_->geometry(), here.position()) || !drivable_->is_line_free(before.position(), here.position())) return false;
+      if (!is_in_map(drivable_->geometry(), here.position()) ||
+          !drivable_->is_line_free(before.position(), here.position()))
+        return false;
       for (const double ahead_m : steering_.discs_ahead_m) {
-        if (!beside_chords_->is_line_free(geometry::to_map(before, {ahead_m, 0.0}), geometry::to_map(here, {ahead_m, 0.0}))) return false;
+        if (!beside_chords_->is_line_free(geometry::to_map(before, {ahead_m, 0.0}),
+                                          geometry::to_map(here, {ahead_m, 0.0})))
+          return false;
       }
       before = here;
     }
@@ -210,7 +228,8 @@ class Hybrid final : public Planner {
   /// How far every disc may move from here, wherever to: clearance changes no faster than one moves.
   double room_m(const Pose2& pose) const {
     double least_m = clearance_->clearance_m(pose.position());
-    for (const double ahead_m : steering_.discs_ahead_m) least_m = std::min(least_m, clearance_->clearance_m(geometry::to_map(pose, {ahead_m, 0.0})));
+    for (const double ahead_m : steering_.discs_ahead_m)
+      least_m = std::min(least_m, clearance_->clearance_m(geometry::to_map(pose, {ahead_m, 0.0})));
     return least_m - radius_m_;
   }
 
@@ -227,7 +246,7 @@ class Hybrid final : public Planner {
       from = along_arc(from, piece.turn, piece.length_m);
     }
     if (plan.waypoints_in_map.size() < 2) append(from, plan);
-    plan.waypoints_in_map.back() = goal_in_map_;   // but for rounding it is there
+    plan.waypoints_in_map.back() = goal_in_map_;  // but for rounding it is there
   }
 
   void append_arc(const Pose2& from, double turn, double length_m, Plan& plan) const {
@@ -248,29 +267,31 @@ class Hybrid final : public Planner {
     const Point2 d = pose.position() - drivable_->geometry().origin_in_map;
     const auto x = static_cast<std::uint64_t>(d.x / lattice_m_);
     const auto y = static_cast<std::uint64_t>(d.y / lattice_m_);
-    const auto heading = static_cast<std::uint64_t>((pose.yaw + geometry::kPi) / (2.0 * geometry::kPi) * kHeadings) % kHeadings;
+    const auto heading =
+        static_cast<std::uint64_t>((pose.yaw + geometry::kPi) / (2.0 * geometry::kPi) * kHeadings) % kHeadings;
     return (x << 40U) | (y << 12U) | heading;
   }
 
   std::unique_ptr<Planner> on_the_spot_{theta().make()};
-  const Drivable* drivable_{nullptr};   // of the search under way
+  const Drivable* drivable_{nullptr};  // of the search under way
   std::optional<Drivable> beside_chords_;
   const grid::ClearanceField* clearance_{nullptr};
-  double radius_m_{0.0};                // that a disc ahead must keep
-  double arc_radii_{1.0};               // of the circle on which the farthest disc turns, in turning radii
+  double radius_m_{0.0};   // that a disc ahead must keep
+  double arc_radii_{1.0};  // of the circle on which the farthest disc turns, in turning radii
   Steering steering_;
   Point2 goal_in_map_;
   double lattice_m_{0.0}, step_m_{0.0}, sample_m_{0.0};
   std::vector<float> to_goal_m_;
   std::vector<Node> nodes_;
-  std::unordered_map<std::uint64_t, double> best_;   // least cost of each cell of place and heading
+  std::unordered_map<std::uint64_t, double> best_;  // least cost of each cell of place and heading
 };
 
 }  // namespace
 
 Variant hybrid() {
-  return {"hybrid", "hybrid A* with a turning radius and headings at start and goal; without one as theta", false,
-          []() -> std::unique_ptr<Planner> { return std::make_unique<Hybrid>(); }, true, true};
+  return {"hybrid", "hybrid A* with a turning radius and headings at start and goal; without one as theta",
+          false,    []() -> std::unique_ptr<Planner> { return std::make_unique<Hybrid>(); },
+          true,     true};
 }
 
 }  // namespace aisle::global_planner

@@ -1,6 +1,6 @@
-// Jump point search without corner cutting (Harabor, Grastien 2011, 2012, 2014): A* that expands only cells where a shortest path can
-// have to turn. Straight jumps look at 64 cells at once; cells on a diagonal are passed without being opened, so from a parent to its
-// child a path runs diagonally first, then straight. Lengths are those of A*.
+// Jump point search without corner cutting (Harabor, Grastien 2011, 2012, 2014): A* that expands only cells where a
+// shortest path can have to turn. Straight jumps look at 64 cells at once; cells on a diagonal are passed without being
+// opened, so from a parent to its child a path runs diagonally first, then straight. Lengths are those of A*.
 #include <algorithm>
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace {
 
 using grid::Cell;
 
-constexpr int kNorthEast = 4;   // the first diagonal of kSteps
+constexpr int kNorthEast = 4;  // the first diagonal of kSteps
 
 class JumpPointSearch final : public Planner {
  public:
@@ -47,10 +47,10 @@ class JumpPointSearch final : public Planner {
     BucketQueue::Entry entry;
     while (open_.pop(entry)) {
       if (found_ && open_.rank() > BucketQueue::rank_of(nodes_.cost(goal))) break;
-      if (nodes_.is_closed(entry.cell) || nodes_.cost(entry.cell) != entry.cost) continue;   // stale
+      if (nodes_.is_closed(entry.cell) || nodes_.cost(entry.cell) != entry.cost) continue;  // stale
       if (expanded % 256 == 0 && out_of_time && out_of_time()) return found_ ? Outcome::kFound : Outcome::kOutOfTime;
       nodes_.close(entry.cell);
-      if (entry.cell == goal) continue;   // the rest of this bucket might lead there at a lower cost
+      if (entry.cell == goal) continue;  // the rest of this bucket might lead there at a lower cost
       ++expanded;
       expand(entry);
     }
@@ -72,7 +72,8 @@ class JumpPointSearch final : public Planner {
     jump_straight(cell, entry.cost, ahead);
     for (const int side : {(ahead + 1) % 4, (ahead + 3) % 4}) {
       const Step& aside = kSteps[static_cast<std::size_t>(side)];
-      const bool is_forced = is_open({cell.x + aside.dx, cell.y + aside.dy}) && !is_open({cell.x - step.dx + aside.dx, cell.y - step.dy + aside.dy});
+      const bool is_forced = is_open({cell.x + aside.dx, cell.y + aside.dy}) &&
+                             !is_open({cell.x - step.dx + aside.dx, cell.y - step.dy + aside.dy});
       if (!is_forced) continue;
       jump_straight(cell, entry.cost, side);
       jump_diagonally(cell, kNorthEast + (side == (ahead + 1) % 4 ? ahead : side));
@@ -89,19 +90,22 @@ class JumpPointSearch final : public Planner {
     const int at = is_row ? cell.x : cell.y;
     const BitLines::Stop stop = is_up ? lines.scan_up(line, at) : lines.scan_down(line, at);
     const int goal_at = is_row ? goal_.x : goal_.y;
-    const bool meets_goal = line == (is_row ? goal_.y : goal_.x) && (is_up ? goal_at > at && goal_at < stop.at : goal_at < at && goal_at > stop.at);
+    const bool meets_goal = line == (is_row ? goal_.y : goal_.x) &&
+                            (is_up ? goal_at > at && goal_at < stop.at : goal_at < at && goal_at > stop.at);
     if (!meets_goal && !stop.is_jump_point) return;
     const int end = meets_goal ? goal_at : stop.at;
-    reach(is_row ? Cell{end, line} : Cell{line, end}, cost + kStraightCost * static_cast<std::uint32_t>(std::abs(end - at)), direction);
+    reach(is_row ? Cell{end, line} : Cell{line, end},
+          cost + kStraightCost * static_cast<std::uint32_t>(std::abs(end - at)), direction);
   }
 
   /// Opens what straight jumps find from each cell of the diagonal.
   void jump_diagonally(Cell cell, int direction) {
     const Step& step = kSteps[static_cast<std::size_t>(direction)];
-    const int first = direction - kNorthEast;   // the two straight directions that the diagonal lies between
+    const int first = direction - kNorthEast;  // the two straight directions that the diagonal lies between
     const int second = (first + 1) % 4;
     std::uint32_t cost = from_.cost;
-    while (is_open({cell.x + step.dx, cell.y}) && is_open({cell.x, cell.y + step.dy}) && is_open({cell.x + step.dx, cell.y + step.dy})) {
+    while (is_open({cell.x + step.dx, cell.y}) && is_open({cell.x, cell.y + step.dy}) &&
+           is_open({cell.x + step.dx, cell.y + step.dy})) {
       cell = {cell.x + step.dx, cell.y + step.dy};
       cost += kDiagonalCost;
       if (cell == goal_) return reach(cell, cost, first);
@@ -112,7 +116,9 @@ class JumpPointSearch final : public Planner {
   }
 
   /// Is the path that was found no longer than any through this cell?
-  bool is_too_late(Cell cell, std::uint32_t cost) const { return found_ && cost + octile(cell, goal_) >= nodes_.cost(index(goal_)); }
+  bool is_too_late(Cell cell, std::uint32_t cost) const {
+    return found_ && cost + octile(cell, goal_) >= nodes_.cost(index(goal_));
+  }
 
   void reach(Cell cell, std::uint32_t cost, int direction) {
     const std::uint32_t at = index(cell);
@@ -141,7 +147,8 @@ class JumpPointSearch final : public Planner {
     std::reverse(points.begin(), points.end());
   }
 
-  /// A straight piece holds between centres; from a point beside one it might not, so that one step leads to the next centre.
+  /// A straight piece holds between centres; from a point beside one it might not, so that one step leads to the next
+  /// centre.
   void join_exact_ends(const Problem& problem, std::vector<geometry::Point2>& points) const {
     const auto one_step = [&](geometry::Point2 from, geometry::Point2 to) {
       const Cell a = geometry_.cell_at(from);
@@ -156,7 +163,8 @@ class JumpPointSearch final : public Planner {
     }
     if (problem.goal_in_map != points.back()) {
       const geometry::Point2 next = one_step(points.back(), points[points.size() - 2]);
-      if (geometry_.cell_at(next) != geometry_.cell_at(points[points.size() - 2])) points.insert(points.end() - 1, next);
+      if (geometry_.cell_at(next) != geometry_.cell_at(points[points.size() - 2]))
+        points.insert(points.end() - 1, next);
       points.back() = problem.goal_in_map;
     }
   }
@@ -170,7 +178,7 @@ class JumpPointSearch final : public Planner {
   SearchNodes nodes_;
   std::vector<std::uint32_t> parents_;
   BucketQueue open_;
-  BucketQueue::Entry from_{};   // being expanded
+  BucketQueue::Entry from_{};  // being expanded
   bool found_{false};
 };
 

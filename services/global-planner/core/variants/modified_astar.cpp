@@ -1,5 +1,5 @@
-// "Modified A*", WANG's comparator, row G8: f = g + lg(h + 1) h, h Chebyshev. WANG prints no formula for it; this is our reading: its
-// own eq. 4 without the weight by distance.
+// "Modified A*", WANG's comparator, row G8: f = g + lg(h + 1) h, h Chebyshev. WANG prints no formula for it; this is
+// our reading: its own eq. 4 without the weight by distance.
 #include "services/global-planner/core/distances.hpp"
 #include "services/global-planner/core/logged_chebyshev.hpp"
 #include "services/global-planner/core/variant.hpp"

@@ -1,6 +1,7 @@
-// QU: "log-weighted A* with key nodes" (eq. 4), row G5 with passes P1 and P4: f = g + w h, w = 1 - ln(d_s/d_t + d_t/D), h Euclidean.
-// Repaired: as printed w falls without bound at the goal; it is clamped to [0, 1] with d_t at least one cell. So it never
-// overestimates: the search finds optimal lengths and expands more cells than A*; QU claims shorter and straighter paths, no fewer cells.
+// QU: "log-weighted A* with key nodes" (eq. 4), row G5 with passes P1 and P4: f = g + w h, w = 1 - ln(d_s/d_t + d_t/D),
+// h Euclidean. Repaired: as printed w falls without bound at the goal; it is clamped to [0, 1] with d_t at least one
+// cell. So it never overestimates: the search finds optimal lengths and expands more cells than A*; QU claims shorter
+// and straighter paths, no fewer cells.
 #include <cmath>
 
 #include "services/global-planner/core/best_first.hpp"
@@ -27,14 +28,18 @@ class LogWeighted {
  private:
   grid::Cell start_;
   grid::Cell goal_;
-  float per_distance_{0.0F};   // 1/D, in cells
+  float per_distance_{0.0F};  // 1/D, in cells
 };
 
 }  // namespace
 
 Variant qu() {
-  return {"qu", "QU: g + w h, w falling with ln(d_s/d_t + d_t/D), then collinear points and safe lines of sight", false,
-          [] { return best_first<LogWeighted>(Closed::kReopen, kDrivableDiagonals, {passes::collinear, passes::safe_distance}); }, true};
+  return {
+      "qu", "QU: g + w h, w falling with ln(d_s/d_t + d_t/D), then collinear points and safe lines of sight", false,
+      [] {
+        return best_first<LogWeighted>(Closed::kReopen, kDrivableDiagonals, {passes::collinear, passes::safe_distance});
+      },
+      true};
 }
 
 }  // namespace aisle::global_planner

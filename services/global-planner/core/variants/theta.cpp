@@ -1,6 +1,7 @@
-// Lazy Theta* (Nash, Koenig, Tovey 2010): any-angle paths. A cell's parent need not be its neighbour, only in sight; that is looked at
-// when the cell is expanded, not when it is reached. Before it the grid's optimum is searched and smoothed; it bounds the search, and
-// is the answer where Theta* finds nothing shorter. So a path is never longer than the grid's optimum.
+// Lazy Theta* (Nash, Koenig, Tovey 2010): any-angle paths. A cell's parent need not be its neighbour, only in sight;
+// that is looked at when the cell is expanded, not when it is reached. Before it the grid's optimum is searched and
+// smoothed; it bounds the search, and is the answer where Theta* finds nothing shorter. So a path is never longer than
+// the grid's optimum.
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -23,7 +24,8 @@ using Path = std::vector<Point2>;
 void smooth(const Drivable& drivable, Path& path) {
   passes::collinear(drivable, path);
   passes::greedy_line_of_sight(drivable, path);
-  for (double before_m = std::numeric_limits<double>::infinity(), now_m = path_length_m(path); now_m < before_m - 1e-6;) {
+  for (double before_m = std::numeric_limits<double>::infinity(), now_m = path_length_m(path);
+       now_m < before_m - 1e-6;) {
     passes::interpolated_forward(drivable, path);
     passes::interpolated_backward(drivable, path);
     before_m = now_m;
@@ -51,7 +53,8 @@ class LazyTheta final : public Planner {
     goal_ = index(geometry_.cell_at(problem.goal_in_map));
     start_in_map_ = problem.start_in_map;
     goal_in_map_ = problem.goal_in_map;
-    Path path = plan.waypoints_in_map.size() > 2 && run(drivable, on_grid_m, out_of_time, plan.expanded) ? found_path() : Path{};
+    Path path = plan.waypoints_in_map.size() > 2 && run(drivable, on_grid_m, out_of_time, plan.expanded) ? found_path()
+                                                                                                         : Path{};
     if (path.empty()) return plan;
     smooth(drivable, path);
     if (path_length_m(path) < on_grid_m) plan.waypoints_in_map = std::move(path);
@@ -67,7 +70,7 @@ class LazyTheta final : public Planner {
       const Open entry = open_.back();
       open_.pop_back();
       Node& node = nodes_[entry.cell];
-      if (node.is_closed || node.cost_m != entry.cost_m) continue;   // stale
+      if (node.is_closed || node.cost_m != entry.cost_m) continue;  // stale
       if (expanded++ % 256 == 0 && out_of_time && out_of_time()) return false;
       node.is_closed = true;
       const unsigned steps = open_steps(drivable, cell(entry.cell));
@@ -136,7 +139,8 @@ class LazyTheta final : public Planner {
   }
   std::uint32_t beside(std::uint32_t at, int direction) const {
     const Step& step = kSteps[static_cast<std::size_t>(direction)];
-    return static_cast<std::uint32_t>(static_cast<std::int64_t>(at) + step.dy * static_cast<std::int64_t>(geometry_.width) + step.dx);
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(at) +
+                                      step.dy * static_cast<std::int64_t>(geometry_.width) + step.dx);
   }
   Point2 point(std::uint32_t at) const {
     if (at == start_) return start_in_map_;
@@ -159,7 +163,8 @@ class LazyTheta final : public Planner {
     float cost_m;
     std::uint32_t cell;
     bool operator<(const Open& other) const {
-      return through_m != other.through_m ? through_m > other.through_m : cost_m < other.cost_m;   // on ties the one farther on
+      return through_m != other.through_m ? through_m > other.through_m
+                                          : cost_m < other.cost_m;  // on ties the one farther on
     }
   };
 

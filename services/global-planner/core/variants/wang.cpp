@@ -20,15 +20,17 @@ class DistanceAndLog {
 
  private:
   grid::Cell goal_;
-  float per_distance_{0.0F};   // 1/D, in cells
+  float per_distance_{0.0F};  // 1/D, in cells
   LoggedChebyshev logged_;
 };
 
 }  // namespace
 
 Variant wang() {
-  return {"wang", "WANG: g + (1 + d_t/D) lg(h+1) h, then collinear points and greedy line of sight", false,
-          [] { return best_first<DistanceAndLog>(Closed::kStay, kDrivableDiagonals, {passes::collinear, passes::greedy_line_of_sight}); }};
+  return {"wang", "WANG: g + (1 + d_t/D) lg(h+1) h, then collinear points and greedy line of sight", false, [] {
+            return best_first<DistanceAndLog>(Closed::kStay, kDrivableDiagonals,
+                                              {passes::collinear, passes::greedy_line_of_sight});
+          }};
 }
 
 }  // namespace aisle::global_planner

@@ -1,4 +1,5 @@
-// WU: "smoothing A*", row G4 with passes P1, P5 and P6: plain A* with the Euclidean distance, smoothed forwards and backwards.
+// WU: "smoothing A*", row G4 with passes P1, P5 and P6: plain A* with the Euclidean distance, smoothed forwards and
+// backwards.
 #include "services/global-planner/core/best_first.hpp"
 #include "services/global-planner/core/distances.hpp"
 #include "services/global-planner/core/variant.hpp"
@@ -20,8 +21,9 @@ class Euclidean {
 Variant wu() {
   return {"wu", "WU: g + h, then collinear points and interpolation forwards and backwards", false,
           [] {
-            return best_first<Euclidean>(Closed::kReopen, kDrivableDiagonals,
-                                         {passes::collinear, passes::interpolated_forward, passes::interpolated_backward});
+            return best_first<Euclidean>(
+                Closed::kReopen, kDrivableDiagonals,
+                {passes::collinear, passes::interpolated_forward, passes::interpolated_backward});
           },
           true};
 }

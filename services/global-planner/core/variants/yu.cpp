@@ -1,6 +1,6 @@
-// YU: "weighted-average heuristic and obstacle rate" (eqs. 4, 5), row G6 with passes P1, P3 and P4: f = g + e^P (h_e + beta h_m) / 2,
-// P the share of obstacle cells in the rectangle between the cell and the goal, h_e Euclidean, h_m Manhattan.
-// P costs O(1) a cell by a summed-area table, which costs one pass over the map for each search.
+// YU: "weighted-average heuristic and obstacle rate" (eqs. 4, 5), row G6 with passes P1, P3 and P4: f = g + e^P (h_e +
+// beta h_m) / 2, P the share of obstacle cells in the rectangle between the cell and the goal, h_e Euclidean, h_m
+// Manhattan. P costs O(1) a cell by a summed-area table, which costs one pass over the map for each search.
 #include <cmath>
 #include <vector>
 
@@ -11,7 +11,7 @@
 namespace aisle::global_planner {
 namespace {
 
-constexpr float kBeta = 0.5F;   // YU: between 0, careful, and 1, quick
+constexpr float kBeta = 0.5F;  // YU: between 0, careful, and 1, quick
 
 /// Obstacle cells in the rectangle from (0, 0) to each cell.
 class ObstacleCounts {
@@ -32,7 +32,8 @@ class ObstacleCounts {
   float rate(grid::Cell a, grid::Cell b) const {
     const grid::Cell low{std::min(a.x, b.x), std::min(a.y, b.y)};
     const grid::Cell high{std::max(a.x, b.x) + 1, std::max(a.y, b.y) + 1};
-    const std::uint32_t obstacles = counts_[at(high.x, high.y)] + counts_[at(low.x, low.y)] - counts_[at(low.x, high.y)] - counts_[at(high.x, low.y)];
+    const std::uint32_t obstacles = counts_[at(high.x, high.y)] + counts_[at(low.x, low.y)] -
+                                    counts_[at(low.x, high.y)] - counts_[at(high.x, low.y)];
     return static_cast<float>(obstacles) / (static_cast<float>(high.x - low.x) * static_cast<float>(high.y - low.y));
   }
 
@@ -61,7 +62,10 @@ class ObstacleRate {
 }  // namespace
 
 Variant yu() {
-  return {"yu", "YU: g + e^P (h_e + h_m/2) / 2, P the obstacle rate, then collinear points, lines of sight and safe lines of sight", false, [] {
+  return {"yu",
+          "YU: g + e^P (h_e + h_m/2) / 2, P the obstacle rate, then collinear points, lines of sight and safe lines of "
+          "sight",
+          false, [] {
             return best_first<ObstacleRate>(Closed::kStay, kDrivableDiagonals,
                                             {passes::collinear, passes::greedy_line_of_sight, passes::safe_distance});
           }};

@@ -5,8 +5,8 @@
 
 namespace aisle::local_planner {
 
-/// In [0, 1]: 0 where the gap is less than 1.2 of what the vehicle drives in a step, else growing with the gap, capped. Repaired: eq. 15
-/// prints 1/D, which would reward driving close.
+/// In [0, 1]: 0 where the gap is less than 1.2 of what the vehicle drives in a step, else growing with the gap, capped.
+/// Repaired: eq. 15 prints 1/D, which would reward driving close.
 void dynamic_clearance_critic(const Samples& samples, const Aim& aim, Lane& scores) {
   const double step_s = aim.step_s, mover_cap_m = aim.mover_cap_m;
   for (std::size_t i = 0; i < kLanes; ++i) {

@@ -3,8 +3,8 @@
 
 namespace aisle::local_planner {
 
-/// In [0, 1]: 0 where the vehicle's centre is nearer than 1.2 R, else growing with the distance, capped. Repaired: eq. 12 prints 1/D,
-/// which would reward driving close.
+/// In [0, 1]: 0 where the vehicle's centre is nearer than 1.2 R, else growing with the distance, capped. Repaired: eq.
+/// 12 prints 1/D, which would reward driving close.
 void static_clearance_critic(const Samples& samples, const Aim& aim, Lane& scores) {
   const double radius_m = aim.radius_m, wide_m = aim.radius_m + aim.wall_cap_m;
   for (std::size_t i = 0; i < kLanes; ++i) {

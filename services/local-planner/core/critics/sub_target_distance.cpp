@@ -5,8 +5,8 @@
 
 namespace aisle::local_planner {
 
-/// In [0, 1]: 1 at the sub-target, 0 from 3 m off it. Looked at where the trajectory is after the heading time: at the horizon a fast
-/// sample has passed a near sub-target, and would lose to one that stands. A reward, as C5.
+/// In [0, 1]: 1 at the sub-target, 0 from 3 m off it. Looked at where the trajectory is after the heading time: at the
+/// horizon a fast sample has passed a near sub-target, and would lose to one that stands. A reward, as C5.
 void sub_target_distance_critic(const Samples& samples, const Aim& aim, Lane& scores) {
   constexpr double kFarM = 3.0;
   const geometry::Point2 target = aim.target_in_map;

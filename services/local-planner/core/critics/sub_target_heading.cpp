@@ -3,8 +3,8 @@
 
 namespace aisle::local_planner {
 
-/// pi - |angle|, in [0, pi]; the sub-target is the point of the global path nearest to the vehicle, a look-ahead further on.
-/// Looked at after the heading time, as C1.
+/// pi - |angle|, in [0, pi]; the sub-target is the point of the global path nearest to the vehicle, a look-ahead
+/// further on. Looked at after the heading time, as C1.
 void sub_target_heading_critic(const Samples& samples, const Aim& aim, Lane& scores) {
   Lane turns_rad;
   find_turns_rad(samples, aim.sub_target_in_map, turns_rad);

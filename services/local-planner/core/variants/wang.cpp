@@ -1,5 +1,6 @@
-// L5, WANG: "distance-and-log weighted A* + turning-point removal + DWA". Its DWA is the traditional one with the path's turning
-// points as temporary targets; weights .05 heading, .2 clearance, .3 velocity. Its turn rates are degrees, printed as radians.
+// L5, WANG: "distance-and-log weighted A* + turning-point removal + DWA". Its DWA is the traditional one with the
+// path's turning points as temporary targets; weights .05 heading, .2 clearance, .3 velocity. Its turn rates are
+// degrees, printed as radians.
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {

@@ -1,5 +1,5 @@
-// L4, YU: the traditional critics, fast; turns on the spot to the path's first node before it moves (eq. 12, with atan2), as every
-// variant here does. Its turn rates are degrees, printed as radians.
+// L4, YU: the traditional critics, fast; turns on the spot to the path's first node before it moves (eq. 12, with
+// atan2), as every variant here does. Its turn rates are degrees, printed as radians.
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {

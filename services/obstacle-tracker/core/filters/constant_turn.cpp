@@ -1,5 +1,6 @@
-// An extended Kalman filter for a point that keeps its speed and its turn rate, but for white noise in the acceleration and in the turn
-// rate's change: the nearly coordinated turn (Bar-Shalom, Li, Kirubarajan 2001, 11.7). The turn rate is estimated with the rest.
+// An extended Kalman filter for a point that keeps its speed and its turn rate, but for white noise in the acceleration
+// and in the turn rate's change: the nearly coordinated turn (Bar-Shalom, Li, Kirubarajan 2001, 11.7). The turn rate is
+// estimated with the rest.
 #include "services/obstacle-tracker/core/motion_filter.hpp"
 #include "services/obstacle-tracker/core/motions/standing.hpp"
 #include "services/obstacle-tracker/core/motions/turning.hpp"

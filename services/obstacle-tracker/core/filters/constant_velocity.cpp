@@ -1,4 +1,5 @@
-// A Kalman filter for a point that keeps its velocity, but for white noise in its acceleration (Bar-Shalom, Li, Kirubarajan 2001, 6.2.2).
+// A Kalman filter for a point that keeps its velocity, but for white noise in its acceleration (Bar-Shalom, Li,
+// Kirubarajan 2001, 6.2.2).
 #include "services/obstacle-tracker/core/motion_filter.hpp"
 #include "services/obstacle-tracker/core/motions/standing.hpp"
 #include "services/obstacle-tracker/core/motions/straight.hpp"
@@ -8,7 +9,8 @@ namespace {
 
 class ConstantVelocity final : public MotionFilter {
  public:
-  ConstantVelocity(const MotionModel& motion, const Gaussian<4>& first) : MotionFilter(first), q_(motion.acceleration_density), walk_(first) {}
+  ConstantVelocity(const MotionModel& motion, const Gaussian<4>& first)
+      : MotionFilter(first), q_(motion.acceleration_density), walk_(first) {}
 
  private:
   void move(double dt_s) override { move_straight(walk_, q_, dt_s); }

@@ -1,7 +1,7 @@
-// Three motions at once, each with its probability: standing still, constant velocity, constant turn. The interacting multiple model
-// estimator (Blom, Bar-Shalom 1988; Bar-Shalom, Li, Kirubarajan 2001, 11.6.6). The turn rate, which only one of the motions
-// knows, is that motion's own when the others are mixed into it (after Granstroem, Willett, Bar-Shalom 2015), so that
-// nobody's ignorance pulls it to zero.
+// Three motions at once, each with its probability: standing still, constant velocity, constant turn. The interacting
+// multiple model estimator (Blom, Bar-Shalom 1988; Bar-Shalom, Li, Kirubarajan 2001, 11.6.6). The turn rate, which only
+// one of the motions knows, is that motion's own when the others are mixed into it (after Granstroem, Willett,
+// Bar-Shalom 2015), so that nobody's ignorance pulls it to zero.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,7 +42,8 @@ class InteractingMix final : public MotionFilter {
   }
 
  private:
-  /// Probability that a mode is another one dt_s later: a chain that leaves a mode after mode_s on average, for either of the others.
+  /// Probability that a mode is another one dt_s later: a chain that leaves a mode after mode_s on average, for either
+  /// of the others.
   double change(double dt_s) const { return (1.0 - std::exp(-1.5 * dt_s / motion_.mode_s)) / 3.0; }
 
   void interact(double dt_s) {
@@ -109,7 +110,8 @@ class InteractingMix final : public MotionFilter {
 }  // namespace
 
 Filter interacting_mix() {
-  return {"interacting-mix", "stands, keeps its velocity, or keeps its turn rate: all three at once, by their probability",
+  return {"interacting-mix",
+          "stands, keeps its velocity, or keeps its turn rate: all three at once, by their probability",
           [](const MotionModel& motion, const Gaussian<4>& first) -> std::unique_ptr<MotionFilter> {
             return std::make_unique<InteractingMix>(motion, first);
           }};

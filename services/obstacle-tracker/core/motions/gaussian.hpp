@@ -34,7 +34,8 @@ Eigen::Matrix<double, 2, N> seen_before(double lag_s) {
 }
 
 template <int N>
-Innovation innovation_of(const Gaussian<N>& belief, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance, double lag_s) {
+Innovation innovation_of(const Gaussian<N>& belief, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance,
+                         double lag_s) {
   const Eigen::Matrix<double, 2, N> h = seen_before<N>(lag_s);
   Innovation innovation;
   innovation.residual = position - h * belief.mean;
@@ -45,7 +46,8 @@ Innovation innovation_of(const Gaussian<N>& belief, const Eigen::Vector2d& posit
 
 /// Takes the measurement in (Joseph form: the covariance stays symmetric and positive). Returns what it changed.
 template <int N>
-Innovation take_in(Gaussian<N>& belief, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance, double lag_s) {
+Innovation take_in(Gaussian<N>& belief, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance,
+                   double lag_s) {
   using Square = Eigen::Matrix<double, N, N>;
   const Eigen::Matrix<double, 2, N> h = seen_before<N>(lag_s);
   const Innovation innovation = innovation_of(belief, position, covariance, lag_s);

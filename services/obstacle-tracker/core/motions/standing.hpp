@@ -3,8 +3,8 @@
 
 namespace aisle::obstacle_tracker {
 
-/// Carries a thing on that stands: it stays, little doubt of its place is added, and its velocity is 0 give or take 0.1 m/s.
-/// What the state holds behind the velocity stays as it is. @pre dt_s >= 0
+/// Carries a thing on that stands: it stays, little doubt of its place is added, and its velocity is 0 give or take 0.1
+/// m/s. What the state holds behind the velocity stays as it is. @pre dt_s >= 0
 template <int N>
 void stay(Gaussian<N>& belief, double dt_s) {
   constexpr double kDrift = 1e-4;  // m^2/s

@@ -7,8 +7,8 @@ namespace {
 
 /// The circle's coefficients and their derivatives by w, for a turn by w x t.
 struct Arc {
-  double ahead;           // sin(w t) / w
-  double aside;           // (1 - cos(w t)) / w
+  double ahead;  // sin(w t) / w
+  double aside;  // (1 - cos(w t)) / w
   double ahead_by_rate;
   double aside_by_rate;
 };
@@ -17,7 +17,8 @@ Arc arc_of(double w, double t) {
   constexpr double kStraight_rad = 1e-3;  // nearer to 0 the quotients lose digits; the series are exact to 1e-12 there
   const double turn = w * t;
   if (std::abs(turn) < kStraight_rad) {
-    return {t * (1.0 - turn * turn / 6.0), 0.5 * turn * t, -turn * t * t / 3.0, 0.5 * t * t * (1.0 - turn * turn / 4.0)};
+    return {t * (1.0 - turn * turn / 6.0), 0.5 * turn * t, -turn * t * t / 3.0,
+            0.5 * t * t * (1.0 - turn * turn / 4.0)};
   }
   const double s = std::sin(turn);
   const double c = std::cos(turn);
@@ -34,7 +35,8 @@ Eigen::Matrix<double, 5, 1> on_circle(const Eigen::Matrix<double, 5, 1>& state, 
   const double s = std::sin(w * dt_s);
   const double c = std::cos(w * dt_s);
   Eigen::Matrix<double, 5, 1> later;
-  later << state(0) + arc.ahead * vx - arc.aside * vy, state(1) + arc.aside * vx + arc.ahead * vy, c * vx - s * vy, s * vx + c * vy, w;
+  later << state(0) + arc.ahead * vx - arc.aside * vy, state(1) + arc.aside * vx + arc.ahead * vy, c * vx - s * vy,
+      s * vx + c * vy, w;
   return later;
 }
 
@@ -48,8 +50,8 @@ Eigen::Matrix<double, 5, 5> jacobian_of_circle(const Eigen::Matrix<double, 5, 1>
   Eigen::Matrix<double, 5, 5> f = Eigen::Matrix<double, 5, 5>::Identity();
   f.block<2, 2>(0, 2) << arc.ahead, -arc.aside, arc.aside, arc.ahead;
   f.block<2, 2>(2, 2) << c, -s, s, c;
-  f.block<4, 1>(0, kTurnRate) << arc.ahead_by_rate * vx - arc.aside_by_rate * vy, arc.aside_by_rate * vx + arc.ahead_by_rate * vy,
-      -dt_s * (s * vx + c * vy), dt_s * (c * vx - s * vy);
+  f.block<4, 1>(0, kTurnRate) << arc.ahead_by_rate * vx - arc.aside_by_rate * vy,
+      arc.aside_by_rate * vx + arc.ahead_by_rate * vy, -dt_s * (s * vx + c * vy), dt_s * (c * vx - s * vy);
   return f;
 }
 
