@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 #include "services/global-planner/core/fleet_planner.hpp"
 #include "services/global-planner/core/variant.hpp"
 

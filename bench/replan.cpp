@@ -16,11 +16,11 @@
 #include <string>
 #include <vector>
 
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 #include "services/global-planner/core/distances.hpp"
 #include "services/global-planner/core/open_steps.hpp"
 #include "services/global-planner/core/variant.hpp"
-#include "tools/aisle/planning/queries.hpp"
+#include "tools/lab/planning/queries.hpp"
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/tracking/trial.hpp"
+#include "tools/lab/tracking/trial.hpp"
 
 namespace {
 

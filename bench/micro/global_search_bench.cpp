@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bench/peers/textbook_astar.hpp"
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 #include "services/global-planner/core/variant.hpp"
 
 namespace {

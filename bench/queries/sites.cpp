@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "bench/peers/textbook_astar.hpp"
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 
 namespace aisle::bench {
 namespace {

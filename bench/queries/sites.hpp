@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/grid/clearance.hpp"
-#include "tools/aisle/planning/queries.hpp"
+#include "tools/lab/planning/queries.hpp"
 
 namespace aisle::bench {
 

@@ -6,7 +6,7 @@
 
 #include "common/geometry/footprint.hpp"
 #include "common/geometry/pose.hpp"
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 #include "common/kinematics/limits.hpp"
 
 namespace aisle::scenario {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "common/config/reader.hpp"
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 #include "common/scenario/scenario.hpp"
 
 namespace aisle::map {

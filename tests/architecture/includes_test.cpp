@@ -78,7 +78,7 @@ TEST(Architecture, OnlyTheBusIncludesFastDds) {
 }
 
 TEST(Architecture, MessageTypesStayAtTheEdge) {
-  const Strings edge{"common/bus/", "common/wire/", "common/service/", "services/", "tools/aisle/", "tools/referee/"};
+  const Strings edge{"common/bus/", "common/wire/", "common/service/", "services/", "tools/cli/", "tools/referee/"};
   for (const Source& source : all_sources()) {
     for (const std::string& include : source.includes) {
       if (!begins_with(include, "idl/")) continue;
@@ -129,13 +129,13 @@ Strings allowed_rooms(const std::string& file) {
     if (core != "services/obstacle-tracker/core/") rooms.push_back("services/obstacle-tracker/core/track.hpp");
     return rooms;
   }
-  // `aisle drive` runs the lock-step simulator and draws its runs as the referee draws real ones; it judges nothing
-  // with either.
-  if (begins_with(file, "tools/aisle/"))
-    return {"common/",         "services/",           "tools/lockstep/",
-            "tools/tracking/", "tools/referee/core/", "tools/referee/report/"};
-  // `aisle track --scenario` lets the lock-step simulator drive the vehicles whose scans it makes.
-  if (begins_with(file, "tools/tracking/")) return {"common/", "services/", "tools/lockstep/"};
+  // The laboratory and `aisle drive` run the lock-step simulator and draw its runs as the referee draws real ones.
+  Strings for_runs{"common/", "services/", "tools/lockstep/", "tools/referee/core/", "tools/referee/report/"};
+  if (begins_with(file, "tools/lab/")) return for_runs;
+  if (begins_with(file, "tools/cli/")) {
+    for_runs.push_back("tools/lab/");
+    return for_runs;
+  }
   if (begins_with(file, "tools/")) return {"common/", "services/"};
   return {"common/", "services/obstacle-tracker/core/track.hpp"};  // a service; its own folder comes with it
 }

@@ -1,6 +1,6 @@
 #pragma once
 // The random maps of `aisle experiment`, for tests.
-#include "tools/aisle/planning/random_maps.hpp"
+#include "tools/lab/planning/random_maps.hpp"
 
 namespace aisle::test_support {
 

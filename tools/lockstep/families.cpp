@@ -11,7 +11,7 @@
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
 #include "common/geometry/separation.hpp"
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 #include "common/scenario/variation.hpp"
 #include "tools/lockstep/building.hpp"
 #include "tools/lockstep/judge.hpp"

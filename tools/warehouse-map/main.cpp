@@ -6,7 +6,7 @@
 #include <iostream>
 #include <string>
 
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 
 namespace {
 

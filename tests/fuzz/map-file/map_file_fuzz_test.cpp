@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "common/config/reader.hpp"
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 
 namespace aisle::grid {
 namespace {

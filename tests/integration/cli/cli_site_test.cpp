@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 #include "common/grid/tiles.hpp"
 #include "common/process/clock.hpp"
 #include "common/service/health_file.hpp"

@@ -9,7 +9,7 @@
 #include <random>
 #include <set>
 
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 #include "services/map/core/map_store.hpp"
 #include "tests/integration/map/site_fixture.hpp"
 #include "tests/support/child_process.hpp"

@@ -1,4 +1,4 @@
-#include "tools/aisle/cli.hpp"
+#include "tools/cli/cli.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "common/config/reader.hpp"
-#include "tools/aisle/coordinates.hpp"
-#include "tools/aisle/edit_shape.hpp"
-#include "tools/aisle/fleet_view.hpp"
-#include "tools/aisle/rates.hpp"
-#include "tools/aisle/topic_table.hpp"
+#include "tools/cli/coordinates.hpp"
+#include "tools/cli/edit_shape.hpp"
+#include "tools/cli/fleet_view.hpp"
+#include "tools/cli/rates.hpp"
+#include "tools/cli/topic_table.hpp"
 
 namespace aisle::cli {
 namespace {

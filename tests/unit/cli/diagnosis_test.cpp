@@ -1,4 +1,4 @@
-#include "tools/aisle/diagnosis.hpp"
+#include "tools/cli/diagnosis.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/aisle/shared_memory_probe.hpp"
+#include "tools/cli/shared_memory_probe.hpp"
 
 namespace aisle::cli {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/aisle/json/json.hpp"
+#include "tools/cli/json/json.hpp"
 
 #include <gtest/gtest.h>
 

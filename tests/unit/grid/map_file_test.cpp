@@ -1,4 +1,4 @@
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -12,7 +12,7 @@
 #include "common/config/reader.hpp"
 #include "common/geometry/body.hpp"
 #include "common/grid/clearance.hpp"
-#include "common/grid/map_file.hpp"
+#include "common/grid/formats/map_file.hpp"
 #include "common/scenario/scenario.hpp"
 #include "services/fake-world/core/recording.hpp"
 

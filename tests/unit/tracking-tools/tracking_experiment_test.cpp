@@ -1,5 +1,5 @@
 // The section of docs/experiments.md on the tracker, on a few seconds of everything.
-#include "tools/aisle/tracking/tracking_experiment.hpp"
+#include "tools/lab/tracking/tracking_experiment.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

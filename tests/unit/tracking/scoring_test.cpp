@@ -1,4 +1,4 @@
-#include "tools/tracking/scoring.hpp"
+#include "tools/lab/tracking/scoring.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/tracking/smooth_walk.hpp"
+#include "tools/lab/tracking/smooth_walk.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/tracking/trial.hpp"
+#include "tools/lab/tracking/trial.hpp"
 
 #include <gtest/gtest.h>
 

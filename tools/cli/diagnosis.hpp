@@ -1,0 +1,74 @@
+#pragma once
+// What the doctor thinks of what it saw. No DDS calls, clocks or sockets: doctor.cpp gathers, this judges.
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/bus/bus.hpp"
+#include "tools/cli/topic_table.hpp"
+
+namespace aisle::cli {
+
+/// One thing that is wrong, in words that say what to do.
+struct Problem {
+  std::string about;  // "discovery", "qos", "type", "partition", "network", "clock", "version", "service", "vehicle",
+                      // "shared memory"
+  std::string text;
+  bool is_past{false};  // worth to know, but over
+};
+
+/// One IPv4 address of this host.
+struct NetworkInterface {
+  std::string name;
+  std::string address;
+  bool is_loopback{false};
+  bool multicast_works{false};  // a datagram sent to a group came back
+};
+
+/// Where shared-memory transport keeps its segments.
+struct SharedMemory {
+  std::string folder;
+  bool exists{false};
+  bool is_writable{false};
+  std::uint64_t capacity_bytes{0};
+  std::uint64_t available_bytes{0};
+  int left_over_files{0};  // segments of Fast DDS that no live process has
+  std::uint64_t left_over_bytes{0};
+};
+
+/// Other processes seen; `other_domains` holds those where somebody was seen, when nobody was in ours.
+std::vector<Problem> judge_discovery(const bus::Settings& settings, std::size_t participants,
+                                     const std::set<int>& other_domains);
+
+std::vector<Problem> judge_network(const bus::Settings& settings, const std::vector<NetworkInterface>& interfaces);
+
+/// Nothing unless the settings ask for shared memory: room for segments, and what processes that were killed left
+/// behind.
+std::vector<Problem> judge_shared_memory(const bus::Settings& settings, const SharedMemory& memory);
+
+/// Types and QoS against the table; partitions in which Aisle's topics are used against ours.
+std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::vector<bus::Endpoint>& endpoints);
+
+/// Services that are not ready; errors that ready ones had are past.
+std::vector<Problem> judge_services(const std::map<std::string, aisle::ServiceHealth>& newest,
+                                    const std::set<std::string>& gone);
+
+/// Tells apart who writes a vehicle's state.
+class VehicleWatch {
+ public:
+  void take(const aisle::VehicleState& sample);
+  std::vector<Problem> judge() const;
+  std::size_t vehicles() const { return writers_.size(); }
+
+ private:
+  struct Writer {
+    std::string source_id;
+    int samples{0};
+  };
+  std::map<std::string, std::map<std::uint64_t, Writer>> writers_;  // by agv id, by boot id
+  std::map<std::string, std::string> holds_;                        // newest hold reason, when there is one
+};
+
+}  // namespace aisle::cli

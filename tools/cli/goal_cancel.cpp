@@ -1,0 +1,78 @@
+// aisle goal cancel: drops a vehicle's goal; it brakes and holds.
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "common/process/exit_code.hpp"
+#include "tools/cli/cli.hpp"
+#include "tools/cli/goal_talk.hpp"
+#include "tools/cli/json/json.hpp"
+#include "tools/cli/text.hpp"
+
+namespace aisle::cli {
+namespace {
+
+constexpr Seconds kUntilGoalIsKnown{1.5};
+
+std::string open_goal_of(const GoalTalk& talk) {
+  if (talk.navigation() && !talk.navigation()->goal_id().to_string().empty())
+    return talk.navigation()->goal_id().to_string();
+  if (talk.plan() && talk.plan()->outcome() != PlanOutcome::PLAN_CANCELLED) return talk.plan()->goal_id().to_string();
+  return talk.goal() && !talk.goal()->cancelled() ? talk.goal()->goal_id().to_string() : "";
+}
+
+bool is_cancelled(const GoalTalk& talk, const std::string& goal_id) {
+  const bool by_planner = talk.plan() && talk.plan()->goal_id().to_string() == goal_id &&
+                          talk.plan()->outcome() == PlanOutcome::PLAN_CANCELLED;
+  const bool by_vehicle = talk.navigation() && talk.navigation()->reason() == NavigationReason::REASON_CANCELLED;
+  return by_planner || by_vehicle;
+}
+
+int report_cancelled(const Cli& cli, const GoalTalk& talk, const std::string& goal_id, const std::string& result,
+                     const std::string& text, int code) {
+  if (cli.json) {
+    std::printf(
+        "%s\n",
+        write_json(Json{{"agv_id", talk.agv_id()}, {"goal_id", goal_id}, {"result", result}, {"text", text}}).c_str());
+  } else {
+    std::fprintf(code == process::kDone ? stdout : stderr, "%s\n", printable(text).c_str());
+  }
+  return code;
+}
+
+int cancel(const Cli& cli, const std::string& agv_id, double timeout_s) {
+  GoalTalk talk(cli, agv_id);
+  talk.require_vehicle();
+  talk.listen_until(kUntilGoalIsKnown, [&] { return !open_goal_of(talk).empty(); });
+  const std::string goal_id = open_goal_of(talk);
+  if (goal_id.empty()) return report_cancelled(cli, talk, "", "no_goal", agv_id + " has no goal", process::kNegative);
+  if (is_cancelled(talk, goal_id))
+    return report_cancelled(cli, talk, goal_id, "cancelled", "goal " + goal_id + " was cancelled before",
+                            process::kDone);
+  aisle::Goal goal;
+  goal.agv_id(agv_id);
+  goal.goal_id(goal_id);
+  goal.cancelled(true);
+  if (talk.say_until(goal, Seconds(timeout_s), [&] { return is_cancelled(talk, goal_id); })) {
+    return report_cancelled(cli, talk, goal_id, "cancelled", agv_id + " dropped goal " + goal_id, process::kDone);
+  }
+  return report_cancelled(cli, talk, goal_id, "no_answer",
+                          "nobody confirmed that goal " + goal_id + " is dropped; is aisle-global-planner running?",
+                          process::kEnvironment);
+}
+
+}  // namespace
+
+void add_goal_cancel(CLI::App& parent, Cli& cli) {
+  struct Options {
+    std::string agv_id;
+    double timeout_s{10.0};
+  };
+  auto options = std::make_shared<Options>();
+  Verb(parent, cli, "cancel", "drop a vehicle's goal: it brakes and holds; exit code 1 when it has none")
+      .argument("agv", options->agv_id, "vehicle, e.g. agv-1")
+      .option("--timeout", options->timeout_s, 0.1, 1e6, "give up after so many seconds")
+      .runs([&cli, options] { return cancel(cli, options->agv_id, options->timeout_s); });
+}
+
+}  // namespace aisle::cli

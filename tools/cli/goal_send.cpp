@@ -1,0 +1,172 @@
+// aisle goal send: gives a vehicle a goal, and with --wait follows it there.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "common/process/exit_code.hpp"
+#include "tools/cli/cli.hpp"
+#include "tools/cli/coordinates.hpp"
+#include "tools/cli/goal_talk.hpp"
+#include "tools/cli/json/json.hpp"
+#include "tools/cli/text.hpp"
+
+namespace aisle::cli {
+namespace {
+
+struct SendOptions {
+  std::string agv_id;
+  std::string pose;
+  std::string goal_id;
+  bool wait{false};
+  double timeout_s{0.0};
+  double tolerance_m{0.25};
+  double yaw_tolerance_rad{0.15};
+};
+
+constexpr Seconds kUntilPlanned{10.0};
+constexpr Seconds kUntilArrived{600.0};
+
+aisle::Goal make_goal(const SendOptions& options) {
+  const TypedPose typed = parse_pose("goal", options.pose);
+  aisle::Pose pose;
+  pose.x_m(typed.in_map.x);
+  pose.y_m(typed.in_map.y);
+  pose.yaw_rad(typed.in_map.yaw);
+  aisle::Goal goal;
+  goal.agv_id(options.agv_id);
+  goal.goal_id(options.goal_id.empty() ? unique_id("aisle") : options.goal_id);
+  goal.pose_in_map(pose);
+  goal.position_tolerance_m(options.tolerance_m);
+  goal.yaw_tolerance_rad(typed.has_yaw ? options.yaw_tolerance_rad : 0.0);
+  goal.cancelled(false);
+  return goal;
+}
+
+/// One line that replaces itself in a terminal; elsewhere a line whenever the phase changes.
+class Progress {
+ public:
+  void show(const aisle::NavigationStatus& status) {
+    const std::string phase = name_of(status.phase());
+    const std::string reason =
+        status.reason() == NavigationReason::REASON_NONE ? "" : " (" + name_of(status.reason()) + ")";
+    const std::string line = fmt::format("{} {}{}, {:.1f} m and {:.0f} s left", printable(status.agv_id().to_string()),
+                                         phase, reason, status.distance_left_m(), status.time_left_s());
+    if (is_terminal_) {
+      std::fprintf(stderr, "\r\x1b[K%s", line.c_str());
+      is_open_ = true;
+    } else if (phase + reason != last_) {
+      std::fprintf(stderr, "%s\n", line.c_str());
+    }
+    last_ = phase + reason;
+  }
+  ~Progress() {
+    if (is_open_) std::fprintf(stderr, "\n");
+  }
+
+ private:
+  bool is_terminal_{isatty(STDERR_FILENO) != 0};
+  bool is_open_{false};
+  std::string last_;
+};
+
+int report_sent(const Cli& cli, const aisle::Goal& goal, const std::string& result, const std::string& text, int code,
+                double length_m = -1.0) {
+  if (cli.json) {
+    Json json{{"agv_id", goal.agv_id().to_string()},
+              {"goal_id", goal.goal_id().to_string()},
+              {"result", result},
+              {"text", text}};
+    if (length_m >= 0.0) json["length_m"] = length_m;
+    std::printf("%s\n", write_json(json).c_str());
+  } else {
+    std::fprintf(code == process::kDone ? stdout : stderr, "%s\n", printable(text).c_str());
+  }
+  return code;
+}
+
+int report_no_answer(const Cli& cli, const GoalTalk& talk, const aisle::Goal& goal, double waited_s) {
+  const bool nobody = !talk.is_read_by_anybody();
+  return report_sent(
+      cli, goal, "no_answer",
+      fmt::format("no plan for the goal within {:g} s: {}", waited_s,
+                  nobody ? "nobody reads goals; is aisle-global-planner running?"
+                         : "aisle-global-planner does not answer; see aisle fleet for what it waits for"),
+      process::kEnvironment);
+}
+
+int follow(const Cli& cli, GoalTalk& talk, const aisle::Goal& goal, Seconds limit) {
+  const std::string goal_id = goal.goal_id().to_string();
+  const std::string agv_id = goal.agv_id().to_string();
+  const auto is_over = [](NavigationPhase phase) {
+    return phase == NavigationPhase::PHASE_ARRIVED || phase == NavigationPhase::PHASE_FAILED;
+  };
+  std::string replaced_by;
+  bool is_over_now = false;
+  {
+    Progress progress;
+    is_over_now = talk.listen_until(limit, [&] {
+      const bool is_other_plan = talk.plan() && talk.plan()->goal_id().to_string() != goal_id;
+      if (is_other_plan) replaced_by = talk.plan()->goal_id().to_string();
+      if (is_other_plan) return true;
+      if (!talk.navigation() || talk.navigation()->goal_id().to_string() != goal_id) return false;
+      progress.show(*talk.navigation());
+      return is_over(talk.navigation()->phase());
+    });
+  }
+  if (!replaced_by.empty())
+    return report_sent(cli, goal, "replaced", agv_id + " has another goal now: " + replaced_by, process::kNegative);
+  if (!is_over_now) {
+    const std::string why = is_interrupted() ? "interrupted" : fmt::format("not there after {:g} s", limit.count());
+    return report_sent(cli, goal, "not_arrived", why + "; " + agv_id + " keeps the goal, aisle goal cancel drops it",
+                       process::kNegative);
+  }
+  const aisle::NavigationStatus& status = *talk.navigation();
+  if (status.phase() == NavigationPhase::PHASE_ARRIVED)
+    return report_sent(cli, goal, "arrived", agv_id + " arrived", process::kDone);
+  return report_sent(cli, goal, "failed",
+                     agv_id + " failed (" + name_of(status.reason()) + "): " + status.detail().to_string(),
+                     process::kNegative);
+}
+
+int send(const Cli& cli, const SendOptions& options) {
+  const aisle::Goal goal = make_goal(options);
+  const std::string goal_id = goal.goal_id().to_string();
+  GoalTalk talk(cli, options.agv_id);
+  talk.require_vehicle();
+  const Seconds until_planned = options.timeout_s > 0.0 ? Seconds(options.timeout_s) : kUntilPlanned;
+  const auto is_planned = [&] { return talk.plan() && talk.plan()->goal_id().to_string() == goal_id; };
+  if (!talk.say_until(goal, until_planned, is_planned)) return report_no_answer(cli, talk, goal, until_planned.count());
+  const aisle::Plan plan = *talk.plan();
+  if (plan.outcome() != PlanOutcome::PLAN_FOUND) {
+    const std::string outcome = name_of(plan.outcome());
+    return report_sent(cli, goal, outcome,
+                       options.agv_id + " cannot go there: " + outcome + ": " + plan.detail().to_string(),
+                       process::kNegative);
+  }
+  const std::string text =
+      fmt::format("{} goes {:.1f} m to {}, goal {}", options.agv_id, plan.length_m(), options.pose, goal_id);
+  if (!options.wait) return report_sent(cli, goal, "planned", text, process::kDone, plan.length_m());
+  if (!cli.json) std::printf("%s\n", printable(text).c_str());
+  std::fflush(stdout);
+  return follow(cli, talk, goal, options.timeout_s > 0.0 ? Seconds(options.timeout_s) : kUntilArrived);
+}
+
+}  // namespace
+
+void add_goal_send(CLI::App& parent, Cli& cli) {
+  auto options = std::make_shared<SendOptions>();
+  Verb(parent, cli, "send", "send a vehicle to a pose; exit code 1 when it cannot get there")
+      .argument("agv", options->agv_id, "vehicle, e.g. agv-1")
+      .argument("pose", options->pose, "X,Y or X,Y,YAW in metres and radians, map frame")
+      .flag("--wait", options->wait, "wait until it arrived, with a line of progress")
+      .option("--timeout", options->timeout_s, 0.0, 1e6, "give up after so many seconds; 0: 10, with --wait 600")
+      .option("--tolerance", options->tolerance_m, 0.01, 10.0, "how near is there, in metres")
+      .option("--yaw-tolerance", options->yaw_tolerance_rad, 0.01, 3.15, "in radians, when a yaw is given")
+      .option("--id", options->goal_id, "id of the goal; one is made when not given")
+      .runs([&cli, options] { return send(cli, *options); });
+}
+
+}  // namespace aisle::cli

@@ -1,0 +1,46 @@
+#pragma once
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "common/bus/bus.hpp"
+#include "common/bus/topics.hpp"
+#include "common/service/origin_stamper.hpp"
+#include "tools/cli/cli.hpp"
+
+namespace aisle::cli {
+
+/// Speaks with the planners about one vehicle's goal: repeats what it says twice a second until heard, and keeps the
+/// newest answers.
+class GoalTalk {
+ public:
+  GoalTalk(const Cli& cli, const std::string& agv_id);
+
+  /// Waits until the vehicle was seen. @throws config::BadInput with the vehicles seen instead, config::BadEnvironment
+  /// when there are none
+  void require_vehicle();
+  /// Runs the loop as run_until(), and says `goal` at once and every 500 ms meanwhile.
+  bool say_until(aisle::Goal goal, Seconds limit, const std::function<bool()>& done);
+  bool listen_until(Seconds limit, const std::function<bool()>& done) { return run_until(*bus_, limit, done); }
+
+  const std::string& agv_id() const { return agv_id_; }
+  const std::optional<aisle::Plan>& plan() const { return plan_; }
+  const std::optional<aisle::NavigationStatus>& navigation() const { return navigation_; }
+  const std::optional<aisle::Goal>& goal() const { return goal_; }
+  /// Its own reader does not count.
+  bool is_read_by_anybody() const { return writer_.matched_readers() > 1; }
+
+ private:
+  const Cli& cli_;
+  std::string agv_id_;
+  std::unique_ptr<bus::Bus> bus_;
+  bus::Writer<topics::Goal> writer_;
+  service::OriginStamper stamper_;
+  std::set<std::string> vehicles_;
+  std::optional<aisle::Plan> plan_;
+  std::optional<aisle::NavigationStatus> navigation_;
+  std::optional<aisle::Goal> goal_;  // of others
+};
+
+}  // namespace aisle::cli

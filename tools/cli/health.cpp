@@ -1,0 +1,100 @@
+// aisle health: is one service ready? For healthchecks of containers.
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "common/bus/topics.hpp"
+#include "common/config/nearest_name.hpp"
+#include "common/process/clock.hpp"
+#include "common/process/exit_code.hpp"
+#include "common/service/health_file.hpp"
+#include "tools/cli/cli.hpp"
+#include "tools/cli/json/json.hpp"
+#include "tools/cli/text.hpp"
+
+namespace aisle::cli {
+namespace {
+
+constexpr double kLease_s = 3.0;  // a service speaks once a second; silent for as long as this, it hangs or is gone
+
+std::string text_of_absence(const Cli& cli, const std::string& instance_id, const std::set<std::string>& seen) {
+  const std::string nearest = config::nearest_name(instance_id, {seen.begin(), seen.end()});
+  return "no service '" + instance_id + "' seen in " + place_of(cli.settings) +
+         (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+}
+
+void print_word(const std::string& instance_id, ServiceState state, const std::string& waits_for,
+                const std::string& last_error) {
+  const std::string word = instance_id + ": " + name_of(state) + (waits_for.empty() ? "" : ", waits for " + waits_for) +
+                           (last_error.empty() ? "" : ", last error: " + last_error);
+  std::printf("%s\n", printable(word).c_str());
+}
+
+int heard_health(const Cli& cli, const std::string& instance_id, double timeout_s) {
+  const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-health");
+  std::optional<aisle::ServiceHealth> newest;
+  std::set<std::string> seen;
+  bus->on<topics::ServiceHealth>([&](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) {
+    const std::string id = sample.instance_id().to_string();
+    if (info.kind == bus::SampleKind::kData) seen.insert(id);
+    if (id != instance_id) return;
+    newest = info.kind == bus::SampleKind::kData ? std::optional<aisle::ServiceHealth>(sample) : std::nullopt;
+  });
+  const bool is_ready =
+      run_until(*bus, Seconds(timeout_s), [&] { return newest && newest->state() == ServiceState::SERVICE_READY; });
+  if (cli.json) {
+    std::printf("%s\n", newest ? write_json(to_json(*newest)).c_str() : "null");
+  } else if (!newest) {
+    std::fprintf(stderr, "%s\n", text_of_absence(cli, instance_id, seen).c_str());
+  } else {
+    print_word(instance_id, newest->state(), newest->waits_for().to_string(), newest->last_error().to_string());
+  }
+  return is_ready ? process::kDone : process::kNegative;
+}
+
+int kept_health(const Cli& cli, const std::string& instance_id, const std::string& file) {
+  const std::optional<service::HealthNote> note = service::recall_health(file);
+  if (!note || note->instance_id != instance_id) {
+    std::fprintf(stderr, "%s is not a health file of '%s'; is that service running with --health-file?\n", file.c_str(),
+                 instance_id.c_str());
+    return process::kNegative;
+  }
+  const double age_s = 1e-9 * static_cast<double>(process::wall_clock_ns() - note->wall_clock_ns);
+  const bool is_fresh = age_s < kLease_s;
+  if (cli.json) {
+    std::printf("%s\n", write_json(Json{{"instance_id", instance_id},
+                                        {"state", name_of(note->state)},
+                                        {"waits_for", note->waits_for},
+                                        {"last_error", note->last_error},
+                                        {"age_s", age_s}})
+                            .c_str());
+  } else if (!is_fresh) {
+    std::printf("%s: silent for %.1f s\n", printable(instance_id).c_str(), age_s);
+  } else {
+    print_word(instance_id, note->state, note->waits_for, note->last_error);
+  }
+  return is_fresh && note->state == ServiceState::SERVICE_READY ? process::kDone : process::kNegative;
+}
+
+}  // namespace
+
+void add_health(CLI::App& parent, Cli& cli) {
+  struct Options {
+    std::string instance_id, file;
+    double timeout_s{3.0};
+  };
+  auto options = std::make_shared<Options>();
+  Verb(parent, cli, "health", "exit code 0 when one service is ready, else 1: for healthchecks")
+      .argument("instance", options->instance_id, "of the service, e.g. map or local-planner-agv-1")
+      .option("--timeout", options->timeout_s, 0.1, 1e6, "how long to wait until it is ready, seconds")
+      .option("--file", options->file, "do not join the site: read the service's own --health-file on this host")
+      .runs([&cli, options] {
+        return options->file.empty() ? heard_health(cli, options->instance_id, options->timeout_s)
+                                     : kept_health(cli, options->instance_id, options->file);
+      });
+}
+
+}  // namespace aisle::cli

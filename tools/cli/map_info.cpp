@@ -1,0 +1,54 @@
+// aisle map info: what aisle-map says of the site's map.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "common/bus/topics.hpp"
+#include "common/config/reader.hpp"
+#include "common/process/exit_code.hpp"
+#include "tools/cli/cli.hpp"
+#include "tools/cli/json/json.hpp"
+#include "tools/cli/text.hpp"
+
+namespace aisle::cli {
+namespace {
+
+Json without_tile_hashes(const aisle::MapInfo& info) {
+  Json json = to_json(info);
+  json["tiles"] = json["tile_hashes"].size();
+  json["width_m"] = info.width_cells() * info.resolution_m();
+  json["height_m"] = info.height_cells() * info.resolution_m();
+  json.erase("tile_hashes");
+  return json;
+}
+
+int show_map(const Cli& cli, double timeout_s) {
+  const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-map-info");
+  std::map<std::string, aisle::MapInfo> maps;
+  bus->on<topics::MapInfo>([&](const aisle::MapInfo& sample, const bus::SampleInfo& sample_info) {
+    if (sample_info.kind == bus::SampleKind::kData) maps[sample.map_id().to_string()] = sample;
+  });
+  if (!run_until(*bus, Seconds(timeout_s), [&] { return !maps.empty(); })) {
+    throw config::BadEnvironment("no map seen in " + place_of(cli.settings) +
+                                 "; is aisle-map running? aisle doctor looks for the cause");
+  }
+  for (const auto& [id, sample] : maps) {
+    const Json json = without_tile_hashes(sample);
+    std::printf("%s", cli.json ? (write_json(json) + "\n").c_str() : text_of_sample(json, Length::kFull).c_str());
+  }
+  return process::kDone;
+}
+
+}  // namespace
+
+void add_map_info(CLI::App& parent, Cli& cli) {
+  auto timeout_s = std::make_shared<double>(3.0);
+  Verb(parent, cli, "info", "id, revision, size, place and hash of the map")
+      .option("--timeout", *timeout_s, 0.1, 1e6, "give up after so many seconds")
+      .runs([&cli, timeout_s] { return show_map(cli, *timeout_s); });
+}
+
+}  // namespace aisle::cli

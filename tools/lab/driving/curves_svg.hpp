@@ -1,0 +1,17 @@
+#pragma once
+#include <string>
+#include <vector>
+
+#include "tools/lab/driving/fused_drive.hpp"
+
+namespace aisle::cli {
+
+struct NamedDrive {
+  std::string name;
+  const DriveFigures* figures;
+};
+
+/// Speed above, turn rate below, over time; one colour a drive, with a legend. As an SVG file's text.
+std::string curves_svg(const std::string& title, const std::vector<NamedDrive>& drives);
+
+}  // namespace aisle::cli

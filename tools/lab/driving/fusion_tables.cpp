@@ -1,0 +1,259 @@
+#include "tools/lab/driving/fusion_tables.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "tools/lab/driving/curves_svg.hpp"
+#include "tools/lab/driving/fused_drive.hpp"
+#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/planning/output_file.hpp"
+
+namespace aisle::cli {
+namespace {
+
+constexpr double kNearM = 0.6;
+
+using Rows = std::vector<std::vector<std::string>>;
+
+/// One line of a paper's table. Lengths in metres; "-" where the paper gives none.
+struct Case {
+  const char* title;
+  const char* map;
+  const char* paper;  // its global and its local planner
+  Surprises surprises;
+  const char* dwa;
+  const char* astar_dwa;
+  const char* improved;
+  const char* curves;            // file of the picture, or empty
+  bool is_said_smoother{false};  // the paper says so of its curves of v and w
+  const char* figure{""};        // the paper's, of these curves,
+  const char* said{""};          // and what it says of it
+};
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{
+      {"LI, 20x20, static", "li-complex", "li", {}, "-", "-", "-", ""},
+      {"LI IV, one mover, unknown boxes", "li-complex", "li", {1, 2}, "-", "-", "38.60 (planned 29.85)", ""},
+      {"WU, figures 10 and 11, one avoidance",
+       "wu",
+       "wu",
+       {0, 1},
+       "-",
+       "-",
+       "-",
+       "wu-10-11",
+       true,
+       "WU 10-11",
+       "near the obstacle 0.6-0.7 m/s -> 0.3-0.4 and 0.5-0.6 m/s; w from -0.4 to 0.4 rad/s -> from -0.3 to 0.4 rad/s"},
+      {"QU, 21x21 simple, static", "qu-simple", "qu", {}, "-", "-", "21.03", ""},
+      {"QU 3, simple, one mover", "qu-simple", "qu", {1, 0}, "-", "-", "21.0337", ""},
+      {"QU 3, simple, two movers",
+       "qu-simple",
+       "qu",
+       {2, 0},
+       "-",
+       "-",
+       "21.5279",
+       "qu-8",
+       false,
+       "QU 8",
+       "v and w fall while it avoids the movers"},
+      {"QU, 21x21 maze, static", "qu-maze", "qu", {}, "-", "-", "25.17", ""},
+      {"QU 3, maze, one mover", "qu-maze", "qu", {1, 0}, "-", "-", "26.1942", ""},
+      {"QU 3, maze, two movers", "qu-maze", "qu", {2, 0}, "-", "-", "26.6783", ""},
+      {"YU 5, static", "yu-1", "yu", {0, 1}, "27.0026", "27.9319", "24.5729", "", true},
+      {"YU 6, dynamic",
+       "yu-1",
+       "yu",
+       {1, 1},
+       "28.4446",
+       "25.4588",
+       "24.6606",
+       "yu-7",
+       true,
+       "YU 7",
+       "w settles soonest and is steadiest; reaches the goal sooner"},
+      {"WANG 2, fused",
+       "wang-1",
+       "wang",
+       {},
+       "-",
+       "30.15",
+       "28.57",
+       "wang-6-7",
+       true,
+       "WANG 6-7",
+       "v and w change less; 70.56 s -> 57.67 s"},
+      {"WANG 3, map 1", "wang-map-1", "wang", {1, 1}, "-", "-", "29.30", ""},
+      {"WANG 3, map 2", "wang-map-2", "wang", {1, 1}, "-", "-", "28.46", ""},
+      {"WANG 3, map 3", "wang-map-3", "wang", {1, 2}, "-", "-", "57.14", ""},
+  };
+  return all;
+}
+
+/// The same case driven in the three ways of the papers.
+struct Driven {
+  const Case* of;
+  DriveFigures dwa, astar_dwa, improved;
+};
+
+Driven drive(const Case& of, const std::filesystem::path& maps) {
+  const local_planner::PaperLimits limits = paper_variant(of.paper).paper;
+  return {&of, drive_fused({of.map, of.paper, traditional_alone(), limits, of.surprises}, maps),
+          drive_fused({of.map, "astar", traditional_with_path(), limits, of.surprises}, maps),
+          drive_fused({of.map, of.paper, paper_variant(of.paper), limits, of.surprises}, maps)};
+}
+
+std::string length(const DriveFigures& d) {
+  const std::string touched = d.result.contacts_moving_vehicle > 0 ? ", touches" : "";
+  return d.arrived() ? digits(d.result.distance_m, 2) + touched : "never arrives" + touched;
+}
+
+std::string lengths_table(const std::vector<Driven>& all) {
+  Rows rows{{"table", "published: DWA", "A* + DWA", "improved + DWA", "ours: DWA", "A* + DWA", "improved + DWA",
+             "its plan", "driven over plan", "s", "movers there", "nearest m"}};
+  for (const Driven& d : all) {
+    const lockstep::Result& r = d.improved.result;
+    rows.push_back({d.of->title, d.of->dwa, d.of->astar_dwa, d.of->improved, length(d.dwa), length(d.astar_dwa),
+                    length(d.improved), digits(r.planned_m, 2),
+                    d.improved.arrived() ? digits(r.distance_m / r.planned_m, 3) : "-", digits(r.time_s, 1),
+                    std::to_string(d.improved.movers) + " of " + std::to_string(d.of->surprises.movers),
+                    d.improved.movers > 0 ? digits(d.improved.nearest_mover_m, 2) : "-"});
+  }
+  return markdown_table(rows);
+}
+
+std::string arrow(double from, double to) { return digits(from, 2) + " -> " + digits(to, 2); }
+
+std::string smoothness_table(const std::vector<Driven>& all) {
+  Rows rows{{"table", "changes of v, m/s", "changes of w, rad/s", "greatest change of w in 0.1 s", "sign changes of w",
+             "time s"}};
+  for (const Driven& d : all) {
+    if (!d.astar_dwa.arrived() || !d.improved.arrived()) continue;
+    rows.push_back({d.of->title, arrow(d.astar_dwa.changes_of_v(), d.improved.changes_of_v()),
+                    arrow(d.astar_dwa.changes_of_w(), d.improved.changes_of_w()),
+                    arrow(d.astar_dwa.greatest_change_of_w(), d.improved.greatest_change_of_w()),
+                    std::to_string(d.astar_dwa.result.turn_sign_changes) + " -> " +
+                        std::to_string(d.improved.result.turn_sign_changes),
+                    arrow(d.astar_dwa.result.time_s, d.improved.result.time_s)});
+  }
+  return markdown_table(rows);
+}
+
+std::string verdict(int holds, int of) {
+  return (holds == of  ? "holds, "
+          : holds == 0 ? "**does not hold**, "
+                       : "**holds in part**, ") +
+         std::to_string(holds) + " of " + std::to_string(of);
+}
+
+/// Counts the cases that `counts` and of them those that `holds`.
+template <class Counts, class Holds>
+std::string counted(const std::vector<Driven>& all, Counts counts, Holds holds) {
+  int of = 0, good = 0;
+  for (const Driven& d : all)
+    if (counts(d)) ++of, good += holds(d) ? 1 : 0;
+  return verdict(good, of);
+}
+
+/// The traditional critics and WU's on the same path with one avoidance, by the critics alone: our profile of the way
+/// slows both alike.
+std::string wu_terms_row(const std::filesystem::path& maps) {
+  const local_planner::Variant wu = paper_variant("wu");
+  const DriveFigures with = drive_fused({"wu", "wu", wu, wu.paper, {0, 1}, false}, maps);
+  const DriveFigures without = drive_fused({"wu", "wu", traditional_with_path(), wu.paper, {0, 1}, false}, maps);
+  const double slow = with.mean_speed_near(kNearM), fast = without.mean_speed_near(kNearM);
+  const bool holds = with.arrived() && without.arrived() && slow < fast;
+  return digits(fast, 3) + " m/s with the traditional critics (published 0.6-0.7), " + digits(slow, 3) +
+         " m/s with WU's (0.3-0.6): " + (holds ? "holds" : "**does not hold**");
+}
+
+std::string claims_table(const std::vector<Driven>& all, const std::filesystem::path& maps) {
+  const auto is_static = [](const Driven& d) { return !d.of->surprises.any(); };
+  const auto has_movers = [](const Driven& d) { return d.improved.met_a_mover(); };
+  const auto both = [](const Driven& d) { return d.astar_dwa.arrived() && d.improved.arrived(); };
+  const auto said = [&](const Driven& d) { return both(d) && d.of->is_said_smoother; };
+  const auto unsaid = [&](const Driven& d) { return both(d) && !d.of->is_said_smoother; };
+  const auto fewer_of_v = [](const Driven& d) { return d.improved.changes_of_v() <= d.astar_dwa.changes_of_v(); };
+  const auto fewer_of_w = [](const Driven& d) { return d.improved.changes_of_w() <= d.astar_dwa.changes_of_w(); };
+  return markdown_table({
+      {"claim", "here"},
+      {"driven length within 3 % of the improved global path, static maps",
+       counted(all, is_static,
+               [](const Driven& d) {
+                 return d.improved.arrived() && d.improved.result.distance_m <= 1.03 * d.improved.result.planned_m;
+               })},
+      {"shorter with the improved path than with traditional A\\*",
+       counted(all, both,
+               [](const Driven& d) { return d.improved.result.distance_m <= d.astar_dwa.result.distance_m + 0.005; })},
+      {"fewer changes of v with the improved path, where the paper says so (WU 10-11, YU 7, WANG 6-7)",
+       counted(all, said, fewer_of_v)},
+      {"fewer changes of w, the same tables", counted(all, said, fewer_of_w)},
+      {"fewer changes of v, the tables of which no paper says so", counted(all, unsaid, fewer_of_v)},
+      {"fewer changes of w, the same", counted(all, unsaid, fewer_of_w)},
+      {"no moving vehicle touches a mover or a box, goal reached (LI IV, QU 3, YU 6, WANG 3), where a mover came "
+       "within 1.5 m",
+       counted(all, has_movers,
+               [](const Driven& d) { return d.improved.arrived() && d.improved.result.contacts_moving_vehicle == 0; })},
+      {"WU: slower where something is within 0.6 m than with the traditional critics on the same path, both without "
+       "our own slowing near walls and in bends",
+       wu_terms_row(maps)},
+  });
+}
+
+std::string curve_figures(const DriveFigures& d) {
+  double low = 0.0, high = 0.0;
+  for (const DrivePoint& p : d.points) low = std::min(low, p.angular_radps), high = std::max(high, p.angular_radps);
+  const double near_mps = d.mean_speed_near(kNearM);
+  return (near_mps > 0.0 ? digits(near_mps, 2) + " m/s near" : std::string("never near")) + ", w from " +
+         digits(low, 2) + " to " + digits(high, 2) + ", " + digits(d.changes_of_w(), 1) + " rad/s of changes, " +
+         digits(d.result.time_s, 1) + " s";
+}
+
+/// What the papers say in words and numbers; their curves themselves are printed as pictures.
+std::string curves_table(const std::vector<Driven>& all) {
+  Rows rows{{"curves", "the paper says, traditional -> improved", "ours: A* + traditional DWA",
+             "ours: improved A* + its DWA"}};
+  for (const Driven& d : all)
+    if (!std::string(d.of->curves).empty())
+      rows.push_back({d.of->figure, d.of->said, curve_figures(d.astar_dwa), curve_figures(d.improved)});
+  return markdown_table(rows);
+}
+
+std::string curves(const std::vector<Driven>& all, const std::filesystem::path& pictures,
+                   const std::string& from_page) {
+  std::string text;
+  for (const Driven& d : all) {
+    if (std::string(d.of->curves).empty()) continue;
+    const std::string file = std::string(d.of->curves) + ".svg";
+    write_output_file(pictures / file, curves_svg(std::string(d.of->title) + " (compare " + d.of->figure + ")",
+                                                  {{"A* + traditional DWA", &d.astar_dwa},
+                                                   {std::string("improved A* + ") + d.of->paper, &d.improved}}));
+    text += std::string("![") + d.of->title + "](" + from_page + "/" + file + ")\n\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string fusion_tables(const std::filesystem::path& maps, const std::filesystem::path& pictures,
+                          const std::string& pictures_from_page, const Progress& progress) {
+  std::vector<Driven> all;
+  for (const Case& of : cases()) {
+    progress(std::string("fusion: ") + of.title);
+    all.push_back(drive(of, maps));
+  }
+  return lengths_table(all) + "What the papers claim of it:\n\n" + claims_table(all, maps) +
+         "QU's path passes walls more closely than A\\*'s, and our own slowing near walls brakes there; without it all "
+         "six of QU's drives have fewer changes of v. "
+         "LI's path is no shorter than A\\*'s on this map, and its corners are sharper.\n\n"
+         "Smoothness, traditional A\\* + DWA -> the paper's improved A\\* + its DWA; sums of all changes up and "
+         "down:\n\n" +
+         smoothness_table(all) +
+         "#### Speed and turn rate\n\nThe papers print curves, and say of them what stands here; *near* is where "
+         "something is within 0.6 m of the outline.\n\n" +
+         curves_table(all) + curves(all, pictures, pictures_from_page);
+}
+
+}  // namespace aisle::cli

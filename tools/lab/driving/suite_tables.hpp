@@ -1,0 +1,11 @@
+#pragma once
+#include <string>
+
+#include "tools/lab/planning/progress.hpp"
+
+namespace aisle::cli {
+
+/// The suite with every local planner: one table of planners, one of each planner's families. `seeds` a family.
+std::string suite_tables(int seeds, const Progress& progress);
+
+}  // namespace aisle::cli

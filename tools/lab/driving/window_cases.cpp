@@ -1,0 +1,123 @@
+#include "tools/lab/driving/window_cases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tools/lab/driving/window_svg.hpp"
+#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/planning/output_file.hpp"
+#include "tools/lockstep/building.hpp"
+
+namespace aisle::cli {
+namespace {
+
+using geometry::Point2;
+
+constexpr double kLineM = 5.0;  // y of start and goal
+constexpr double kStartM = 2.0;
+constexpr double kGoalM = 18.0;
+
+lockstep::Setup straight(double aisle_m) {
+  lockstep::Setup setup;
+  setup.grid = lockstep::hall(20.0, 10.0, 0.1);
+  if (aisle_m < 9.0) {
+    lockstep::block(setup.grid, 0.0, 0.0, 20.0, kLineM - 0.5 * aisle_m);
+    lockstep::block(setup.grid, 0.0, kLineM + 0.5 * aisle_m, 20.0, 10.0);
+  }
+  lockstep::add_vehicle(setup, 1, {kStartM, kLineM, 0.0}, {{kGoalM, kLineM, 0.0}});
+  setup.local = "wu";
+  setup.settings.lane.shift_m = 0.0;  // one vehicle alone keeps no side: what it leaves is the path
+  setup.scenario.duration_s = 60.0;
+  return setup;
+}
+
+WindowCase crosser(std::string name, std::string title, double mps, double start_s) {
+  WindowCase of{std::move(name), std::move(title), straight(10.0)};
+  lockstep::add_mover(of.setup, mps, start_s, false, {{10.0, 1.0}, {10.0, 9.0}});
+  return of;
+}
+
+void add_box(lockstep::Setup& setup, double length_m, double width_m) {
+  scenario::Block box;
+  box.id = "box";
+  box.center_in_map = {10.0, kLineM, 0.0};
+  box.length_m = length_m;
+  box.width_m = width_m;
+  setup.scenario.blocks.push_back(box);
+}
+
+WindowScene scene_of(const WindowCase& of, const WindowDrive& drive) {
+  WindowScene scene;
+  scene.title = of.title;
+  scene.start_in_map = {kStartM, kLineM};
+  scene.goal_in_map = {kGoalM, kLineM};
+  scene.vehicle_radius_m = of.setup.scenario.vehicles.front().radius_m;
+  scene.driven_in_map = drive.driven_in_map;
+  for (const scenario::Mover& mover : of.setup.scenario.movers) scene.mover_radius_m = mover.radius_m;
+  scene.mover_in_map = drive.mover_in_map;
+  scene.sub_targets = drive.sub_targets;
+  for (const scenario::Block& b : of.setup.scenario.blocks) {
+    const Point2 half{0.5 * b.length_m, 0.5 * b.width_m};
+    scene.boxes.push_back({b.center_in_map.position() - half, b.center_in_map.position() + half});
+  }
+  return scene;
+}
+
+}  // namespace
+
+std::vector<WindowCase> window_cases() {
+  std::vector<WindowCase> cases;
+  cases.push_back(crosser("window-ahead", "fast crosser passes ahead", 1.5, 0.5));
+  cases.push_back(crosser("window-behind", "slow crosser passes behind", 0.5, 6.5));
+  cases.push_back(crosser("window-collision", "collision course, crossing", 0.8, 2.2));
+  cases.push_back({"window-oncoming", "collision course, oncoming; keeps right, as by default", straight(10.0)});
+  cases.back().setup.settings.lane = {};
+  lockstep::add_mover(cases.back().setup, 0.6, 0.0, false, {{17.0, kLineM}, {2.0, kLineM}});
+  cases.push_back({"window-box", "unknown box on the path", straight(10.0)});
+  add_box(cases.back().setup, 0.8, 0.8);
+  cases.push_back({"window-closed", "aisle closed by something unknown", straight(2.0)});
+  add_box(cases.back().setup, 0.4, 2.4);
+  return cases;
+}
+
+WindowDrive drive_window_case(const WindowCase& of) {
+  WindowDrive drive;
+  double looked_s = 0.0;
+  drive.result = lockstep::run(of.setup, [&](const lockstep::Snapshot& now) {
+    const Point2 here = now.vehicles[0].position();
+    drive.driven_in_map.push_back(here);
+    if (!of.setup.scenario.movers.empty()) drive.mover_in_map.push_back(now.things.front().base_in_map.position());
+    if (const auto& sub_target = now.outputs[0].sub_target_in_map) {
+      drive.sub_targets.push_back({here, *sub_target});
+      drive.sub_target_s += now.t_s - looked_s;
+    }
+    looked_s = now.t_s;
+    drive.farthest_off_m = std::max(drive.farthest_off_m, std::abs(here.y - kLineM));
+    drive.back_on_it_m = std::abs(here.y - kLineM);
+    if (here.x > kStartM + 3.0 && here.x < kGoalM - 3.0)
+      drive.slowest_mps = std::min(drive.slowest_mps, now.outputs[0].twist.linear_mps);
+    drive.asked_for_a_plan = drive.asked_for_a_plan || now.outputs[0].phase == local_planner::Phase::kBlocked;
+  });
+  return drive;
+}
+
+std::string window_section(const std::filesystem::path& pictures, const std::string& pictures_from_page,
+                           const Progress& progress) {
+  std::vector<std::vector<std::string>> rows{{"case", "goal", "contacts", "farthest off the path m",
+                                              "off it at the end m", "slowest m/s", "aimed at a sub-target s",
+                                              "asked for another plan"}};
+  std::string shown;
+  for (const WindowCase& of : window_cases()) {
+    progress("window: " + of.title);
+    const WindowDrive d = drive_window_case(of);
+    rows.push_back({of.title, d.result.goals_reached == 1 ? "reached" : "not reached",
+                    std::to_string(d.result.contacts), digits(d.farthest_off_m, 2), digits(d.back_on_it_m, 2),
+                    digits(d.slowest_mps, 2), digits(d.sub_target_s, 1), d.asked_for_a_plan ? "yes" : "no"});
+    write_output_file(pictures / (of.name + ".svg"), window_svg(of.setup.grid, scene_of(of, d)));
+    shown += "![" + of.title + "](" + pictures_from_page + "/" + of.name + ".svg)\n\n";
+  }
+  return markdown_table(rows) + shown;
+}
+
+}  // namespace aisle::cli

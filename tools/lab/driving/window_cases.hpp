@@ -1,0 +1,40 @@
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "common/geometry/pose.hpp"
+#include "tools/lab/driving/window_svg.hpp"
+#include "tools/lab/planning/progress.hpp"
+#include "tools/lockstep/simulation.hpp"
+
+namespace aisle::cli {
+
+/// One of the situations of WU's rolling window, in a hall of 20 x 10 m, planner `wu`.
+struct WindowCase {
+  std::string name;  // of the picture's file
+  std::string title;
+  lockstep::Setup setup;
+};
+/// A crosser who passes ahead, one who passes behind, one on collision course, one who comes towards it, an unknown
+/// box, an aisle that is closed.
+std::vector<WindowCase> window_cases();
+
+struct WindowDrive {
+  lockstep::Result result;
+  std::vector<geometry::Point2> driven_in_map;
+  std::vector<geometry::Point2> mover_in_map;
+  std::vector<WindowScene::Aimed> sub_targets;  // where it aimed instead of along the path
+  double sub_target_s{0.0};                     // for how long
+  double farthest_off_m{0.0};                   // from the straight line to the goal
+  double back_on_it_m{0.0};                     // how far off it is where it ends
+  double slowest_mps{1e9};                      // between the first and the last 3 m
+  bool asked_for_a_plan{false};                 // was blocked
+};
+WindowDrive drive_window_case(const WindowCase& of);
+
+/// All of them as a table, with a picture each.
+std::string window_section(const std::filesystem::path& pictures, const std::string& pictures_from_page,
+                           const Progress& progress);
+
+}  // namespace aisle::cli

@@ -1,0 +1,22 @@
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "tools/lab/planning/progress.hpp"
+
+namespace aisle::cli {
+
+struct GlobalExperiment {
+  std::filesystem::path maps;      // folder of the papers' maps
+  std::filesystem::path pictures;  // folder that pictures are written to; must exist
+  std::string pictures_from_page;  // the same, as the page links to it
+  std::filesystem::path data;      // reference data (movingai, ros, queries); empty: that part is left out
+  int random_maps{1000};           // a density
+  int queries{50};                 // a real map
+};
+
+/// The section on global planning of docs/experiments.md. The same text for the same orders: nothing in it depends on
+/// the machine.
+std::string global_section(const GlobalExperiment& orders, const Progress& progress);
+
+}  // namespace aisle::cli

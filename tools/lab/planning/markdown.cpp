@@ -1,0 +1,36 @@
+#include "tools/lab/planning/markdown.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace aisle::cli {
+
+std::string markdown_table(const std::vector<std::vector<std::string>>& rows) {
+  std::string text;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    text += "|";
+    for (const std::string& cell : rows[i]) text += " " + cell + " |";
+    text += "\n";
+    if (i > 0) continue;
+    text += "|";
+    for (std::size_t column = 0; column < rows[0].size(); ++column) text += column == 0 ? " --- |" : " ---: |";
+    text += "\n";
+  }
+  return text + "\n";
+}
+
+std::string digits(double value, int after_point) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, after_point) : "-";
+}
+
+std::string with_section(const std::string& page, const std::string& name, const std::string& text) {
+  const std::string begin = "<!-- " + name + ": begin -->\n";
+  const std::string end = "<!-- " + name + ": end -->\n";
+  const std::size_t from = page.find(begin);
+  const std::size_t to = from == std::string::npos ? std::string::npos : page.find(end, from);
+  if (to == std::string::npos) return page + (page.empty() ? "# Experiments\n\n" : "\n") + begin + text + end;
+  return page.substr(0, from) + begin + text + page.substr(to);
+}
+
+}  // namespace aisle::cli

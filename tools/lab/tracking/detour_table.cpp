@@ -1,0 +1,84 @@
+#include "tools/lab/tracking/detour_table.hpp"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "common/config/reader.hpp"
+#include "tools/lab/planning/markdown.hpp"
+#include "tools/lockstep/families.hpp"
+#include "tools/lockstep/suite.hpp"
+
+namespace aisle::cli {
+namespace {
+
+using lockstep::Perception;
+
+/// Several drives, and how far beyond their plans they went.
+struct Drives {
+  lockstep::Totals totals;
+  double planned_m{0.0};
+
+  void add(const lockstep::Result& result) {
+    totals.add(result);
+    planned_m += result.planned_m;
+  }
+  void add(const Drives& others) {
+    totals.add(others.totals);
+    planned_m += others.planned_m;
+  }
+};
+
+Drives drive(const std::string& family, Perception perception, int seeds) {
+  Drives drives;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    lockstep::Setup setup = lockstep::make_setup(family, static_cast<std::uint64_t>(seed));
+    setup.perception = perception;
+    const std::string local = setup.local;
+    drives.add(lockstep::run_in_time(std::move(setup), local));
+  }
+  return drives;
+}
+
+std::vector<std::string> cells(const std::string& family, const std::string& tracks, const Drives& drives) {
+  const lockstep::Totals& t = drives.totals;
+  return {family,
+          tracks,
+          std::to_string(t.goals_reached) + " of " + std::to_string(t.goals_assigned),
+          std::to_string(t.contacts_moving_vehicle),
+          digits(t.least_clearance_m, 3),
+          digits(t.distance_m / t.runs, 2),
+          digits((t.distance_m - drives.planned_m) / t.runs, 2),
+          digits(t.time_s / t.runs, 1),
+          std::to_string(t.replans)};
+}
+
+}  // namespace
+
+std::string detour_table(int seeds, const Progress& progress) {
+  std::vector<std::vector<std::string>> table{{"family", "tracks", "goals", "contacts of a moving vehicle",
+                                               "least clearance m", "length m", "beyond the plan m", "time s",
+                                               "new plans"}};
+  Drives predicted;
+  Drives held_still;
+  for (const char* family : {"person-crossing", "person-oncoming", "overtaking", "crowd"}) {
+    progress(std::string("tracking: detours, ") + family);
+    try {
+      const Drives with = drive(family, Perception::kScans, seeds);
+      const Drives without = drive(family, Perception::kScansHeldStill, seeds);
+      table.push_back(cells(family, "predicted", with));
+      table.push_back(cells(family, "held still", without));
+      predicted.add(with);
+      held_still.add(without);
+    } catch (const config::BadInput&) {
+      table.push_back({family, "left out: the recordings are not there", "", "", "", "", "", "", ""});
+    }
+  }
+  if (predicted.totals.runs > 0) {
+    table.push_back(cells("all", "predicted", predicted));
+    table.push_back(cells("all", "held still", held_still));
+  }
+  return markdown_table(table);
+}
+
+}  // namespace aisle::cli

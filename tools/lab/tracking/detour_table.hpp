@@ -1,0 +1,12 @@
+#pragma once
+#include <string>
+
+#include "tools/lab/planning/progress.hpp"
+
+namespace aisle::cli {
+
+/// What prediction is worth: the suite's drives among people with the tracks' velocities, and with every track held
+/// still, `seeds` of each family. A Markdown table; the same for the same seeds.
+std::string detour_table(int seeds, const Progress& progress);
+
+}  // namespace aisle::cli
