@@ -1,0 +1,120 @@
+// A fault plan laid out for the processes of a site.
+#include "tools/sim/fault_schedule.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace aisle::sim {
+namespace {
+
+using Kind = FaultAction::Kind;
+using ::testing::HasSubstr;
+
+const std::vector<std::string> kServices{"map", "local-planner-agv-1", "local-planner-agv-2"};
+const std::vector<std::string> kWorld{"fake-vehicle-agv-1"};
+
+TEST(FaultSchedule, WhatIsDoneIsUndoneLaterAndAtTheLatestWhenThePlanStops) {
+  FaultPlan plan;
+  plan.stop_s = 20.0;
+  Crash crash;
+  crash.process = "map";
+  crash.at_s = 5.0;
+  crash.every_s = 10.0;
+  crash.restart_after_s = 8.0;
+  plan.crashes.push_back(crash);
+  const std::vector<FaultAction> actions = schedule(plan, kServices, kWorld, 1);
+  ASSERT_EQ(actions.size(), 4u);
+  EXPECT_EQ(actions[0].kind, Kind::kCrash);
+  EXPECT_EQ(actions[0].t_s, 5.0);
+  EXPECT_EQ(actions[1].kind, Kind::kStart);
+  EXPECT_EQ(actions[1].t_s, 13.0);
+  EXPECT_EQ(actions[2].t_s, 15.0);
+  EXPECT_EQ(actions[3].kind, Kind::kStart);
+  EXPECT_EQ(actions[3].t_s, 20.0) << "not at 23 s: the plan stops";
+}
+
+TEST(FaultSchedule, NothingBeginsAfterThePlanStopped) {
+  FaultPlan plan;
+  plan.stop_s = 4.0;
+  plan.hangs.resize(1);
+  plan.hangs[0].at_s = 5.0;
+  plan.links.resize(1);
+  plan.links[0].begin_s = 5.0;
+  EXPECT_TRUE(schedule(plan, kServices, kWorld, 1).empty());
+}
+
+TEST(FaultSchedule, APatternDrawsOneServiceEachTimeAndNeverThePartsOfTheWorld) {
+  FaultPlan plan;
+  plan.stop_s = 1000.0;
+  plan.hangs.resize(1);
+  plan.hangs[0].every_s = 1.0;
+  std::set<std::string> hit;
+  for (const FaultAction& action : schedule(plan, kServices, kWorld, 1)) hit.insert(action.process);
+  EXPECT_EQ(hit, std::set<std::string>(kServices.begin(), kServices.end()));
+}
+
+TEST(FaultSchedule, TheSameSeedDrawsTheSameAndAnotherDoesNot) {
+  FaultPlan plan;
+  plan.hangs.resize(1);
+  plan.hangs[0].every_s = 1.0;
+  const auto names = [&](std::uint64_t seed) {
+    std::string all;
+    for (const FaultAction& action : schedule(plan, kServices, kWorld, seed)) all += action.process + " ";
+    return all;
+  };
+  EXPECT_EQ(names(3), names(3));
+  EXPECT_NE(names(3), names(4));
+}
+
+TEST(FaultSchedule, APartOfTheWorldIsHitWhereItIsNamedInFull) {
+  FaultPlan plan;
+  plan.crashes.resize(1);
+  plan.crashes[0].process = "fake-vehicle-agv-1";
+  EXPECT_EQ(schedule(plan, kServices, kWorld, 1).front().process, "fake-vehicle-agv-1");
+}
+
+TEST(FaultSchedule, ACutJoinsTwoDifferentProcesses) {
+  FaultPlan plan;
+  plan.stop_s = 1000.0;
+  plan.cuts.resize(1);
+  plan.cuts[0].every_s = 1.0;
+  for (const FaultAction& action : schedule(plan, kServices, kWorld, 1)) EXPECT_NE(action.process, action.to);
+}
+
+TEST(FaultSchedule, ANameThatFitsNobodyIsRefusedWithTheNearest) {
+  FaultPlan plan;
+  plan.crashes.resize(1);
+  plan.crashes[0].process = "mapp";
+  try {
+    schedule(plan, kServices, kWorld, 1);
+    FAIL() << "was taken";
+  } catch (const config::BadInput& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("did you mean 'map'"));
+  }
+}
+
+TEST(FaultSchedule, HarmsOfOneLinkAddUpWhileTheyLast) {
+  FaultPlan plan;
+  plan.stop_s = 60.0;
+  plan.links.resize(2);
+  plan.links[0].loss = 0.5;
+  plan.links[0].delay_ms = 10.0;
+  plan.links[1].from = "map";
+  plan.links[1].begin_s = 10.0;
+  plan.links[1].for_s = 10.0;
+  plan.links[1].loss = 0.5;
+  plan.links[1].delay_ms = 20.0;
+  EXPECT_DOUBLE_EQ(harm_at(plan, 5.0, "map", "x").loss, 0.5);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 10.0, "map", "x").loss, 0.75);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 10.0, "map", "x").delay_ms, 30.0);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 10.0, "x", "map").loss, 0.5);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 20.0, "map", "x").loss, 0.5);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 60.0, "map", "x").loss, 0.0) << "the plan stopped";
+}
+
+}  // namespace
+}  // namespace aisle::sim

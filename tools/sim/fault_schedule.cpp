@@ -1,0 +1,160 @@
+#include "tools/sim/fault_schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "common/config/nearest_name.hpp"
+#include "common/scenario/variation.hpp"
+
+namespace aisle::sim {
+namespace {
+
+using Kind = FaultAction::Kind;
+
+class Layout {
+ public:
+  Layout(const FaultPlan& plan, const std::vector<std::string>& services, const std::vector<std::string>& others,
+         std::uint64_t seed)
+      : plan_(plan), services_(services), others_(others), random_(scenario::random_for(seed, "faults")) {}
+
+  std::vector<FaultAction> all() {
+    add_links();
+    for (const Cut& cut : plan_.cuts) add_cut(cut);
+    for (const Crash& crash : plan_.crashes)
+      add_pair(crash, crash.process, crash.restart_after_s, Kind::kCrash, Kind::kStart);
+    for (const Hang& hang : plan_.hangs) add_pair(hang, hang.process, hang.for_s, Kind::kHang, Kind::kGoOn);
+    for (const ClockJump& jump : plan_.clock_jumps) {
+      for (const double t_s : times_of(jump))
+        actions_.push_back({t_s, Kind::kClockJump, one_of(jump.process), "", false, jump.by_s});
+    }
+    for (const DiskFault& disk : plan_.disks) add_disk(disk);
+    std::stable_sort(actions_.begin(), actions_.end(),
+                     [](const FaultAction& a, const FaultAction& b) { return a.t_s < b.t_s; });
+    return std::move(actions_);
+  }
+
+ private:
+  std::vector<double> times_of(const Occasion& occasion) const {
+    std::vector<double> times;
+    for (int i = 0;; ++i) {
+      const double t_s = occasion.at_s + i * occasion.every_s;
+      if (t_s >= plan_.stop_s) return times;
+      times.push_back(t_s);
+      if (occasion.every_s <= 0.0) return times;
+    }
+  }
+
+  std::string one_of(const std::string& pattern) {
+    std::vector<std::string> fitting;
+    for (const std::string& name : services_)
+      if (is_named(pattern, name)) fitting.push_back(name);
+    for (const std::string& name : others_)
+      if (pattern == name) fitting.push_back(name);
+    if (fitting.empty()) refuse(pattern);
+    return fitting[random_() % fitting.size()];
+  }
+
+  [[noreturn]] void refuse(const std::string& pattern) const {
+    std::vector<std::string> known = services_;
+    known.insert(known.end(), others_.begin(), others_.end());
+    const std::string nearest = config::nearest_name(pattern, known);
+    std::string names;
+    for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
+    throw config::BadInput("fault plan: no process is named '" + pattern + "'; " +
+                           (nearest.empty() ? "" : "did you mean '" + nearest + "'? ") + "there are " + names);
+  }
+
+  void add_links() {
+    for (const LinkFault& link : plan_.links) {
+      if (link.begin_s >= plan_.stop_s) continue;
+      actions_.push_back({link.begin_s, Kind::kLinksChange});
+      actions_.push_back({std::min(link.begin_s + link.for_s, plan_.stop_s), Kind::kLinksChange});
+    }
+  }
+
+  void add_cut(const Cut& cut) {
+    for (const double t_s : times_of(cut)) {
+      const std::string from = one_of(cut.from);
+      std::string to = one_of(cut.to);
+      while (to == from && cut.to.find('*') != std::string::npos && services_.size() > 1) to = one_of(cut.to);
+      actions_.push_back({t_s, Kind::kCut, from, to, cut.both_ways});
+      actions_.push_back({std::min(t_s + cut.for_s, plan_.stop_s), Kind::kHeal, from, to, cut.both_ways});
+    }
+  }
+
+  void add_pair(const Occasion& occasion, const std::string& process, double for_s, Kind begin, Kind end) {
+    for (const double t_s : times_of(occasion)) {
+      const std::string name = one_of(process);
+      actions_.push_back({t_s, begin, name});
+      actions_.push_back({std::min(t_s + for_s, plan_.stop_s), end, name});
+    }
+  }
+
+  void add_disk(const DiskFault& disk) {
+    if (disk.kind == "full") return add_pair(disk, disk.process, disk.for_s, Kind::kDiskFull, Kind::kDiskFree);
+    const Kind kind = disk.kind == "torn" ? Kind::kFilesTorn : Kind::kFilesLost;
+    for (const double t_s : times_of(disk)) actions_.push_back({t_s, kind, one_of(disk.process)});
+  }
+
+  const FaultPlan& plan_;
+  const std::vector<std::string>& services_;
+  const std::vector<std::string>& others_;
+  std::mt19937_64 random_;
+  std::vector<FaultAction> actions_;
+};
+
+/// Of two causes of which each hits a share of the packets.
+double either(double a, double b) { return 1.0 - (1.0 - a) * (1.0 - b); }
+
+}  // namespace
+
+const char* name_of(FaultAction::Kind kind) {
+  switch (kind) {
+    case Kind::kCut:
+      return "cut";
+    case Kind::kCrash:
+      return "crash";
+    case Kind::kHang:
+      return "hang";
+    case Kind::kClockJump:
+      return "clock_jump";
+    case Kind::kDiskFull:
+      return "disk_full";
+    case Kind::kFilesTorn:
+      return "files_torn";
+    case Kind::kFilesLost:
+      return "files_lost";
+    case Kind::kLinksChange:
+    case Kind::kHeal:
+    case Kind::kStart:
+    case Kind::kGoOn:
+    case Kind::kDiskFree:
+      return "";
+  }
+  return "";
+}
+
+std::vector<FaultAction> schedule(const FaultPlan& plan, const std::vector<std::string>& services,
+                                  const std::vector<std::string>& others, std::uint64_t seed) {
+  return Layout(plan, services, others, seed).all();
+}
+
+LinkFault harm_at(const FaultPlan& plan, double t_s, const std::string& from, const std::string& to) {
+  LinkFault all;
+  all.reorder_ms = 0.0;
+  if (t_s >= plan.stop_s) return all;
+  for (const LinkFault& link : plan.links) {
+    if (t_s < link.begin_s || t_s >= link.begin_s + link.for_s) continue;
+    if (!is_named(link.from, from) || !is_named(link.to, to)) continue;
+    all.loss = either(all.loss, link.loss);
+    all.duplicates = either(all.duplicates, link.duplicates);
+    all.reordered = either(all.reordered, link.reordered);
+    all.delay_ms += link.delay_ms;
+    all.jitter_ms += link.jitter_ms;
+    if (link.reordered > 0.0) all.reorder_ms = std::max(all.reorder_ms, link.reorder_ms);
+  }
+  return all;
+}
+
+}  // namespace aisle::sim

@@ -1,0 +1,50 @@
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tools/sim/fault_plan.hpp"
+
+namespace aisle::sim {
+
+/// One thing that is done to the site at one moment.
+struct FaultAction {
+  enum class Kind {
+    kLinksChange,  // links begin or end to be harmed
+    kCut,
+    kHeal,
+    kCrash,
+    kStart,
+    kHang,
+    kGoOn,
+    kClockJump,
+    kDiskFull,
+    kDiskFree,
+    kFilesTorn,
+    kFilesLost
+  };
+  double t_s{0.0};
+  Kind kind{Kind::kLinksChange};
+  std::string process{};  // of a cut: where the messages come from
+  std::string to{};       // of a cut
+  bool both_ways{false};
+  double by_s{0.0};  // of a clock jump
+};
+
+/// "crash", "cut", ...; how it is counted. Empty for what only ends another fault.
+const char* name_of(FaultAction::Kind kind);
+
+/// A plan laid out for one site: which process is hit when. Where a pattern names several processes, one is drawn for
+/// each occasion; the draw depends on plan, names and seed only. In the order of time; nothing begins at or after the
+/// plan's stop_s, and what is still under way then ends there.
+/// @param services names of the processes that may be hit by a pattern
+/// @param others further names that may be hit where the plan names them in full
+/// @throws config::BadInput for a name or pattern that fits none of them
+std::vector<FaultAction> schedule(const FaultPlan& plan, const std::vector<std::string>& services,
+                                  const std::vector<std::string>& others, std::uint64_t seed);
+
+/// How messages from `from` to `to` are harmed at `t_s`, all links of the plan together: losses of independent causes,
+/// delays one after the other.
+LinkFault harm_at(const FaultPlan& plan, double t_s, const std::string& from, const std::string& to);
+
+}  // namespace aisle::sim
