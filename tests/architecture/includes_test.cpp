@@ -121,8 +121,11 @@ Strings allowed_rooms(const std::string& file) {
   if (begins_with(file, "common/")) return {"common/"};
   const Strings for_cores{"common/geometry/", "common/grid/",   "common/kinematics/",
                           "common/time/",     "common/config/", "common/scenario/"};
-  if (begins_with(file, "tools/referee/"))
-    return begins_with(file, "tools/referee/core/") ? for_cores : Strings{"common/"};
+  // Pictures of maps and curves know nothing of vehicles, so that the referee may use them and share no planner.
+  if (begins_with(file, "tools/draw/")) return {"common/geometry/", "common/grid/"};
+  if (begins_with(file, "tools/referee/core/")) return for_cores;
+  if (begins_with(file, "tools/referee/report/")) return {"common/", "tools/draw/"};
+  if (begins_with(file, "tools/referee/")) return {"common/"};
   const std::string core = core_of(file);
   if (!core.empty()) {
     Strings rooms = for_cores;
@@ -130,7 +133,8 @@ Strings allowed_rooms(const std::string& file) {
     return rooms;
   }
   // The laboratory and `aisle drive` run the lock-step simulator and draw its runs as the referee draws real ones.
-  Strings for_runs{"common/", "services/", "tools/lockstep/", "tools/referee/core/", "tools/referee/report/"};
+  Strings for_runs{"common/",     "services/",           "tools/lockstep/",
+                   "tools/draw/", "tools/referee/core/", "tools/referee/report/"};
   if (begins_with(file, "tools/lab/")) return for_runs;
   if (begins_with(file, "tools/cli/")) {
     for_runs.push_back("tools/lab/");

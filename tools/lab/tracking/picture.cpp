@@ -2,55 +2,26 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
+#include <cmath>
+
+#include "tools/draw/colours.hpp"
+#include "tools/draw/map_frame.hpp"
+#include "tools/draw/walls.hpp"
 
 namespace aisle::tracking {
 namespace {
 
 using geometry::Point2;
 
-constexpr double kEdge_px = 800.0;
-constexpr std::array<const char*, 8> kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                              "#e69f00", "#56b4e9", "#6a3d9a", "#b2182b"};
+constexpr double kEdgePx = 800.0;
+constexpr double kVehicleRadiusM = 0.35;
+constexpr std::size_t kTrackColours = 8;
 
-struct Sheet {
-  grid::Geometry geometry;
-  double px_per_m;
-  double x(Point2 p) const { return (p.x - geometry.origin_in_map.x) * px_per_m; }
-  double y(Point2 p) const { return height_px() - (p.y - geometry.origin_in_map.y) * px_per_m; }
-  double width_px() const { return geometry.width * geometry.resolution_m * px_per_m; }
-  double height_px() const { return geometry.height * geometry.resolution_m * px_per_m; }
-};
-
-Sheet sheet_of(const grid::OccupancyGrid& walls) {
-  const grid::Geometry& g = walls.geometry();
-  return {g, kEdge_px / (std::max(g.width, g.height) * g.resolution_m)};
-}
-
-std::string walls_layer(const grid::OccupancyGrid& walls, const Sheet& sheet) {
-  const grid::Geometry& g = walls.geometry();
-  const double cell_px = g.resolution_m * sheet.px_per_m;
-  std::string path;
-  for (int y = 0; y < g.height; ++y) {
-    for (int x = 0; x < g.width; ++x) {
-      if (walls.at({x, y}) != grid::Occupancy::kOccupied) continue;
-      const int first = x;
-      while (x + 1 < g.width && walls.at({x + 1, y}) == grid::Occupancy::kOccupied) ++x;
-      const double run_px = (x + 1 - first) * cell_px;
-      path += fmt::format("M{:.5g} {:.5g}h{:.5g}v{:.5g}h{:.5g}z", first * cell_px, (g.height - y - 1) * cell_px, run_px,
-                          cell_px, -run_px);
-    }
-  }
-  return fmt::format("<path d=\"{}\" fill=\"#4a5462\"/>\n", path);
-}
-
-std::string line(const std::vector<Point2>& way, const Sheet& sheet, const char* colour, double width_px) {
-  std::string points;
-  for (const Point2 p : way) points += fmt::format("{:.1f},{:.1f} ", sheet.x(p), sheet.y(p));
-  return fmt::format(
-      "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"/>\n", points,
-      colour, width_px);
+std::string line(const std::vector<Point2>& way, const draw::MapFrame& frame, const char* colour, double width_px) {
+  return draw::polyline(frame, way,
+                        fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"", colour,
+                                    width_px)) +
+         "\n";
 }
 
 /// Points nearer than this to the one before are left out.
@@ -74,20 +45,19 @@ void Picture::look(const Glance& now) {
 }
 
 std::string Picture::svg() const {
-  const Sheet sheet = sheet_of(walls_);
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\">\n<rect width=\"100%\" height=\"100%\" "
-      "fill=\"#ffffff\"/>\n",
-      sheet.width_px(), sheet.height_px());
-  svg += walls_layer(walls_, sheet);
-  for (const auto& [id, way] : people_) svg += line(way, sheet, "#c4cad3", 5.0);
-  for (const auto& [id, way] : tracks_) svg += line(way, sheet, kColours[id % kColours.size()], 1.5);
-  for (const auto& [id, way] : vehicles_) {
-    svg += line(way, sheet, "#111111", 1.0);
-    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" fill=\"#111111\"/>\n", sheet.x(way.front()),
-                       sheet.y(way.front()), 0.35 * sheet.px_per_m);
-  }
-  return svg + "</svg>\n";
+  const draw::MapFrame frame = draw::fitted_frame(walls_.geometry(), kEdgePx);
+  std::string body = draw::path(draw::boxes_path(frame, draw::grid_layers(walls_).occupied, draw::Digits::kFine),
+                                fmt::format("fill=\"{}\"", draw::kWall)) +
+                     "\n";
+  for (const auto& [id, way] : people_) body += line(way, frame, "#c4cad3", 5.0);
+  for (const auto& [id, way] : tracks_) body += line(way, frame, draw::colour(id, kTrackColours), 1.5);
+  for (const auto& [id, way] : vehicles_)
+    body +=
+        line(way, frame, "#111111", 1.0) + draw::disc(frame, way.front(), kVehicleRadiusM, "fill=\"#111111\"") + "\n";
+  draw::Page page{static_cast<int>(std::lround(frame.width_px())), static_cast<int>(std::lround(frame.height_px()))};
+  page.background = "#ffffff";
+  page.fills_container = true;
+  return draw::document(page, body);
 }
 
 }  // namespace aisle::tracking

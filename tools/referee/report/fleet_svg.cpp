@@ -4,29 +4,40 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <limits>
+#include <optional>
 #include <set>
 #include <utility>
 
-#include "tools/referee/report/picture.hpp"
+#include "tools/draw/colours.hpp"
+#include "tools/draw/legend.hpp"
+#include "tools/draw/map_frame.hpp"
+#include "tools/draw/svg.hpp"
+#include "tools/draw/walls.hpp"
+#include "tools/referee/report/style.hpp"
 
 namespace aisle::referee {
 namespace {
 
+using draw::MapFrame;
 using geometry::Point2;
-using Out = std::back_insert_iterator<std::string>;
 
-constexpr double kWidth_px = 1400.0;
-constexpr double kLargest_height_px = 1050.0;
-constexpr double kMargin_px = 28.0;
-constexpr double kHeader_px = 118.0;
-constexpr double kAround_m = 3.0;
-/// From this share of the map on, all of it is shown.
-constexpr double kNearlyAll = 0.55;
+constexpr double kWidthPx = 1400.0;
+constexpr double kLargestHeightPx = 1050.0;
+constexpr double kMarginPx = 28.0;
+constexpr double kHeaderPx = 118.0;
+constexpr double kAroundM = 3.0;
+constexpr double kNearlyAll = 0.55;  // from this share of the map on, all of it is shown
+constexpr double kStepPx = 6.0;      // between a person's dots
+constexpr double kJumpM = 1.0;       // between two moments of a vehicle: it was set down anew
+constexpr double kSamePlaceM = 0.2;  // goals nearer than this share a flag
+constexpr double kLongestScalePx = 170.0;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Area {
-  Point2 low{1e18, 1e18};
-  Point2 high{-1e18, -1e18};
+  Point2 low{kInfinity, kInfinity};
+  Point2 high{-kInfinity, -kInfinity};
   void hold(Point2 p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
@@ -51,197 +62,214 @@ Area area_of(const RunReport& report, const Walls& walls) {
   all.hold(walls.low_in_map());
   all.hold(walls.high_in_map());
   Area shown;
-  shown.hold({std::max(all.low.x, busy.low.x - kAround_m), std::max(all.low.y, busy.low.y - kAround_m)});
-  shown.hold({std::min(all.high.x, busy.high.x + kAround_m), std::min(all.high.y, busy.high.y + kAround_m)});
+  shown.hold({std::max(all.low.x, busy.low.x - kAroundM), std::max(all.low.y, busy.low.y - kAroundM)});
+  shown.hold({std::min(all.high.x, busy.high.x + kAroundM), std::min(all.high.y, busy.high.y + kAroundM)});
   return busy.low.x > busy.high.x || shown.square_m() > kNearlyAll * all.square_m() ? all : shown;
 }
 
-Frame frame_of(const Area& area) {
-  Frame frame{area.low, area.high, kMargin_px, kHeader_px, 1.0};
-  frame.px_per_m = std::min((kWidth_px - 2.0 * kMargin_px) / (area.high.x - area.low.x),
-                            kLargest_height_px / (area.high.y - area.low.y));
-  frame.left_px = 0.5 * (kWidth_px - frame.width_px());
+MapFrame frame_of(const Area& area) {
+  MapFrame frame{area.low, area.high, kMarginPx, kHeaderPx, 1.0};
+  frame.px_per_m = std::min((kWidthPx - 2.0 * kMarginPx) / (area.high.x - area.low.x),
+                            kLargestHeightPx / (area.high.y - area.low.y));
+  frame.left_px = 0.5 * (kWidthPx - frame.width_px());
   return frame;
 }
 
-void draw_walls(Out out, const Frame& f, const Walls& walls) {
-  fmt::format_to(
-      out, "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"#ffffff\" stroke=\"#cbd2d9\"/>\n",
-      f.left_px, f.top_px, f.width_px(), f.height_px());
-  fmt::format_to(out, "<path fill=\"#3e4c59\" shape-rendering=\"crispEdges\" d=\"");
+std::string filled(const char* colour) { return fmt::format("fill=\"{}\"", colour); }
+
+std::string walls_layer(const MapFrame& f, const Walls& walls) {
+  std::vector<draw::Box> shown;
   for (const WallBox& box : walls.boxes()) {
-    if (box.high.x < f.low_in_map.x || box.low.x > f.high_in_map.x || box.high.y < f.low_in_map.y ||
-        box.low.y > f.high_in_map.y)
-      continue;
-    fmt::format_to(out, "M{:.1f} {:.1f}h{:.1f}v{:.1f}h{:.1f}z", f.x(box.low.x), f.y(box.high.y),
-                   (box.high.x - box.low.x) * f.px_per_m, (box.high.y - box.low.y) * f.px_per_m,
-                   -(box.high.x - box.low.x) * f.px_per_m);
+    const bool is_outside = box.high.x < f.low_in_map.x || box.low.x > f.high_in_map.x || box.high.y < f.low_in_map.y ||
+                            box.low.y > f.high_in_map.y;
+    if (!is_outside) shown.push_back({box.low, box.high});
   }
-  fmt::format_to(out, "\"/>\n");
+  return draw::rect(f.left_px, f.top_px, f.width_px(), f.height_px(),
+                    fmt::format("fill=\"#ffffff\" stroke=\"{}\"", draw::kBorder)) +
+         "\n" +
+         draw::path(draw::boxes_path(f, shown, draw::Digits::kTenth),
+                    "fill=\"#3e4c59\" shape-rendering=\"crispEdges\"") +
+         "\n";
 }
 
-void draw_edits(Out out, const Frame& f, const std::vector<EditRow>& edits) {
+std::string edits_layer(const MapFrame& f, const std::vector<EditRow>& edits) {
+  std::string svg;
   for (const EditRow& edit : edits) {
     if (edit.outline_in_map.empty()) continue;
-    fmt::format_to(out,
-                   "<path d=\"{}z\" fill=\"url(#{})\" stroke=\"{}\" stroke-width=\"1.5\"><title>{} {}: {} at {:.1f} "
-                   "s</title></path>\n",
-                   path_of(f, edit.outline_in_map), edit.block ? "blocked" : "freed",
-                   edit.block ? "#b7791f" : "#2f855a", edit.block ? "block" : "unblock", escaped(edit.edit_id),
-                   escaped(edit.outcome), edit.asked_s);
+    svg += draw::path(draw::path_along(f, edit.outline_in_map) + "z",
+                      fmt::format("fill=\"url(#{})\" stroke=\"{}\" stroke-width=\"1.5\"",
+                                  edit.block ? "blocked" : "freed", edit.block ? kBlocked : kGood),
+                      fmt::format("{} {}: {} at {:.1f} s", edit.block ? "block" : "unblock", edit.edit_id, edit.outcome,
+                                  edit.asked_s)) +
+           "\n";
   }
+  return svg;
 }
 
-std::string outline_path(const Frame& f, const Shape& shape, const geometry::Pose2& pose) {
-  const double l = 0.5 * shape.length_m + shape.radius_m;
-  const double w = 0.5 * shape.width_m + shape.radius_m;
-  return path_of(f, {geometry::to_map(pose, {l, w}), geometry::to_map(pose, {-l, w}), geometry::to_map(pose, {-l, -w}),
-                     geometry::to_map(pose, {l, -w})}) +
-         "z";
-}
-
-void draw_outline(Out out, const Frame& f, const Shape& shape, const geometry::Pose2& pose, const std::string& style) {
-  if (shape.is_disc()) {
-    fmt::format_to(out, "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\" {}/>\n", f.x(pose.x), f.y(pose.y),
-                   shape.radius_m * f.px_per_m, style);
-  } else {
-    fmt::format_to(out, "<path d=\"{}\" {}/>\n", outline_path(f, shape, pose), style);
-  }
+std::string outline(const MapFrame& f, const Shape& shape, const geometry::Pose2& middle_in_map,
+                    const std::string& attributes) {
+  const double rim_m = 2.0 * shape.radius_m;
+  return (shape.is_disc()
+              ? draw::disc(f, middle_in_map.position(), shape.radius_m, attributes)
+              : draw::turned_rect(f, middle_in_map, shape.length_m + rim_m, shape.width_m + rim_m, attributes)) +
+         "\n";
 }
 
 /// One dot for each place, however often somebody walked there: dashes that overlap would look like a line.
-void draw_steps(Out out, const Frame& f, const BodyTrace& body) {
+std::string steps(const MapFrame& f, const BodyTrace& body) {
   std::set<std::pair<long, long>> visited;
-  const double step_m = 6.0 / f.px_per_m;
+  const double step_m = kStepPx / f.px_per_m;
   std::string dots;
-  Point2 last{1e18, 1e18};
+  std::optional<Point2> last;
   for (const auto& [t_s, pose] : body.way) {
-    if (geometry::distance(pose.position(), last) < step_m) continue;
+    if (last && geometry::distance(pose.position(), *last) < step_m) continue;
     last = pose.position();
-    if (!visited.emplace(std::lround(last.x / step_m), std::lround(last.y / step_m)).second) continue;
-    dots += fmt::format("M{:.1f} {:.1f}h0", f.x(last.x), f.y(last.y));
+    if (!visited.emplace(std::lround(last->x / step_m), std::lround(last->y / step_m)).second) continue;
+    dots += fmt::format("M{:.1f} {:.1f}h0", f.x(last->x), f.y(last->y));
   }
-  fmt::format_to(
-      out, "<path d=\"{}\" fill=\"none\" stroke=\"#9b7fc0\" stroke-width=\"2.6\" stroke-linecap=\"round\"/>\n", dots);
+  return draw::path(dots, "fill=\"none\" stroke=\"#9b7fc0\" stroke-width=\"2.6\" stroke-linecap=\"round\"") + "\n";
 }
 
-void draw_bodies(Out out, const Frame& f, const RunReport& report) {
+std::string bodies_layer(const MapFrame& f, const RunReport& report) {
+  std::string svg;
   for (const auto& [id, body] : report.bodies) {
     if (body.way.empty()) continue;
-    if (body.kind == BodyKind::kBlock) {
-      draw_outline(out, f, body.shape, body.way.back().second,
-                   "fill=\"#8d6e63\" stroke=\"#4e342e\" stroke-width=\"1.5\"");
-      continue;
-    }
-    draw_steps(out, f, body);
-    draw_outline(out, f, body.shape, body.way.back().second,
-                 "fill=\"#9b7fc0\" fill-opacity=\"0.45\" stroke=\"#6b46a3\"");
+    const geometry::Pose2& last = body.way.back().second;
+    if (body.kind == BodyKind::kBlock)
+      svg += outline(f, body.shape, last, "fill=\"#8d6e63\" stroke=\"#4e342e\" stroke-width=\"1.5\"");
+    else
+      svg += steps(f, body) + outline(f, body.shape, last, "fill=\"#9b7fc0\" fill-opacity=\"0.45\" stroke=\"#6b46a3\"");
   }
+  return svg;
 }
 
-void draw_plans(Out out, const Frame& f, const VehicleRow& vehicle, const char* colour) {
-  for (const PlanTrace& plan : vehicle.plans) {
-    fmt::format_to(out,
-                   "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1\" stroke-opacity=\"0.75\" "
-                   "stroke-dasharray=\"6 3\"/>\n",
-                   path_of(f, plan.waypoints_in_map), colour);
-  }
+std::string plans_layer(const MapFrame& f, const VehicleRow& vehicle, const char* colour) {
+  std::string svg;
+  for (const PlanTrace& plan : vehicle.plans)
+    svg += draw::path(draw::path_along(f, plan.waypoints_in_map),
+                      fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1\" stroke-opacity=\"0.75\" "
+                                  "stroke-dasharray=\"6 3\"",
+                                  colour)) +
+           "\n";
+  return svg;
 }
 
-/// Where it jumped (set down anew after a restart of the simulation) the line is cut.
-void draw_way(Out out, const Frame& f, const VehicleRow& vehicle, const char* colour) {
+/// Where the vehicle jumped (set down anew after a restart of the simulation) the line is cut.
+std::string way_layer(const MapFrame& f, const VehicleRow& vehicle, const char* colour) {
+  const std::string attributes = fmt::format(
+      "fill=\"none\" stroke=\"{}\" stroke-width=\"3.6\" stroke-opacity=\"0.8\" stroke-linejoin=\"round\" "
+      "stroke-linecap=\"round\"",
+      colour);
+  std::string svg;
   std::vector<Point2> piece;
   const auto flush = [&] {
-    if (piece.size() > 1) {
-      fmt::format_to(out,
-                     "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"3.6\" stroke-opacity=\"0.8\" "
-                     "stroke-linejoin=\"round\" stroke-linecap=\"round\"/>\n",
-                     path_of(f, piece), colour);
-    }
+    if (piece.size() > 1) svg += draw::path(draw::path_along(f, piece), attributes) + "\n";
     piece.clear();
   };
   for (const DrivePoint& point : vehicle.drive.trace()) {
-    if (!piece.empty() && geometry::distance(piece.back(), point.base_in_map.position()) > 1.0) flush();
+    if (!piece.empty() && geometry::distance(piece.back(), point.base_in_map.position()) > kJumpM) flush();
     piece.push_back(point.base_in_map.position());
   }
   flush();
+  return svg;
 }
 
-void draw_vehicle(Out out, const Frame& f, const VehicleRow& vehicle, const geometry::Pose2& pose, const char* colour,
-                  double opacity) {
-  draw_outline(
-      out, f, vehicle.shape, middle_in_map(pose, vehicle.ahead_m),
-      fmt::format("fill=\"{0}\" fill-opacity=\"{1}\" stroke=\"{0}\" stroke-opacity=\"{2}\" stroke-width=\"1.1\"",
-                  colour, opacity, std::min(1.0, opacity + 0.45)));
+/// The outline, and a line to its nose.
+std::string vehicle_at(const MapFrame& f, const VehicleRow& vehicle, const geometry::Pose2& base_in_map,
+                       const char* colour, double opacity) {
+  const double line_opacity = std::min(1.0, opacity + 0.45);
   const double nose_m =
       vehicle.ahead_m + (vehicle.shape.is_disc() ? vehicle.shape.radius_m : 0.5 * vehicle.shape.length_m);
-  const Point2 nose = geometry::to_map(pose, {nose_m, 0.0});
-  fmt::format_to(out, "<path d=\"{}\" stroke=\"{}\" stroke-width=\"1.4\" stroke-opacity=\"{}\"/>\n",
-                 path_of(f, {pose.position(), nose}), colour, std::min(1.0, opacity + 0.45));
+  return outline(
+             f, vehicle.shape, middle_in_map(base_in_map, vehicle.ahead_m),
+             fmt::format("fill=\"{0}\" fill-opacity=\"{1}\" stroke=\"{0}\" stroke-opacity=\"{2}\" stroke-width=\"1.1\"",
+                         colour, opacity, line_opacity)) +
+         draw::line(f, base_in_map.position(), geometry::to_map(base_in_map, {nose_m, 0.0}),
+                    fmt::format("stroke=\"{}\" stroke-width=\"1.4\" stroke-opacity=\"{}\"", colour, line_opacity)) +
+         "\n";
 }
 
-void draw_vehicles(Out out, const Frame& f, const VehicleRow& vehicle, const char* colour) {
+/// Faint now and then on the way, full at the end with the name below; goals' flags stand above.
+std::string vehicle_layer(const MapFrame& f, const VehicleRow& vehicle, const char* colour) {
   const std::vector<DrivePoint>& trace = vehicle.drive.trace();
-  if (trace.empty()) return;
+  if (trace.empty()) return "";
+  std::string svg;
   double next_s = trace.front().t_s;
-  Point2 last{1e18, 1e18};
+  std::optional<Point2> last;
   for (const DrivePoint& point : trace) {
-    if (point.t_s < next_s || geometry::distance(point.base_in_map.position(), last) < vehicle.shape.reach_m())
-      continue;
-    draw_vehicle(out, f, vehicle, point.base_in_map, colour, 0.10);
+    const Point2 here = point.base_in_map.position();
+    if (point.t_s < next_s || (last && geometry::distance(here, *last) < vehicle.shape.reach_m())) continue;
+    svg += vehicle_at(f, vehicle, point.base_in_map, colour, 0.10);
     next_s = point.t_s + kOutlineEvery_s;
-    last = point.base_in_map.position();
+    last = here;
   }
   const geometry::Pose2& end = vehicle.drive.base_in_map();
-  draw_vehicle(out, f, vehicle, end, colour, 0.85);
-  const double down_px = vehicle.shape.reach_m() * f.px_per_m + 14.0;  // goals' flags stand above
-  fmt::format_to(out,
-                 "<text x=\"{0:.1f}\" y=\"{1:.1f}\" text-anchor=\"middle\" font-size=\"13\" font-weight=\"bold\" "
-                 "fill=\"{2}\" stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\">{3}</text>\n",
-                 f.x(end.x), f.y(end.y) + down_px, colour, escaped(vehicle.agv_id));
+  const double down_px = vehicle.shape.reach_m() * f.px_per_m + 14.0;
+  return svg + vehicle_at(f, vehicle, end, colour, 0.85) +
+         draw::text(f.x(end.x), f.y(end.y) + down_px,
+                    fmt::format("text-anchor=\"middle\" font-size=\"13\" font-weight=\"bold\" fill=\"{}\" "
+                                "stroke=\"#ffffff\" stroke-width=\"3\" paint-order=\"stroke\"",
+                                colour),
+                    vehicle.agv_id) +
+         "\n";
 }
 
-void draw_goals(Out out, const Frame& f, const std::vector<GoalRecord>& goals, const std::string& agv_id,
-                const char* colour) {
-  std::vector<std::pair<Point2, std::string>> labels;  // a place that is visited twice is drawn once: "1, 4"
+struct Flag {
+  Point2 at_in_map;
+  std::string label;  // "1 4": a place that is visited twice has one flag; "2!": missed
+};
+
+std::vector<Flag> flags_of(const std::vector<GoalRecord>& goals, const std::string& agv_id) {
+  std::vector<Flag> flags;
   int number = 0;
   for (const GoalRecord& goal : goals) {
     if (goal.agv_id != agv_id) continue;
     const Point2 at = goal.pose_in_map.position();
-    const std::string text = std::to_string(++number) + (goal.outcome == GoalOutcome::kReached ? "" : "!");
-    const auto same = std::find_if(labels.begin(), labels.end(),
-                                   [&](const auto& l) { return geometry::distance(l.first, at) < 0.2; });
-    if (same == labels.end()) {
-      labels.emplace_back(at, text);
-    } else {
-      same->second += " " + text;
-    }
+    const std::string label = std::to_string(++number) + (goal.outcome == GoalOutcome::kReached ? "" : "!");
+    const auto same = std::find_if(flags.begin(), flags.end(), [&](const Flag& flag) {
+      return geometry::distance(flag.at_in_map, at) < kSamePlaceM;
+    });
+    if (same == flags.end())
+      flags.push_back({at, label});
+    else
+      same->label += " " + label;
   }
-  for (const auto& [at, text] : labels) {
-    const bool missed = text.find('!') != std::string::npos;
-    const double width_px = 10.0 + 7.0 * static_cast<double>(text.size());
-    fmt::format_to(out,
-                   "<path d=\"M{0:.1f} {1:.1f}v-19\" stroke=\"{2}\" stroke-width=\"2\"/><circle cx=\"{0:.1f}\" "
-                   "cy=\"{1:.1f}\" r=\"3\" fill=\"{2}\"/>"
-                   "<rect x=\"{0:.1f}\" y=\"{3:.1f}\" width=\"{4:.1f}\" height=\"15\" rx=\"2\" fill=\"{5}\" "
-                   "stroke=\"{2}\" stroke-width=\"1.5\"/>"
-                   "<text x=\"{6:.1f}\" y=\"{7:.1f}\" font-size=\"11\" font-weight=\"bold\" text-anchor=\"middle\" "
-                   "fill=\"{8}\">{9}</text>\n",
-                   f.x(at.x), f.y(at.y), colour, f.y(at.y) - 33.0, width_px, missed ? "#ffffff" : colour,
-                   f.x(at.x) + 0.5 * width_px, f.y(at.y) - 21.5, missed ? kAlarm : "#ffffff", text);
-  }
+  return flags;
 }
 
-void draw_contacts(Out out, const Frame& f, const std::vector<Contact>& contacts) {
-  for (const Contact& contact : contacts) {
-    const double x = f.x(contact.at_in_map.x);
-    const double y = f.y(contact.at_in_map.y);
-    fmt::format_to(
-        out,
-        "<g stroke=\"{0}\" stroke-width=\"3.5\" fill=\"none\"><circle cx=\"{1:.1f}\" cy=\"{2:.1f}\" r=\"13\"/>"
-        "<path d=\"M{3:.1f} {4:.1f}l10 10m0 -10l-10 10\"/><title>{5} and {6} at {7:.2f} s</title></g>\n",
-        kAlarm, x, y, x - 5.0, y - 5.0, escaped(contact.a), escaped(contact.b), contact.begin_s);
+std::string goals_layer(const MapFrame& f, const std::vector<GoalRecord>& goals, const std::string& agv_id,
+                        const char* colour) {
+  std::string svg;
+  for (const Flag& flag : flags_of(goals, agv_id)) {
+    const bool is_missed = flag.label.find('!') != std::string::npos;
+    const double width_px = 10.0 + 7.0 * static_cast<double>(flag.label.size());
+    const draw::PointPx at = f.at(flag.at_in_map);
+    svg += draw::path(fmt::format("M{:.1f} {:.1f}v-19", at.x, at.y),
+                      fmt::format("stroke=\"{}\" stroke-width=\"2\"", colour)) +
+           draw::circle(at.x, at.y, 3, filled(colour)) +
+           draw::rect(at.x, at.y - 33.0, width_px, 15,
+                      fmt::format("rx=\"2\" fill=\"{}\" stroke=\"{}\" stroke-width=\"1.5\"",
+                                  is_missed ? "#ffffff" : colour, colour)) +
+           draw::text(at.x + 0.5 * width_px, at.y - 21.5,
+                      fmt::format("font-size=\"11\" font-weight=\"bold\" text-anchor=\"middle\" fill=\"{}\"",
+                                  is_missed ? draw::kAlarm : "#ffffff"),
+                      flag.label) +
+           "\n";
   }
+  return svg;
+}
+
+std::string contacts_layer(const MapFrame& f, const std::vector<Contact>& contacts) {
+  std::string svg;
+  for (const Contact& contact : contacts) {
+    const draw::PointPx at = f.at(contact.at_in_map);
+    const std::string title = fmt::format("{} and {} at {:.2f} s", contact.a, contact.b, contact.begin_s);
+    svg += fmt::format("<g stroke=\"{}\" stroke-width=\"3.5\" fill=\"none\">", draw::kAlarm) +
+           draw::circle(at.x, at.y, 13, "") +
+           draw::path(fmt::format("M{:.1f} {:.1f}l10 10m0 -10l-10 10", at.x - 5.0, at.y - 5.0), "") + "<title>" +
+           draw::escaped(title) + "</title></g>\n";
+  }
+  return svg;
 }
 
 struct Tile {
@@ -268,88 +296,110 @@ std::vector<Tile> tiles_of(const RunReport& report) {
           {"scan to command p99", p99(report.scan_to_command_ms()), false}};
 }
 
-void draw_header(Out out, const RunReport& report) {
-  fmt::format_to(out, "<text x=\"{}\" y=\"38\" font-size=\"23\" font-weight=\"bold\" fill=\"{}\">{}</text>\n",
-                 kMargin_px, kInk, escaped(report.scenario));
-  fmt::format_to(out,
-                 "<text x=\"{}\" y=\"38\" font-size=\"14\" text-anchor=\"end\" fill=\"{}\">{} vehicles, seed {} "
-                 "\xC2\xB7 <tspan font-weight=\"bold\" fill=\"{}\">{}</tspan></text>\n",
-                 kWidth_px - kMargin_px, kFaint, report.vehicles.size(), report.seed,
-                 report.passed() ? "#2f855a" : kAlarm, report.passed() ? "passed" : "failed");
+std::string header(const RunReport& report) {
+  const auto margin_px = static_cast<int>(kMarginPx), width_px = static_cast<int>(kWidthPx);
+  std::string svg =
+      draw::text(margin_px, 38, fmt::format("font-size=\"23\" font-weight=\"bold\" fill=\"{}\"", draw::kInk),
+                 report.scenario) +
+      "\n" +
+      fmt::format(
+          "<text x=\"{}\" y=\"38\" font-size=\"14\" text-anchor=\"end\" fill=\"{}\">{} vehicles, seed {} "
+          "\xC2\xB7 <tspan font-weight=\"bold\" fill=\"{}\">{}</tspan></text>\n",
+          width_px - margin_px, draw::kFaint, report.vehicles.size(), report.seed,
+          report.passed() ? kGood : draw::kAlarm, report.passed() ? "passed" : "failed");
   const std::vector<Tile> tiles = tiles_of(report);
-  const double step_px = (kWidth_px - 2.0 * kMargin_px) / static_cast<double>(tiles.size());
+  const double step_px = (kWidthPx - 2.0 * kMarginPx) / static_cast<double>(tiles.size());
   for (std::size_t i = 0; i < tiles.size(); ++i) {
-    const double x = kMargin_px + step_px * static_cast<double>(i);
-    fmt::format_to(out,
-                   "<text x=\"{0:.1f}\" y=\"78\" font-size=\"20\" font-weight=\"bold\" fill=\"{1}\">{2}</text><text "
-                   "x=\"{0:.1f}\" y=\"97\" font-size=\"11.5\" fill=\"{3}\">{4}</text>\n",
-                   x, tiles[i].alarm ? kAlarm : kInk, tiles[i].value, kFaint, tiles[i].name);
+    const double x = kMarginPx + step_px * static_cast<double>(i);
+    svg += draw::text(x, 78,
+                      fmt::format("font-size=\"20\" font-weight=\"bold\" fill=\"{}\"",
+                                  tiles[i].alarm ? draw::kAlarm : draw::kInk),
+                      tiles[i].value) +
+           draw::text(x, 97, fmt::format("font-size=\"11.5\" fill=\"{}\"", draw::kFaint), tiles[i].name) + "\n";
   }
+  return svg;
 }
 
-void draw_scale(Out out, const Frame& f) {
+std::string scale(const MapFrame& f) {
   double length_m = 1.0;
   for (const double candidate_m : {2.0, 5.0, 10.0, 20.0, 50.0}) {
-    if (candidate_m * f.px_per_m <= 170.0) length_m = candidate_m;
+    if (candidate_m * f.px_per_m <= kLongestScalePx) length_m = candidate_m;
   }
-  const double y = f.top_px + f.height_px() + 22.0;
-  const double right = kWidth_px - kMargin_px;
-  fmt::format_to(out,
-                 "<path d=\"M{0:.1f} {1:.1f}v6h{2:.1f}v-6\" fill=\"none\" stroke=\"{3}\" stroke-width=\"1.5\"/><text "
-                 "x=\"{4:.1f}\" y=\"{5:.1f}\" font-size=\"12\" text-anchor=\"middle\" fill=\"{3}\">{6:.0f} m</text>\n",
-                 right - length_m * f.px_per_m, y - 4.0, length_m * f.px_per_m, kFaint,
-                 right - 0.5 * length_m * f.px_per_m, y + 18.0, length_m);
+  const double y_px = f.top_px + f.height_px() + 22.0;
+  const double left_px = kWidthPx - kMarginPx - length_m * f.px_per_m;
+  return draw::scale_bar(f, left_px, y_px - 4.0, length_m,
+                         fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"", draw::kFaint)) +
+         draw::text(left_px + 0.5 * length_m * f.px_per_m, y_px + 18.0,
+                    fmt::format("font-size=\"12\" text-anchor=\"middle\" fill=\"{}\"", draw::kFaint),
+                    fmt::format("{:.0f} m", length_m)) +
+         "\n";
 }
 
-/// Symbols in one line, vehicles in rows below. Returns the picture's height.
-double draw_legend(Out out, const Frame& f, const RunReport& report) {
-  double y = f.top_px + f.height_px() + 24.0;
-  double x = kMargin_px;
-  const auto entry = [&](const std::string& symbol, const char* text, double width_px) {
-    fmt::format_to(out,
-                   "<g transform=\"translate({:.1f} {:.1f})\">{}<text x=\"36\" y=\"4\" font-size=\"12.5\" "
-                   "fill=\"{}\">{}</text></g>\n",
-                   x, y, symbol, kInk, text);
-    x += width_px;
-  };
-  entry("<path d=\"M0 0h28\" stroke=\"#52606d\" stroke-width=\"3.6\" stroke-linecap=\"round\"/>", "driven", 98);
-  entry("<path d=\"M0 0h28\" stroke=\"#52606d\" stroke-width=\"1\" stroke-dasharray=\"6 3\"/>", "planned", 106);
-  entry(
+/// What the signs mean, in one line.
+std::string signs(double y_px) {
+  draw::Legend legend(kMarginPx, y_px, 36, fmt::format("font-size=\"12.5\" fill=\"{}\"", draw::kInk));
+  legend.add("<path d=\"M0 0h28\" stroke=\"#52606d\" stroke-width=\"3.6\" stroke-linecap=\"round\"/>", "driven", 98);
+  legend.add("<path d=\"M0 0h28\" stroke=\"#52606d\" stroke-width=\"1\" stroke-dasharray=\"6 3\"/>", "planned", 106);
+  legend.add(
       "<circle cx=\"14\" r=\"8\" fill=\"#52606d\" fill-opacity=\"0.12\" stroke=\"#52606d\"/><path d=\"M14 0h8\" "
       "stroke=\"#52606d\"/>",
       "vehicle every 3 s", 166);
-  entry(
+  legend.add(
       "<path d=\"M2 0h26\" stroke=\"#9b7fc0\" stroke-width=\"2.4\" stroke-linecap=\"round\" stroke-dasharray=\"0.1 "
       "5\"/>",
       "person", 100);
-  entry("<rect x=\"6\" y=\"-8\" width=\"16\" height=\"16\" fill=\"#8d6e63\" stroke=\"#4e342e\"/>", "hidden block", 134);
-  entry("<rect x=\"2\" y=\"-8\" width=\"26\" height=\"16\" fill=\"url(#blocked)\" stroke=\"#b7791f\"/>",
-        "blocked in the map", 176);
-  entry(
+  legend.add("<rect x=\"6\" y=\"-8\" width=\"16\" height=\"16\" fill=\"#8d6e63\" stroke=\"#4e342e\"/>", "hidden block",
+             134);
+  legend.add("<rect x=\"2\" y=\"-8\" width=\"26\" height=\"16\" fill=\"url(#blocked)\" stroke=\"#b7791f\"/>",
+             "blocked in the map", 176);
+  legend.add(
       "<path d=\"M8 9v-17\" stroke=\"#52606d\" stroke-width=\"2\"/><rect x=\"8\" y=\"-9\" width=\"15\" height=\"10\" "
       "fill=\"#52606d\"/>",
       "goal", 84);
-  entry(fmt::format("<circle cx=\"14\" r=\"8\" fill=\"none\" stroke=\"{0}\" stroke-width=\"3\"/><path d=\"M11 -3l6 6m0 "
-                    "-6l-6 6\" stroke=\"{0}\" stroke-width=\"2\"/>",
-                    kAlarm),
-        "contact", 100);
-  y += 30.0;
-  x = kMargin_px;
+  legend.add(
+      fmt::format("<circle cx=\"14\" r=\"8\" fill=\"none\" stroke=\"{0}\" stroke-width=\"3\"/><path d=\"M11 -3l6 6m0 "
+                  "-6l-6 6\" stroke=\"{0}\" stroke-width=\"2\"/>",
+                  draw::kAlarm),
+      "contact", 100);
+  return legend.svg();
+}
+
+struct Rows {
+  std::string svg;
+  double bottom_px;
+};
+
+/// Each vehicle's colour, name and figures, as many in a row as fit.
+Rows vehicle_rows(double y_px, const RunReport& report) {
+  constexpr double kEntryPx = 268.0, kRowPx = 22.0, kLastEntryPx = 260.0;
+  Rows rows{"", y_px};
+  double x_px = kMarginPx;
   std::size_t index = 0;
   for (const auto& [id, vehicle] : report.vehicles) {
-    if (x > kWidth_px - kMargin_px - 260.0) {
-      x = kMargin_px;
-      y += 22.0;
+    if (x_px > kWidthPx - kMarginPx - kLastEntryPx) {
+      x_px = kMarginPx;
+      rows.bottom_px += kRowPx;
     }
-    fmt::format_to(out,
-                   "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"14\" height=\"14\" rx=\"3\" fill=\"{}\"/><text "
-                   "x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12.5\" fill=\"{}\"><tspan font-weight=\"bold\">{}</tspan> "
-                   "{:.0f} m, {} stops, {} replans</text>\n",
-                   x, y - 11.0, vehicle_colour(index++), x + 20.0, y, kInk, escaped(id), vehicle.drive.distance_m(),
-                   vehicle.drive.stops(), vehicle.replans);
-    x += 268.0;
+    rows.svg += draw::rect(x_px, rows.bottom_px - 11.0, 14, 14,
+                           fmt::format("rx=\"3\" fill=\"{}\"", draw::colour(index++, kVehicleColours))) +
+                fmt::format(
+                    "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"12.5\" fill=\"{}\"><tspan "
+                    "font-weight=\"bold\">{}</tspan> {:.0f} m, {} stops, {} replans</text>\n",
+                    x_px + 20.0, rows.bottom_px, draw::kInk, draw::escaped(id), vehicle.drive.distance_m(),
+                    vehicle.drive.stops(), vehicle.replans);
+    x_px += kEntryPx;
   }
-  return y + 22.0;
+  rows.bottom_px += kRowPx;
+  return rows;
+}
+
+/// All vehicles' drawings of one kind; those of the next kind lie over them.
+template <class Draw>
+std::string each_vehicle(const RunReport& report, const Draw& drawing) {
+  std::string svg;
+  std::size_t index = 0;
+  for (const auto& [id, vehicle] : report.vehicles) svg += drawing(vehicle, draw::colour(index++, kVehicleColours));
+  return svg;
 }
 
 constexpr const char* kPatterns =
@@ -363,33 +413,22 @@ constexpr const char* kPatterns =
 }  // namespace
 
 std::string fleet_svg(const RunReport& report, const Walls& walls) {
-  const Frame frame = frame_of(area_of(report, walls));
-  std::string body;
-  const Out out = std::back_inserter(body);
-  fmt::format_to(out,
-                 "<clipPath id=\"shown\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
-                 "height=\"{:.1f}\"/></clipPath><g clip-path=\"url(#shown)\">\n",
-                 frame.left_px, frame.top_px, frame.width_px(), frame.height_px());
-  draw_walls(out, frame, walls);
-  draw_edits(out, frame, report.edits);
-  draw_bodies(out, frame, report);
-  std::size_t index = 0;
-  for (const auto& [id, vehicle] : report.vehicles) draw_plans(out, frame, vehicle, vehicle_colour(index++));
-  index = 0;
-  for (const auto& [id, vehicle] : report.vehicles) draw_way(out, frame, vehicle, vehicle_colour(index++));
-  index = 0;
-  for (const auto& [id, vehicle] : report.vehicles) draw_vehicles(out, frame, vehicle, vehicle_colour(index++));
-  index = 0;
-  for (const auto& [id, vehicle] : report.vehicles) draw_goals(out, frame, report.goals, id, vehicle_colour(index++));
-  draw_contacts(out, frame, report.contacts);
-  body += "</g>\n";
-  draw_header(out, report);
-  draw_scale(out, frame);
-  const double height_px = draw_legend(out, frame, report);
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\" "
-      "{2}>\n{3}<rect width=\"100%\" height=\"100%\" fill=\"#f5f7fa\"/>\n{4}</svg>\n",
-      kWidth_px, height_px, kFont, kPatterns, body);
+  const MapFrame f = frame_of(area_of(report, walls));
+  std::string body = "<clipPath id=\"shown\">" + draw::rect(f.left_px, f.top_px, f.width_px(), f.height_px(), "") +
+                     "</clipPath><g clip-path=\"url(#shown)\">\n";
+  body += walls_layer(f, walls) + edits_layer(f, report.edits) + bodies_layer(f, report);
+  body += each_vehicle(report, [&](const VehicleRow& v, const char* colour) { return plans_layer(f, v, colour); });
+  body += each_vehicle(report, [&](const VehicleRow& v, const char* colour) { return way_layer(f, v, colour); });
+  body += each_vehicle(report, [&](const VehicleRow& v, const char* colour) { return vehicle_layer(f, v, colour); });
+  body += each_vehicle(
+      report, [&](const VehicleRow& v, const char* colour) { return goals_layer(f, report.goals, v.agv_id, colour); });
+  body += contacts_layer(f, report.contacts) + "</g>\n";
+
+  const double legend_px = f.top_px + f.height_px() + 24.0;
+  const Rows rows = vehicle_rows(legend_px + 30.0, report);
+  body += header(report) + scale(f) + signs(legend_px) + rows.svg;
+  return draw::document({static_cast<int>(kWidthPx), static_cast<int>(std::lround(rows.bottom_px)), kFont, kPatterns},
+                        body);
 }
 
 }  // namespace aisle::referee

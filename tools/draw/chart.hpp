@@ -1,0 +1,44 @@
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/draw/svg.hpp"
+
+namespace aisle::draw {
+
+/// 1, 2 or 5 times a power of ten, the least that divides `span` into at most `most` parts. @pre both > 0
+double round_step(double span, int most);
+
+/// Axes of one curve over time: t from 0 to duration_s, values from low to high; what lies beyond is drawn at the edge.
+struct Chart {
+  int left_px{0};
+  int top_px{0};
+  int width_px{0};
+  int height_px{0};
+  double duration_s{1.0};
+  double low{0.0};
+  double high{1.0};
+
+  double x(double t_s) const;
+  double y(double value) const;
+  int bottom_px() const { return top_px + height_px; }
+  int right_px() const { return left_px + width_px; }
+};
+
+/// The box that the curves stand in.
+std::string chart_box(const Chart& chart);
+
+/// A line across at `value` with the value, to one digit after the point, left of it.
+std::string value_line(const Chart& chart, double value, std::string_view stroke, std::string_view text_attributes);
+
+/// One value at a time.
+struct Sample {
+  double t_s;
+  double value;
+};
+
+/// The `d` of the curve through the samples.
+std::string curve(const Chart& chart, const std::vector<Sample>& samples);
+
+}  // namespace aisle::draw
