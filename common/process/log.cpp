@@ -57,14 +57,11 @@ void start_logging(const std::string& instance_id, const std::string& level) {
     throw config::BadInput("--log-level: '" + level + "' is none of debug, info, warning, error, off" +
                            (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
   }
-  std::string instance;
-  for (const char c : escape_for_log(instance_id)) instance += c == '%' ? "%%" : std::string(1, c);
   auto formatter = std::make_unique<spdlog::pattern_formatter>(spdlog::pattern_time_type::utc);
-  formatter->add_flag<EscapedText>('*').set_pattern("time=%Y-%m-%dT%H:%M:%S.%eZ level=%l instance=" + instance +
-                                                    " text=\"%*\"");
+  formatter->add_flag<EscapedText>('*').set_pattern("time=%Y-%m-%dT%H:%M:%S.%eZ level=%l instance=%n text=\"%*\"");
   auto sink = std::make_shared<spdlog::sinks::stderr_sink_st>();
   sink->set_formatter(std::move(formatter));
-  auto logger = std::make_shared<spdlog::logger>("aisle", std::move(sink));
+  auto logger = std::make_shared<spdlog::logger>(escape_for_log(instance_id), std::move(sink));
   logger->set_level(spdlog::level::from_str(level));
   spdlog::set_default_logger(std::move(logger));
 }

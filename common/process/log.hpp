@@ -13,6 +13,7 @@ const std::vector<std::string>& log_levels();
 
 /// From now on spdlog::info(...) and its siblings write one line each to stderr, key=value throughout:
 ///   time=2026-11-03T07:15:02.113Z level=info instance=map-1 text="revision 3, 12 cells changed"
+/// A clone of the default logger under another name writes lines of that instance.
 /// What is in the text cannot break the line: quotes, backslashes and control characters are escaped.
 /// @throws config::BadInput for a level that is not in log_levels()
 void start_logging(const std::string& instance_id, const std::string& level);

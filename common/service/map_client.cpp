@@ -59,7 +59,8 @@ void MapClient::note(grid::MapMirror::Change change) {
       clearance_ = grid::ClearanceField(mirror_.grid(), options_.clearance_max_m);
     }
   }
-  if (on_map_) on_map_(mirror_.grid(), clearance_, mirror_.changed_low(), mirror_.changed_high());
+  for (const OnMap& handler : on_map_)
+    handler(mirror_.grid(), clearance_, mirror_.changed_low(), mirror_.changed_high());
 }
 
 void MapClient::ask_for_missing() {

@@ -4,6 +4,8 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "common/bus/bus.hpp"
 #include "common/grid/clearance.hpp"
@@ -15,7 +17,7 @@ namespace aisle::service {
 /// and tells when a whole map of a new revision is there. Lives on the bus's loop; make it before the loop runs and
 /// keep it while it runs.
 ///
-///   MapClient map(shell.bus(), shell.instance_id(), {});
+///   service::MapClient map(bus, "mirror", {});  // a tool; services have Shell::map()
 ///   map.on_map([&](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low, grid::Cell
 ///   high) {...});
 class MapClient {
@@ -25,6 +27,11 @@ class MapClient {
     bool with_clearance{true};  // false: no field is computed, the handler gets an empty one
     double clearance_max_m{5.0};
     std::chrono::milliseconds ask_after{300};  // without progress
+
+    bool operator==(const Options& other) const {
+      return std::tie(map_id, with_clearance, clearance_max_m, ask_after) ==
+             std::tie(other.map_id, other.with_clearance, other.clearance_max_m, other.ask_after);
+    }
   };
 
   /// `low` to `high`, both included, are the cells that changed: the whole grid at first, none (high below low) when a
@@ -37,8 +44,8 @@ class MapClient {
   MapClient(const MapClient&) = delete;
   MapClient& operator=(const MapClient&) = delete;
 
-  /// Called in the loop after each revision that became complete.
-  void on_map(OnMap handler) { on_map_ = std::move(handler); }
+  /// Called in the loop after each revision that became complete. Several handlers are called in turn.
+  void on_map(OnMap handler) { on_map_.push_back(std::move(handler)); }
 
   /// True once a whole map was there; from then on grid() and clearance() hold the newest whole map.
   bool has_map() const { return mirror_.revision() > 0; }
@@ -73,7 +80,7 @@ class MapClient {
   grid::MapMirror mirror_;
   grid::ClearanceField clearance_;
   std::uint64_t hash_{0};
-  OnMap on_map_;
+  std::vector<OnMap> on_map_;
   std::map<std::string, std::uint64_t> dropped_;
 };
 

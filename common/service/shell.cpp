@@ -1,29 +1,16 @@
 #include "common/service/shell.hpp"
 
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
-#include <cstddef>
-#include <cstdlib>
-#include <optional>
-#include <utility>
+#include <exception>
+#include <string_view>
 #include <vector>
 
 #include "common/process/clock.hpp"
-#include "common/process/exit_code.hpp"
-#include "common/process/leaving.hpp"
 #include "common/process/log.hpp"
-#include "common/process/memory.hpp"
-#include "common/process/own_usage.hpp"
-#include "common/process/signals.hpp"
 #include "common/process/version.hpp"
-#include "common/service/arguments.hpp"
-#include "common/service/health_file.hpp"
 #include "common/service/peer_watch.hpp"
-#include "common/service/site_options.hpp"
 #include "common/service/versions.hpp"
 
 namespace aisle::service {
@@ -31,114 +18,12 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using Describe = std::function<void(config::YamlReader&)>;
 
-constexpr std::size_t kMostCounters = 32;
-constexpr std::size_t kLongestId = 64;
 constexpr milliseconds kHealthPeriod{1000};
+constexpr milliseconds kReportPeriod{250};
 constexpr milliseconds kLivelinessPeriod{500};  // of a lease of 2 s
-constexpr milliseconds kLongestWait{100};       // until a signal is noticed
+constexpr milliseconds kGoodbye{200};
 constexpr seconds kWarningPeriod{10};
-constexpr seconds kTidyPeriod{5};  // a map or a crowd of peers came: what they needed for a moment is given back
-
-thread_local std::vector<Describe>* config_bindings = nullptr;
-
-std::string host_name() {
-  char name[65] = {};
-  return gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
-}
-
-void check_id(const std::string& flag, const std::string& id) {
-  const auto is_fit = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_' || c == '.';
-  };
-  if (id.empty() || id.size() > kLongestId || !std::all_of(id.begin(), id.end(), is_fit)) {
-    throw config::BadInput(flag + ": '" + id + "' is not an id; use 1 to 64 letters, digits, '-', '_' and '.'");
-  }
-}
-
-/// What every process takes from flags, environment and file.
-struct Common {
-  bus::Settings settings;
-  std::string config_file;
-  std::string instance_id;
-  std::string agv_id;
-  std::string log_level{"info"};
-  std::string health_file;
-
-  template <class Reader>
-  void describe(Reader& r) {
-    SiteConfig site{settings};
-    r.field("instance", instance_id)
-        .field("log_level", log_level)
-        .field("health_file", health_file)
-        .section("site", site);
-  }
-};
-
-void add_common_options(CLI::App& app, const Shell::About& about, Common& common) {
-  app.set_version_flag("--version", "aisle-" + about.service + " " + process::software_version() + " (IDL " +
-                                        std::to_string(kIdlVersion) + ", Fast DDS " +
-                                        std::to_string(AISLE_FASTDDS_MAJOR) + ")");
-  app.add_option("--config", common.config_file, "YAML file; flags and environment win over it")
-      ->envname("AISLE_CONFIG");
-  app.add_option("--instance", common.instance_id, "name of this process, unique on the site")
-      ->envname("AISLE_INSTANCE");
-  app.add_option("--log-level", common.log_level, "debug, info, warning, error or off")->envname("AISLE_LOG_LEVEL");
-  app.add_option("--health-file", common.health_file,
-                 "keeps the last word on service_health there, for `aisle health --file`")
-      ->envname("AISLE_HEALTH_FILE");
-  if (!about.agv_id_flag.empty()) {
-    app.add_option(about.agv_id_flag, common.agv_id, "id of the vehicle that this process works for")
-        ->envname("AISLE_AGV");
-  }
-  add_site_options(app, common.settings);
-}
-
-/// --config (or AISLE_CONFIG) before anything else is parsed, so that flags can win over the file.
-std::string find_config_file(int argc, const char* const* argv) {
-  CLI::App only_config;
-  only_config.set_help_flag();
-  only_config.allow_extras();
-  std::string file;
-  only_config.add_option("--config", file)->envname("AISLE_CONFIG");
-  try {
-    only_config.parse(argc, argv);
-  } catch (const CLI::ParseError&) {
-    return {};  // parsed again, and reported, with all the flags
-  }
-  return file;
-}
-
-void read_config(const std::string& file, const Shell::About& about, Common& common,
-                 const std::vector<Describe>& bindings) {
-  config::YamlReader reader = config::open_yaml_file(file);
-  common.describe(reader);
-  if (!about.agv_id_flag.empty()) reader.field("agv", common.agv_id);
-  for (const Describe& describe : bindings) describe(reader);
-  reader.finish();
-}
-
-void complete_ids(const Shell::About& about, Common& common) {
-  if (!about.agv_id_flag.empty()) {
-    if (common.agv_id.empty())
-      throw config::BadInput(about.agv_id_flag + " is missing: the id of the vehicle, e.g. agv-1 (or AISLE_AGV)");
-    check_id(about.agv_id_flag, common.agv_id);
-  }
-  if (common.instance_id.empty())
-    common.instance_id = about.service + (common.agv_id.empty() ? "" : "-" + common.agv_id);
-  check_id("--instance", common.instance_id);
-  common.settings.participant_name = common.instance_id;
-}
-
-std::string site_text(const bus::Settings& settings) {
-  std::string text = "domain " + std::to_string(settings.domain);
-  if (!settings.partition.empty()) text += ", partition " + settings.partition;
-  for (const std::string& interface : settings.interfaces) text += ", interface " + interface;
-  for (const std::string& peer : settings.peers) text += ", peer " + peer;
-  if (!settings.discovery_server.empty()) text += ", discovery server " + settings.discovery_server;
-  return text;
-}
 
 PeerHealth peer_of(const aisle::ServiceHealth& sample) {
   PeerHealth peer;
@@ -155,174 +40,270 @@ PeerHealth peer_of(const aisle::ServiceHealth& sample) {
   return peer;
 }
 
-}  // namespace
-
-void Health::count(const std::string& name, std::uint64_t by) {
-  const auto position = counters.find(name);
-  if (position != counters.end()) {
-    position->second += by;
-  } else if (counters.size() < kMostCounters) {
-    counters.emplace(name, by);
+aisle::ServiceHealth sample_of(const Identity& identity, const Health& health, const Surroundings::Usage& usage) {
+  aisle::ServiceHealth sample;
+  sample.instance_id(identity.instance_id);
+  sample.service(identity.service);
+  sample.software_version(std::string(process::software_version()));
+  sample.idl_version(kIdlVersion);
+  sample.host(identity.host);
+  sample.process_id(identity.process_id);
+  sample.agv_id(identity.agv_id);
+  sample.map_id(health.map_id);
+  sample.map_revision(health.map_revision);
+  sample.map_hash(health.map_hash);
+  sample.state(health.state);
+  sample.waits_for(health.waits_for);
+  sample.last_error(health.last_error);
+  sample.cpu_percent(usage.cpu_percent);
+  sample.resident_mb(usage.resident_mb);
+  for (const auto& [name, value] : health.counters) {
+    aisle::Counter counter;
+    counter.name(name);
+    counter.value(value);
+    sample.counters().push_back(counter);
   }
+  return sample;
 }
 
-struct Shell::State {
-  State(const About& about, const Common& common_settings)
-      : service(about.service),
-        common(common_settings),
-        boot_id(static_cast<std::uint64_t>(process::wall_clock_ns()) / 1000),
-        bus(common.settings),
-        writer(bus.writer<topics::ServiceHealth>()),
-        stamper(common.instance_id, boot_id),
-        peers(common.instance_id, boot_id, kIdlVersion, service, common.agv_id),
-        warnings(kWarningPeriod) {
-    bus.on_incident([this](const bus::Incident& incident) { take(incident); });
-    bus.on<topics::ServiceHealth>(
-        [this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) { take(sample, info); });
-    bus.every(kHealthPeriod, [this] { publish(); });
-    bus.every(kLivelinessPeriod, [this] { writer.assert_liveliness(); });
-    bus.every(kTidyPeriod, tidy);
-  }
+}  // namespace
 
-  static void tidy() {
-    process::give_back_free_memory();
-    process::give_back_unused_code();
+struct Shell::Shared {
+  explicit Shared(bus::Bus& of) : bus(of) {}
+
+  bool only_failed_are_left() const;
+  void start();
+
+  bus::Bus& bus;
+  std::vector<State*> shells;
+  std::map<std::string, std::shared_ptr<void>> channels;  // by topic
+  std::vector<std::pair<MapClient::Options, std::unique_ptr<MapClient>>> maps;
+};
+
+struct Shell::State {
+  State(std::shared_ptr<Shared> with, Identity who, Surroundings around)
+      : shared(std::move(with)),
+        identity(std::move(who)),
+        surroundings(std::move(around)),
+        log(surroundings.log ? surroundings.log : spdlog::default_logger()->clone(identity.instance_id)),
+        writer(shared->bus.writer<topics::ServiceHealth>()),
+        peers(identity.instance_id, identity.boot_id, kIdlVersion, identity.service, identity.agv_id),
+        warnings(kWarningPeriod) {}
+
+  time::Stamp now() const { return process::monotonic_now(); }
+  std::int64_t wall_clock_ns() const { return process::wall_clock_ns(); }
+
+  void warn(const std::string& kind, const std::string& text) {
+    const process::RateLimit::Pass pass = warnings.ask(kind, now());
+    if (!pass.allowed) return;
+    if (pass.kept_back == 0) {
+      log->warn("{}", text);
+    } else {
+      log->warn("{} (and {} more)", text, pass.kept_back);
+    }
   }
 
   void take(const bus::Incident& incident) {
     health.count("incidents");
-    warnings.warn(std::to_string(static_cast<int>(incident.kind)) + incident.topic, incident.text);
+    if (shared->shells.front() == this)
+      warn(std::to_string(static_cast<int>(incident.kind)) + incident.topic, incident.text);
     const bool passes_by_itself =
         incident.kind == bus::Incident::Kind::kDeadlineMissed || incident.kind == bus::Incident::Kind::kLivelinessLost;
     if (!passes_by_itself) health.last_error = incident.text;
   }
 
-  void take(const aisle::ServiceHealth& sample, const bus::SampleInfo& info) {
-    if (info.kind != bus::SampleKind::kData) return;
-    for (const Finding& finding : peers.take(peer_of(sample), process::monotonic_now(), process::wall_clock_ns())) {
-      spdlog::warn("{}", finding.text);
+  void take(const PeerHealth& peer) {
+    for (const Finding& finding : peers.take(peer, now(), wall_clock_ns())) {
+      log->warn("{}", finding.text);
       if (finding.kind != Finding::Kind::kClockSkew) health.last_error = finding.text;
     }
   }
 
+  aisle::Origin origin() const {
+    aisle::Origin by;
+    by.source_id(identity.instance_id);
+    by.boot_id(identity.boot_id);
+    by.stamp_ns(wall_clock_ns());
+    return by;
+  }
+
+  /// Asks the service how it is.
+  void fill_report() {
+    if (map != nullptr) {
+      health.map_id = map->map_id();
+      health.map_revision = map->revision();
+      health.map_hash = map->hash();
+    }
+    if (!fill || has_failed) return;
+    health.waits_for.clear();
+    health.is_degraded = false;
+    fill(health);
+    health.state = health.is_degraded         ? ServiceState::SERVICE_DEGRADED
+                   : health.waits_for.empty() ? ServiceState::SERVICE_READY
+                                              : ServiceState::SERVICE_WAITING;
+  }
+
   bool has_changed() const {
-    return health.state != said.state || health.waits_for != said.waits_for || health.last_error != said.last_error;
+    return !was_published || health.state != said.state || health.waits_for != said.waits_for ||
+           health.last_error != said.last_error;
   }
 
   void publish() {
-    aisle::ServiceHealth sample;
-    sample.instance_id(common.instance_id);
-    sample.by(stamper.next());
-    sample.service(service);
-    sample.software_version(std::string(process::software_version()));
-    sample.idl_version(kIdlVersion);
-    sample.host(host);
-    sample.process_id(static_cast<std::uint32_t>(getpid()));
-    sample.agv_id(common.agv_id);
-    sample.map_id(health.map_id);
-    sample.map_revision(health.map_revision);
-    sample.map_hash(health.map_hash);
-    sample.state(health.state);
-    sample.waits_for(health.waits_for);
-    sample.last_error(health.last_error);
-    sample.wall_clock_ns(process::wall_clock_ns());
-    add_usage(sample);
-    for (const auto& [name, value] : health.counters) {
-      aisle::Counter counter;
-      counter.name(name);
-      counter.value(value);
-      sample.counters().push_back(counter);
-    }
+    const Surroundings::Usage usage = surroundings.usage ? surroundings.usage() : Surroundings::Usage{};
+    aisle::ServiceHealth sample = sample_of(identity, health, usage);
+    aisle::Origin by = origin();
+    by.epoch(1);
+    by.sequence_number(++sequence_number);
+    sample.wall_clock_ns(by.stamp_ns());
+    sample.by(by);
     writer.write(sample);
     said = health;
-    keep_health_file(sample.wall_clock_ns());
+    was_published = true;
+    if (surroundings.on_published) surroundings.on_published(health, sample.wall_clock_ns());
   }
 
-  void keep_health_file(std::int64_t said_at_ns) {
-    if (common.health_file.empty()) return;
-    if (!keep(common.health_file, {common.instance_id, said.state, said.waits_for, said.last_error, said_at_ns})) {
-      warnings.warn("health_file", "cannot write " + common.health_file + "; a healthcheck that reads it will fail");
-    }
+  void publish_changes() {
+    if (has_changed()) publish();
   }
 
-  void add_usage(aisle::ServiceHealth& sample) {
-    const time::Stamp now = process::monotonic_now();
-    if (now - measured_at >= kHealthPeriod / 2) {
-      measured_at = now;
-      cpu_percent = cpu.percent_since_last(now, process::cpu_time());
-    }
-    sample.cpu_percent(cpu_percent);
-    sample.resident_mb(process::resident_mb());
-  }
-
-  void run(const std::atomic<bool>& stop) {
-    tidy();  // of what only the start needed
+  /// Runs where an exception was caught.
+  void fail(const std::string& why) {
+    has_failed = true;
+    if (shared->only_failed_are_left()) throw;
+    health.state = ServiceState::SERVICE_DEGRADED;
+    health.waits_for.clear();
+    health.last_error = "failed: " + why + "; silent until its process is restarted";
+    log->error("{}", health.last_error);
     publish();
-    while (!stop.load()) {
-      bus.run_once(kLongestWait);
-      if (has_changed()) publish();
-    }
-    spdlog::info("stopped by a signal");
-    health.state = ServiceState::SERVICE_STOPPING;
-    publish();
-    writer.wait_until_acknowledged(milliseconds(200));
-    process::take_an_abort_for_the_end();
   }
 
-  std::string service;
-  Common common;
-  std::uint64_t boot_id;
-  std::string host{host_name()};
-  bus::Bus bus;
+  void guarded(const std::function<void()>& work) {
+    if (has_failed) return;
+    try {
+      work();
+    } catch (const std::exception& error) {
+      fail(error.what());
+    }
+  }
+
+  std::shared_ptr<Shared> shared;
+  Identity identity;
+  Surroundings surroundings;
+  std::shared_ptr<spdlog::logger> log;
   bus::Writer<topics::ServiceHealth> writer;
-  OriginStamper stamper;
+  std::uint64_t sequence_number{0};
   PeerWatch peers;
-  process::LimitedWarnings warnings;
-  process::CpuMeter cpu;
-  time::Stamp measured_at{};
-  double cpu_percent{0.0};
+  process::RateLimit warnings;
+  MapClient* map{nullptr};
+  std::function<void(Health&)> fill;
   Health health;
   Health said;
+  bool was_published{false};
+  bool has_failed{false};
 };
 
-Shell::Shell(std::unique_ptr<State> state) : state_(std::move(state)) {}
-Shell::~Shell() = default;
-
-const std::string& Shell::instance_id() const { return state_->common.instance_id; }
-const std::string& Shell::agv_id() const { return state_->common.agv_id; }
-std::uint64_t Shell::boot_id() const { return state_->boot_id; }
-bus::Bus& Shell::bus() { return state_->bus; }
-Health& Shell::health() { return state_->health; }
-OriginStamper Shell::stamper() const { return OriginStamper(state_->common.instance_id, state_->boot_id); }
-void Shell::run() { state_->run(process::stop_on_signals()); }
-
-void Shell::bind_config(CLI::App&, Describe describe) {
-  if (config_bindings != nullptr) config_bindings->push_back(std::move(describe));
+bool Shell::Shared::only_failed_are_left() const {
+  return std::all_of(shells.begin(), shells.end(), [](const State* shell) { return shell->has_failed; });
 }
 
-int run_service(int argc, char** argv, const Shell::About& about, const std::function<void(CLI::App&)>& options,
-                const std::function<void(Shell&)>& body) {
-  const std::string program = "aisle-" + about.service;
-  return process::run_guarded(program, [&]() -> int {
-    process::stop_on_signals();
-    process::keep_no_large_blocks();
-    Common common;
-    std::vector<Describe> bindings;
-    CLI::App app(about.purpose, program);
-    add_common_options(app, about, common);
-    config_bindings = &bindings;
-    options(app);
-    config_bindings = nullptr;
-    const std::string config_file = find_config_file(argc, argv);
-    if (!config_file.empty()) read_config(config_file, about, common, bindings);
-    if (const std::optional<int> code = parse_arguments(app, argc, argv)) return *code;
-    complete_ids(about, common);
-    process::start_logging(common.instance_id, common.log_level);
-    Shell shell(std::make_unique<Shell::State>(about, common));
-    spdlog::info("{} {} started on {}", program, process::software_version(), site_text(common.settings));
-    body(shell);
-    return process::kDone;
+void Shell::Shared::start() {
+  bus.on_incident([this](const bus::Incident& incident) {
+    for (State* shell : shells) shell->take(incident);
+  });
+  bus.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) {
+    if (info.kind != bus::SampleKind::kData) return;
+    const PeerHealth peer = peer_of(sample);
+    for (State* shell : shells) shell->take(peer);
+  });
+  bus.every(kLivelinessPeriod, [this] {
+    for (State* shell : shells) shell->writer.assert_liveliness();
   });
 }
+
+Shell::Shell(bus::Bus& bus, Identity identity, Surroundings surroundings) {
+  auto shared = std::make_shared<Shared>(bus);
+  state_ = std::make_unique<State>(shared, std::move(identity), std::move(surroundings));
+  shared->shells.push_back(state_.get());
+  shared->start();
+  begin_reports();
+}
+
+Shell::Shell(Shell& first, Identity identity, Surroundings surroundings)
+    : state_(std::make_unique<State>(first.state_->shared, std::move(identity), std::move(surroundings))) {
+  state_->shared->shells.push_back(state_.get());
+  begin_reports();
+}
+
+Shell::~Shell() {
+  std::vector<State*>& shells = state_->shared->shells;
+  shells.erase(std::remove(shells.begin(), shells.end(), state_.get()), shells.end());
+}
+
+void Shell::begin_reports() {
+  post([this] { report_now(); });  // after the service's constructor
+  bus().every(kReportPeriod, [this] { report_now(); });
+  bus().every(kHealthPeriod, [this] { state_->publish(); });
+}
+
+const Identity& Shell::identity() const { return state_->identity; }
+bus::Bus& Shell::bus() { return state_->shared->bus; }
+time::Stamp Shell::now() const { return state_->now(); }
+std::int64_t Shell::wall_clock_ns() const { return state_->wall_clock_ns(); }
+Health& Shell::health() { return state_->health; }
+spdlog::logger& Shell::log() const { return *state_->log; }
+bool Shell::has_failed() const { return state_->has_failed; }
+void Shell::warn(const std::string& kind, const std::string& text) { state_->warn(kind, text); }
+
+MapClient& Shell::map(const MapClient::Options& options, MapClient::OnMap on_map) {
+  auto& maps = state_->shared->maps;
+  auto found = std::find_if(maps.begin(), maps.end(), [&](const auto& entry) { return entry.first == options; });
+  if (found == maps.end()) {
+    maps.emplace_back(options, std::make_unique<MapClient>(bus(), instance_id(), options));
+    found = std::prev(maps.end());
+  }
+  state_->map = found->second.get();
+  if (on_map) {
+    state_->map->on_map([this, on_map = std::move(on_map)](
+                            const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low,
+                            grid::Cell high) { guarded([&] { on_map(grid, clearance, low, high); }); });
+  }
+  return *found->second;
+}
+
+void Shell::every(std::chrono::nanoseconds period, std::function<void()> work) {
+  bus().every(period, [this, work = std::move(work)] { guarded(work); });
+}
+
+void Shell::post(std::function<void()> work) {
+  bus().post([this, work = std::move(work)] { guarded(work); });
+}
+
+void Shell::report(std::function<void(Health&)> fill) { state_->fill = std::move(fill); }
+
+void Shell::report_now() {
+  guarded([this] { state_->fill_report(); });
+  state_->publish_changes();
+}
+
+void Shell::publish_changes() { state_->publish_changes(); }
+
+void Shell::say_goodbye() {
+  state_->health.state = ServiceState::SERVICE_STOPPING;
+  state_->publish();
+  state_->writer.wait_until_acknowledged(kGoodbye);
+}
+
+std::shared_ptr<void>& Shell::channel_slot(const std::string& topic) { return state_->shared->channels[topic]; }
+
+void Shell::guarded(const std::function<void()>& work) { state_->guarded(work); }
+
+void Shell::note_dropped(const std::string& topic, const std::string& reason) {
+  count("dropped_" + topic);
+  warn(topic, topic + ": a sample was dropped: " + reason);
+}
+
+aisle::Origin Shell::origin() { return state_->origin(); }
+bool Shell::may_write() const { return !state_->has_failed; }
+void Shell::note_not_written(const std::string& topic) { count(topic + "_not_written"); }
 
 }  // namespace aisle::service

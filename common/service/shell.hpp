@@ -1,83 +1,153 @@
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 #include "common/bus/bus.hpp"
-#include "common/config/yaml_reader.hpp"
-#include "common/service/origin_stamper.hpp"
+#include "common/service/health.hpp"
+#include "common/service/inbox.hpp"
+#include "common/service/map_client.hpp"
+#include "common/service/outbox.hpp"
+#include "common/time/stamp.hpp"
 
-namespace CLI {
-class App;
+namespace spdlog {
+class logger;
 }
 
 namespace aisle::service {
 
-/// What the shell says on `service_health`, every second and at once when state, waits_for or last_error change.
-struct Health {
-  aisle::ServiceState state{};  // STARTING until the service says otherwise
-  std::string waits_for;        // e.g. "map_info, vehicle_state"; empty when nothing
-  std::string last_error;
-  std::string map_id;
-  std::uint64_t map_revision{0};
-  std::uint64_t map_hash{0};
-  std::map<std::string, std::uint64_t> counters;
-  /// At most 32 names; further ones are left out.
-  void count(const std::string& name, std::uint64_t by = 1);
+/// Who speaks on the bus.
+struct Identity {
+  std::string service;       // "global-planner"
+  std::string instance_id;   // unique on the site, "local-planner-agv-1"
+  std::string agv_id;        // of a service for one vehicle, else empty
+  std::uint64_t boot_id{0};  // of this start; a later start has a higher one
+  std::string host;          // for people
+  std::uint32_t process_id{0};
 };
 
-/// What every service process has in common: flags (--domain, --partition, --interface, --peer, --discovery-server,
-/// --shared-memory, --config, --instance, --log-level, --health-file, --version, --help), environment, logging,
-/// signals, one Bus, `service_health` with its 2 s manual lease asserted every 500 ms from the loop (so a hang shows),
-/// exit codes (0 stopped by signal, 2 bad input, 3 environment), and naming of a second process with the same instance
-/// id. Everything happens on the thread that calls run().
-class Shell {
- public:
-  struct About {
-    std::string service;      // "global-planner": the program is aisle-global-planner
-    std::string purpose;      // one line for --help
-    std::string agv_id_flag;  // "--agv" for services of one vehicle (then it must be given), else empty
+/// What a shell has from the process around it; a simulated one has nothing of it.
+struct Surroundings {
+  struct Usage {
+    double cpu_percent{0.0};  // of one core, since the call before
+    double resident_mb{0.0};
   };
+  std::shared_ptr<spdlog::logger> log;  // none: the default logger's sinks, named after the instance
+  std::function<Usage()> usage;         // none: zeros
+  std::function<void(const Health&, std::int64_t wall_clock_ns)> on_published;  // after each `service_health`
+};
 
-  ~Shell();
+/// What a service stands in: its inboxes and outboxes, timers, log lines and health. Needs a bus and an identity, no
+/// command line, no signals: see run_service.hpp for those. Everything happens in the loop of the bus.
+///
+///   MapService::MapService(service::Shell& shell, ...) : info_(shell.outbox<topics::MapInfo>()) {
+///     shell.inbox<topics::MapEdit>([this](const grid::MapEdit& edit, const service::Sender& from) { ... });
+///     shell.every(1s, [this] { ... });
+///     shell.report([this](service::Health& health) { if (...) health.wait_for("vehicle_info"); });
+///   }
+///
+/// `service_health` goes out once a second, soon after state, waits_for or last_error change, and its 2 s manual lease
+/// is asserted every 500 ms from the loop, so that a hang shows.
+///
+/// Several shells may stand on one bus, one for each vehicle of a process. They share readers, decoding and the map,
+/// and nothing else: when a handler of one of them throws, that one falls silent, with its health degraded, and the
+/// others go on. Alone, or the last, it lets the exception pass: the process ends.
+///
+/// Keep the shell and its service as long as the bus runs.
+class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
+ public:
+  Shell(bus::Bus& bus, Identity identity, Surroundings surroundings = {});
+  /// On the bus of `first`, which must live as long.
+  Shell(Shell& first, Identity identity, Surroundings surroundings = {});
+  ~Shell() override;
   Shell(const Shell&) = delete;
   Shell& operator=(const Shell&) = delete;
 
-  /// "global-planner", or "local-planner-agv-1" for a service of one vehicle, unless --instance says otherwise.
-  const std::string& instance_id() const;
-  const std::string& agv_id() const;
-  /// Microseconds since the Unix epoch at the start: a later start has a higher one.
-  std::uint64_t boot_id() const;
+  const Identity& identity() const;
+  const std::string& instance_id() const { return identity().instance_id; }
+  const std::string& agv_id() const { return identity().agv_id; }
+  std::uint64_t boot_id() const { return identity().boot_id; }
   bus::Bus& bus();
-  Health& health();
-  /// A new one for each writer: it counts that writer's samples.
-  OriginStamper stamper() const;
-  /// Runs the loop until SIGINT or SIGTERM.
-  void run();
 
-  /// Call it in `options`, before adding flags that are bound to members of `value`: the keys of `value.describe()` may
-  /// then stand at the top of the --config file, beside `instance`, `log_level` and `site`. Flags win over environment,
-  /// environment over the file.
-  template <class T>
-  static void config(CLI::App& app, T& value) {
-    bind_config(app, [&value](config::YamlReader& reader) { value.describe(reader); });
+  /// The bus's monotonic clock: what cores get as `now`.
+  time::Stamp now() const;
+  /// Nanoseconds since the Unix epoch, of the bus's wall clock. May jump: for stamps and files, never for ages.
+  std::int64_t wall_clock_ns() const;
+
+  /// Calls `handler(value)` or `handler(value, sender)` for each sample that its codec accepts. What it refuses is
+  /// counted as `dropped_<topic>` and warned of. What an instance's end means is on_gone()'s; by default, nothing.
+  template <class Topic, class Handler>
+  Inbox<Topic> inbox(Handler handler) {
+    detail::Subscription<Topic> subscription{*this, {}, {}, {}};
+    if constexpr (std::is_invocable_v<Handler, const ValueOf<Topic>&, const Sender&>) {
+      subscription.take = std::move(handler);
+    } else {
+      subscription.take = [handler = std::move(handler)](const ValueOf<Topic>& value, const Sender&) mutable {
+        handler(value);
+      };
+    }
+    return {bus(), channel<Topic>().add(std::move(subscription))};
   }
+
+  template <class Topic>
+  Outbox<Topic> outbox() {
+    return {bus(), *this};
+  }
+
+  /// The site's map, one for all shells of a process that want the same of it. Its id, revision and hash are in the
+  /// health from then on. `on_map`: see MapClient::on_map().
+  MapClient& map(const MapClient::Options& options, MapClient::OnMap on_map = {});
+
+  /// First after one period. A loop that is late skips ticks.
+  void every(std::chrono::nanoseconds period, std::function<void()> work);
+  /// In the loop, soon. From any thread.
+  void post(std::function<void()> work);
+
+  /// `fill` is called four times a second, with waits_for empty and is_degraded false: it says what the service waits
+  /// for and sets its counters. The state follows: degraded, else waiting, else ready.
+  void report(std::function<void(Health&)> fill);
+  /// Reports and publishes what changed at once, not at the next quarter of a second.
+  void report_now();
+  Health& health();
+  void count(const std::string& name, std::uint64_t by = 1) { health().count(name, by); }
+
+  /// Lines carry this instance's name, also when several share the process.
+  spdlog::logger& log() const;
+  /// At most one line in ten seconds for each `kind`; it says how many were kept back.
+  void warn(const std::string& kind, const std::string& text);
+
+  /// Publishes when state, waits_for or last_error changed since the last time.
+  void publish_changes();
+  /// The last word: SERVICE_STOPPING, waiting at most 200 ms until it was heard.
+  void say_goodbye();
+  bool has_failed() const;
 
  private:
   struct State;
-  explicit Shell(std::unique_ptr<State> state);
-  static void bind_config(CLI::App& app, std::function<void(config::YamlReader&)> describe);
-  friend int run_service(int argc, char** argv, const About& about, const std::function<void(CLI::App&)>& options,
-                         const std::function<void(Shell&)>& body);
+  /// What the shells of one bus share.
+  struct Shared;
+
+  void begin_reports();
+  template <class Topic>
+  detail::Channel<Topic>& channel() {
+    std::shared_ptr<void>& slot = channel_slot(Topic::kName);
+    if (!slot) slot = std::make_shared<detail::Channel<Topic>>(bus());
+    return *static_cast<detail::Channel<Topic>*>(slot.get());
+  }
+  std::shared_ptr<void>& channel_slot(const std::string& topic);
+
+  void guarded(const std::function<void()>& work) override;
+  void note_dropped(const std::string& topic, const std::string& reason) override;
+  aisle::Origin origin() override;
+  bool may_write() const override;
+  void note_not_written(const std::string& topic) override;
+
   std::unique_ptr<State> state_;
 };
-
-/// The whole of a main(): `options` adds flags of this service to the CLI11 app (and binds its config, see
-/// Shell::config); after parsing, `body` makes the service and calls shell.run(). Turns config::BadInput into one line
-/// and exit code 2, config::BadEnvironment into 3, anything else into 1.
-int run_service(int argc, char** argv, const Shell::About& about, const std::function<void(CLI::App&)>& options,
-                const std::function<void(Shell&)>& body);
 
 }  // namespace aisle::service

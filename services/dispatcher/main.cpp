@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <string>
 
 #include "common/config/reader.hpp"
 #include "common/scenario/scenario.hpp"
-#include "common/service/shell.hpp"
+#include "common/service/run_service.hpp"
 #include "services/dispatcher/dispatcher_service.hpp"
 
 int main(int argc, char** argv) {
@@ -11,7 +12,7 @@ int main(int argc, char** argv) {
   std::string scenario_file;
   dispatcher::ServiceConfig config;
   const auto options = [&](CLI::App& app) {
-    service::Shell::config(app, config);
+    service::bind_config(config);
     app.add_option("--scenario", scenario_file, "missions and map edits")->envname("AISLE_SCENARIO");
     app.add_option(
         "--start-at", config.start_at_ns,
@@ -23,8 +24,7 @@ int main(int argc, char** argv) {
                                 if (scenario_file.empty())
                                   throw config::BadInput("--scenario FILE is missing (or AISLE_SCENARIO)");
                                 config.scenario = scenario::read_scenario(scenario_file);
-                                dispatcher::DispatcherService dispatcher(shell.bus(), shell.instance_id(),
-                                                                         shell.boot_id(), shell.health(), config);
-                                shell.run();
+                                return std::make_unique<dispatcher::DispatcherService>(
+                                    shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), config);
                               });
 }

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +9,7 @@
 #include "common/config/reader.hpp"
 #include "common/scenario/scenario.hpp"
 #include "common/scenario/variation.hpp"
-#include "common/service/shell.hpp"
+#include "common/service/run_service.hpp"
 #include "services/fake-vehicle/fake_vehicle_service.hpp"
 
 namespace {
@@ -65,7 +66,7 @@ int main(int argc, char** argv) {
   Flags flags;
   fake_vehicle::ServiceConfig config;
   const auto options = [&](CLI::App& app) {
-    service::Shell::config(app, config);
+    service::bind_config(config);
     app.add_option("--scenario", flags.scenario_file, "scenario that has this vehicle")->envname("AISLE_SCENARIO");
     app.add_option("--start", flags.start, "X,Y,YAW in map, instead of a scenario")
         ->delimiter(',')
@@ -77,15 +78,15 @@ int main(int argc, char** argv) {
   };
   return service::run_service(argc, argv, {"fake-vehicle", "Simulates one vehicle with its lidar", "--agv"}, options,
                               [&](service::Shell& shell) {
+                                fake_vehicle::ServiceConfig own = config;
                                 if (!flags.start.empty() || flags.scenario_file.empty()) {
-                                  start_by_flags(flags, shell.agv_id(), config);
+                                  start_by_flags(flags, shell.agv_id(), own);
                                 } else {
-                                  start_by_scenario(flags, shell.agv_id(), config);
+                                  start_by_scenario(flags, shell.agv_id(), own);
                                 }
-                                config.state_file = flags.state_file;
-                                fake_vehicle::FakeVehicleService vehicle(shell.bus(), shell.agv_id(),
-                                                                         shell.instance_id(), shell.boot_id(),
-                                                                         shell.health(), config);
-                                shell.run();
+                                own.state_file = flags.state_file;
+                                return std::make_unique<fake_vehicle::FakeVehicleService>(
+                                    shell.bus(), shell.agv_id(), shell.instance_id(), shell.boot_id(), shell.health(),
+                                    own);
                               });
 }

@@ -1,11 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "common/config/reader.hpp"
 #include "common/scenario/scenario.hpp"
-#include "common/service/shell.hpp"
+#include "common/service/run_service.hpp"
 #include "services/fake-world/fake_world_service.hpp"
 
 int main(int argc, char** argv) {
@@ -27,8 +28,7 @@ int main(int argc, char** argv) {
                                   throw config::BadInput("--scenario FILE is missing (or AISLE_SCENARIO)");
                                 config.scenario = scenario::read_scenario(scenario_file);
                                 config.seed = seed.value_or(config.scenario.seed);
-                                fake_world::FakeWorldService world(shell.bus(), shell.instance_id(), shell.boot_id(),
-                                                                   shell.health(), config);
-                                shell.run();
+                                return std::make_unique<fake_world::FakeWorldService>(
+                                    shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), config);
                               });
 }

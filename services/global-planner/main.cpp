@@ -1,13 +1,14 @@
 #include <CLI/CLI.hpp>
+#include <memory>
 
-#include "common/service/shell.hpp"
+#include "common/service/run_service.hpp"
 #include "services/global-planner/global_planner_service.hpp"
 
 int main(int argc, char** argv) {
   using namespace aisle;
   global_planner::ServiceConfig config;
   const auto options = [&](CLI::App& app) {
-    service::Shell::config(app, config);
+    service::bind_config(config);
     app.add_option("--planner", config.planner, "name of a planner, e.g. direct, wang or theta");
     app.add_option("--strength", config.strength, "among planners of one epoch, the highest is heard")
         ->check(CLI::Range(0, 999));
@@ -15,8 +16,7 @@ int main(int argc, char** argv) {
   };
   return service::run_service(argc, argv, {"global-planner", "Plans a path for each vehicle with a goal", ""}, options,
                               [&](service::Shell& shell) {
-                                global_planner::GlobalPlannerService planner(shell.bus(), shell.instance_id(),
-                                                                             shell.boot_id(), shell.health(), config);
-                                shell.run();
+                                return std::make_unique<global_planner::GlobalPlannerService>(
+                                    shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), config);
                               });
 }

@@ -1,10 +1,11 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <utility>
 
 #include "common/process/clock.hpp"
-#include "common/service/shell.hpp"
+#include "common/service/run_service.hpp"
 #include "services/map/map_config.hpp"
 #include "services/map/map_service.hpp"
 
@@ -12,7 +13,7 @@ int main(int argc, char** argv) {
   using namespace aisle;
   map::MapConfig config;
   const auto options = [&](CLI::App& app) {
-    service::Shell::config(app, config);
+    service::bind_config(config);
     app.add_option("--map", config.map, "map file: ROS .yaml, Moving AI .map, or a text grid .txt");
     app.add_option("--map-id", config.map_id,
                    "name of the map on the site; by default the file's name without its ending");
@@ -32,7 +33,7 @@ int main(int argc, char** argv) {
                      store.map().map_id(), g.width, g.height, g.resolution_m, store.map().tiles(),
                      store.map().revision(), store.edits(),
                      config.journal.empty() ? "none: edits last until this process ends" : config.journal);
-        map::MapService service(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), std::move(store));
-        shell.run();
+        return std::make_unique<map::MapService>(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(),
+                                                 std::move(store));
       });
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/service/origin_stamper.hpp"
 #include "common/service/shell.hpp"
 #include "services/map/core/map_store.hpp"
 

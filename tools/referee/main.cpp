@@ -12,7 +12,7 @@
 #include "common/process/exit_code.hpp"
 #include "common/process/signals.hpp"
 #include "common/scenario/scenario.hpp"
-#include "common/service/shell.hpp"
+#include "common/service/run_service.hpp"
 #include "tools/referee/referee_service.hpp"
 #include "tools/referee/report/summary.hpp"
 #include "tools/referee/report/write_report.hpp"
@@ -68,6 +68,7 @@ referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& sc
   std::string because;
   while (because.empty()) {
     shell.bus().run_once(std::chrono::milliseconds(50));
+    shell.publish_changes();
     if (service.is_over()) because = "all missions are over";
     if (service.now_s() >= duration_s) because = fmt::format("{:.0f} s are over", duration_s);
     if (process::stop_on_signals()) because = "stopped by a signal";
@@ -86,14 +87,14 @@ referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& sc
 int main(int argc, char** argv) {
   Options options;
   int verdict = process::kDone;
-  const service::Shell::About about{
+  const service::About about{
       "referee", "Judges a simulated run from ground truth: contacts, clearance, goals, authority, timing.", ""};
-  const int code = service::run_service(
+  const int code = service::run_process(
       argc, argv, about, [&](CLI::App& app) { options.add_to(app); },
-      [&](service::Shell& shell) {
+      [&](service::Process& process) {
         const scenario::Scenario scenario = scenario::read_scenario(options.scenario_file);
         const referee::Walls walls(grid::read_map_file(scenario.map_file, scenario.map_options));
-        const referee::RunReport report = judge_run(shell, scenario, walls, options);
+        const referee::RunReport report = judge_run(process.shell(), scenario, walls, options);
         referee::write_report(report, walls, options.out);
         fmt::print("{}", referee::summary(report));
         verdict = report.passed() ? process::kDone : process::kNegative;

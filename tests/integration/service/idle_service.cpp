@@ -4,7 +4,7 @@
 #include <csignal>
 #include <string>
 
-#include "common/service/shell.hpp"
+#include "common/service/run_service.hpp"
 
 namespace {
 
@@ -29,24 +29,26 @@ void serve(aisle::service::Shell& shell, const Parameters& parameters) {
     may_be_ready = 0;
     std::signal(SIGUSR1, [](int) { may_be_ready = 1; });
   }
-  shell.bus().every(std::chrono::milliseconds(200), [&shell] {
+  shell.every(std::chrono::milliseconds(200), [&shell] {
     if (may_be_ready == 0) return;
     shell.health().state = aisle::ServiceState::SERVICE_READY;
     shell.health().waits_for.clear();
   });
-  shell.run();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   Parameters parameters;
-  return aisle::service::run_service(
+  return aisle::service::run_process(
       argc, argv, {"idle", "Does nothing.", argc > 1 && std::string(argv[1]) == "--agv" ? "--agv" : ""},
       [&](CLI::App& app) {
-        aisle::service::Shell::config(app, parameters);
+        aisle::service::bind_config(parameters);
         app.add_option("--radius", parameters.radius_m, "radius in metres");
         app.add_flag("--hold", parameters.hold, "not ready before SIGUSR1");
       },
-      [&](aisle::service::Shell& shell) { serve(shell, parameters); });
+      [&](aisle::service::Process& process) {
+        serve(process.shell(), parameters);
+        process.run();
+      });
 }

@@ -1,0 +1,27 @@
+#include "common/service/health.hpp"
+
+#include <cstddef>
+
+namespace aisle::service {
+namespace {
+
+constexpr std::size_t kMostCounters = 32;
+constexpr std::size_t kLongestWait = 200;  // characters; service_health has room for 256
+
+}  // namespace
+
+void Health::count(const std::string& name, std::uint64_t by) {
+  const auto position = counters.find(name);
+  if (position != counters.end()) {
+    position->second += by;
+  } else if (counters.size() < kMostCounters) {
+    counters.emplace(name, by);
+  }
+}
+
+void Health::wait_for(const std::string& what) {
+  if (waits_for.size() >= kLongestWait) return;
+  waits_for += (waits_for.empty() ? "" : ", ") + what;
+}
+
+}  // namespace aisle::service

@@ -1,0 +1,128 @@
+#pragma once
+#include <deque>
+#include <functional>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "common/bus/bus.hpp"
+#include "common/service/sender.hpp"
+#include "common/service/topic_values.hpp"
+
+namespace aisle::service {
+
+/// How an instance ended.
+enum class End {
+  kDisposed,  // its writer says that it is gone
+  kSilent,    // every writer of it is gone, or silent beyond its lease
+};
+
+namespace detail {
+
+/// What an inbox needs of its shell, so that its code is compiled once, not once a topic.
+class InboxOwner {
+ public:
+  virtual ~InboxOwner() = default;
+  /// Runs `work` unless this shell has failed; see Shell.
+  virtual void guarded(const std::function<void()>& work) = 0;
+  /// Counts `dropped_<topic>` and warns, at most once in ten seconds for each topic.
+  virtual void note_dropped(const std::string& topic, const std::string& reason) = 0;
+};
+
+template <class Topic>
+struct Subscription {
+  InboxOwner& owner;
+  std::function<void(const ValueOf<Topic>&, const Sender&)> take;
+  std::function<void(const KeyOf<Topic>&, End)> gone;
+  std::function<void(const KeyOf<Topic>&, const std::string& reason)> refused;
+};
+
+template <class Sample>
+Sender sender_of(const Sample& sample, const bus::SampleInfo& info) {
+  Sender sender;
+  if constexpr (HasOrigin<Sample>::value) {
+    sender.source_id = sample.by().source_id().to_string();
+    sender.boot_id = sample.by().boot_id();
+    sender.epoch = sample.by().epoch();
+    sender.sequence_number = sample.by().sequence_number();
+    sender.stamp_ns = sample.by().stamp_ns();
+  }
+  sender.arrived = std::chrono::duration_cast<time::Stamp>(info.arrived.time_since_epoch());
+  return sender;
+}
+
+/// One reader of a topic for all shells of a process: each sample is decoded once, then handed to every subscription.
+template <class Topic>
+class Channel {
+ public:
+  using Sample = typename Topic::Sample;
+
+  explicit Channel(bus::Bus& bus) {
+    bus.on<Topic>([this](const Sample& sample, const bus::SampleInfo& info) {
+      if (info.kind == bus::SampleKind::kData) {
+        hand_over(sample, info);
+      } else {
+        end(sample, info.kind == bus::SampleKind::kDisposed ? End::kDisposed : End::kSilent);
+      }
+    });
+  }
+
+  Subscription<Topic>& add(Subscription<Topic> subscription) {
+    subscriptions_.push_back(std::move(subscription));  // a deque: what is there stays where it is
+    return subscriptions_.back();
+  }
+
+ private:
+  void hand_over(const Sample& sample, const bus::SampleInfo& info) {
+    const auto decoded = wire::decode(sample);
+    const Sender sender = sender_of(sample, info);
+    for (Subscription<Topic>& subscription : subscriptions_) {
+      subscription.owner.guarded([&] {
+        if (decoded) return subscription.take(*decoded, sender);
+        subscription.owner.note_dropped(Topic::kName, decoded.reason());
+        if (subscription.refused) subscription.refused(key_of<Topic>(sample), decoded.reason());
+      });
+    }
+  }
+
+  void end(const Sample& sample, End how) {
+    for (Subscription<Topic>& subscription : subscriptions_) {
+      if (subscription.gone) subscription.owner.guarded([&] { subscription.gone(key_of<Topic>(sample), how); });
+    }
+  }
+
+  std::deque<Subscription<Topic>> subscriptions_;
+};
+
+}  // namespace detail
+
+/// What Shell::inbox() returns, to add handlers for what is rare:
+///
+///   shell.inbox<topics::Track>([this](const fleet::Track& track, const Sender& from) { ... })
+///       .on_gone([this](std::uint64_t track_id, End) { ... });
+template <class Topic>
+class Inbox {
+ public:
+  Inbox() = default;
+  Inbox(bus::Bus& bus, detail::Subscription<Topic>& subscription) : bus_(&bus), subscription_(&subscription) {}
+
+  /// An instance of which data came has ended.
+  const Inbox& on_gone(std::function<void(const KeyOf<Topic>&, End)> handler) const {
+    subscription_->gone = std::move(handler);
+    return *this;
+  }
+  /// A sample that the codec refused, after it was counted. The key may be anything.
+  const Inbox& on_refused(std::function<void(const KeyOf<Topic>&, const std::string& reason)> handler) const {
+    subscription_->refused = std::move(handler);
+    return *this;
+  }
+  /// Writers of this topic that we hear, our own included.
+  int matched_writers() const { return bus_->matched_writers(Topic::kName); }
+
+ private:
+  bus::Bus* bus_{nullptr};
+  detail::Subscription<Topic>* subscription_{nullptr};
+};
+
+}  // namespace aisle::service
