@@ -28,6 +28,9 @@ endfunction()
 # What only reads arguments, or only asks and compares: it is compiled more often than it runs.
 set(AISLE_QUICK_TO_COMPILE $<$<CONFIG:Release>:-O1>)
 
+# ccache keeps what is compiled with a precompiled header only if GCC names that header in the preprocessed text.
+set(AISLE_PRECOMPILED $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+
 # aisle_program(NAME SOURCES main.cpp LINKS lib...): a program in build/bin.
 function(aisle_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
@@ -37,15 +40,24 @@ function(aisle_program name)
   target_compile_options(${name} PRIVATE ${AISLE_QUICK_TO_COMPILE})
 endfunction()
 
-# aisle_test(NAME SOURCES a_test.cpp... LINKS lib...): a GoogleTest program; every TEST is a ctest entry of its own folder's label.
-function(aisle_test name)
-  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINKS" ${ARGN})
+# aisle_test_program(NAME SOURCES a_test.cpp... LINKS lib...): a GoogleTest program in build/tests that ctest does not know yet.
+function(aisle_test_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
-  target_link_libraries(${name} PRIVATE aisle_options GTest::gmock_main ${ARG_LINKS})
+  target_link_libraries(${name} PRIVATE aisle_options aisle_test_places GTest::gmock_main ${ARG_LINKS})
   target_compile_options(${name} PRIVATE ${AISLE_QUICK_TO_COMPILE})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
-  target_compile_definitions(${name} PRIVATE AISLE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" AISLE_BIN_DIR="${CMAKE_BINARY_DIR}/bin")
+  if(AISLE_PRECOMPILE)
+    target_precompile_headers(${name} REUSE_FROM aisle_test_places)
+    target_compile_options(${name} PRIVATE ${AISLE_PRECOMPILED})
+  endif()
+endfunction()
+
+# aisle_test(NAME SOURCES a_test.cpp... LINKS lib... [LABEL unit]): a GoogleTest program that is one ctest entry.
+function(aisle_test name)
+  cmake_parse_arguments(ARG "" "LABEL" "SOURCES;LINKS" ${ARGN})
+  aisle_test_program(${name} SOURCES ${ARG_SOURCES} LINKS ${ARG_LINKS})
   if(NOT ARG_LABEL)
     set(ARG_LABEL unit)
   endif()

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/places.hpp"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,7 +24,7 @@ struct Source {
 
 Source read_source(const fs::path& path) {
   static const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
-  Source source{fs::relative(path, AISLE_SOURCE_DIR).generic_string(), {}, {}};
+  Source source{fs::relative(path, aisle::test_support::source_folder()).generic_string(), {}, {}};
   std::ifstream in(path);
   for (std::string line; std::getline(in, line);) {
     std::smatch match;
@@ -36,7 +38,7 @@ const std::vector<Source>& all_sources() {
   static const std::vector<Source> sources = [] {
     std::vector<Source> found;
     for (const char* room : {"common", "services", "tools"}) {
-      for (const auto& entry : fs::recursive_directory_iterator(fs::path(AISLE_SOURCE_DIR) / room)) {
+      for (const auto& entry : fs::recursive_directory_iterator(aisle::test_support::source_folder() / room)) {
         const std::string ending = entry.path().extension().string();
         if (entry.is_regular_file() && (ending == ".hpp" || ending == ".cpp"))
           found.push_back(read_source(entry.path()));

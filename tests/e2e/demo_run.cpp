@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle::e2e {
 namespace {
@@ -21,9 +22,9 @@ nlohmann::json read_json(const fs::path& file) {
 }  // namespace
 
 DemoRun run_demo(const std::string& name, const std::vector<std::string>& arguments, double limit_s) {
-  const fs::path out = fs::path(AISLE_BIN_DIR) / "../e2e" / name;
+  const fs::path out = test_support::program_folder() / "../e2e" / name;
   fs::remove_all(out);
-  std::vector<std::string> command{std::string(AISLE_BIN_DIR) + "/aisle-demo", "--out", out.string()};
+  std::vector<std::string> command{test_support::program("aisle-demo"), "--out", out.string()};
   command.insert(command.end(), arguments.begin(), arguments.end());
   test_support::ChildProcess demo(command);
   DemoRun run;
@@ -37,7 +38,7 @@ DemoRun run_demo(const std::string& name, const std::vector<std::string>& argume
 bool has_reference_data() {
   const char* set = std::getenv("AISLE_DATA");
   if (set != nullptr && *set != '\0') return fs::is_directory(set);
-  return fs::is_directory(fs::path(AISLE_SOURCE_DIR) / "../shared/data") || fs::is_directory("../shared/data");
+  return fs::is_directory(test_support::source_folder() / "../shared/data") || fs::is_directory("../shared/data");
 }
 
 }  // namespace aisle::e2e

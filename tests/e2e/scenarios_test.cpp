@@ -8,6 +8,7 @@
 
 #include "tests/e2e/demo_run.hpp"
 #include "tests/e2e/verdicts.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle::e2e {
 namespace {
@@ -42,10 +43,10 @@ TEST(Scenarios, BlockedAisleIsDrivenAround) {
 
 /// deploy/config, with `line` of the obstacle tracker's file changed to `changed`.
 std::string configuration_with(const std::string& line, const std::string& changed) {
-  const fs::path folder = fs::path(AISLE_BIN_DIR) / "../e2e/config-changed";
+  const fs::path folder = test_support::program_folder() / "../e2e/config-changed";
   fs::remove_all(folder);
   fs::create_directories(folder.parent_path());
-  fs::copy(fs::path(AISLE_SOURCE_DIR) / "deploy/config", folder);
+  fs::copy(test_support::source_folder() / "deploy/config", folder);
   std::ifstream in(folder / "obstacle-tracker.yaml");
   std::string text{std::istreambuf_iterator<char>(in), {}};
   const std::size_t at = text.find(line);

@@ -16,6 +16,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/scenario/scenario.hpp"
+#include "tests/support/places.hpp"
 #include "tools/demo/child.hpp"
 #include "tools/demo/domain_lock.hpp"
 #include "tools/demo/fleet.hpp"
@@ -37,9 +38,9 @@ struct Truth {
 class Watchdog : public ::testing::Test {
  protected:
   void SetUp() override {
-    settings_.scenario_file = fs::path(AISLE_SOURCE_DIR) / "deploy/scenarios/crossing.yaml";
-    settings_.config_folder = fs::path(AISLE_SOURCE_DIR) / "deploy/config";
-    settings_.out = fs::path(AISLE_BIN_DIR) / "../e2e/watchdog";
+    settings_.scenario_file = test_support::source_folder() / "deploy/scenarios/crossing.yaml";
+    settings_.config_folder = test_support::source_folder() / "deploy/config";
+    settings_.out = test_support::program_folder() / "../e2e/watchdog";
     settings_.domain = lock_.domain();
     fs::remove_all(settings_.out);
     fs::create_directories(settings_.out / "state");
@@ -47,7 +48,7 @@ class Watchdog : public ::testing::Test {
     for (const demo::Process& process :
          demo::processes_of(scenario::read_scenario(settings_.scenario_file), settings_)) {
       if (process.is_referee) continue;
-      auto child = std::make_unique<demo::Child>(process, fs::path(AISLE_BIN_DIR) / process.program,
+      auto child = std::make_unique<demo::Child>(process, test_support::program_folder() / process.program,
                                                  settings_.out / (process.instance + ".log"), false);
       if (process.instance == std::string("local-planner-") + kVehicle) local_planner_ = child.get();
       children_.push_back(std::move(child));

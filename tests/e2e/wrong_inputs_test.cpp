@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle::e2e {
 namespace {
@@ -41,7 +42,7 @@ class WrongInputs : public ::testing::Test {
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
 
   static Answer ask(const std::string& program, const std::vector<std::string>& arguments) {
-    std::vector<std::string> command{std::string(AISLE_BIN_DIR) + "/" + program};
+    std::vector<std::string> command{test_support::program(program)};
     command.insert(command.end(), arguments.begin(), arguments.end());
     ChildProcess process(command);
     Answer answer;

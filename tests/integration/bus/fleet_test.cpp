@@ -10,6 +10,7 @@
 #include "common/config/reader.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/sanitized.hpp"
 
 namespace aisle::bus_test {
@@ -32,8 +33,8 @@ TEST(Fleet, ThirtyParticipantsMeetAndStaySmall) {
       [&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
   std::vector<std::unique_ptr<test_support::ChildProcess>> members;
   for (int i = 0; i < kMembers; ++i) {
-    members.push_back(std::make_unique<test_support::ChildProcess>(
-        std::vector<std::string>{BUS_TEST_PEER, "212", "", "member-" + std::to_string(i), "member"}));
+    members.push_back(std::make_unique<test_support::ChildProcess>(std::vector<std::string>{
+        test_support::test_program("bus_test_peer"), "212", "", "member-" + std::to_string(i), "member"}));
   }
   EXPECT_TRUE(run_until(
       {&listener}, [&] { return heard.size() == kMembers; }, 60s))
@@ -49,8 +50,10 @@ TEST(Fleet, PartitionsKeepSitesApart) {
   std::set<std::string> heard;
   listener.on<topics::VehicleState>(
       [&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
-  const test_support::ChildProcess other({BUS_TEST_PEER, "213", "site-b", "other", "member"});
-  const test_support::ChildProcess ours({BUS_TEST_PEER, "213", "site-a", "ours", "member"});
+  const test_support::ChildProcess other(
+      {test_support::test_program("bus_test_peer"), "213", "site-b", "other", "member"});
+  const test_support::ChildProcess ours(
+      {test_support::test_program("bus_test_peer"), "213", "site-a", "ours", "member"});
   ASSERT_TRUE(run_until({&listener}, [&] { return listener.participants().size() == 2 && heard.count("ours") > 0; }));
   run_until(
       {&listener}, [] { return false; }, 500ms);

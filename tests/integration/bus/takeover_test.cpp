@@ -7,6 +7,7 @@
 
 #include "tests/integration/bus/two_buses.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle::bus_test {
 namespace {
@@ -52,8 +53,8 @@ class PlanListener {
 };
 
 test_support::ChildProcess planner(int domain, const std::string& name, int strength) {
-  return test_support::ChildProcess(
-      {BUS_TEST_PEER, std::to_string(domain), "", name, "plan", std::to_string(strength)});
+  return test_support::ChildProcess({test_support::test_program("bus_test_peer"), std::to_string(domain), "", name,
+                                     "plan", std::to_string(strength)});
 }
 
 /// How long nobody was heard, from the last sample of `strong` to the first of `weak`.

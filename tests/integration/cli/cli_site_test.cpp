@@ -25,6 +25,7 @@
 #include "common/service/versions.hpp"
 #include "common/wire/map.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle {
 namespace {
@@ -53,14 +54,14 @@ bus::Settings on_loopback(int domain) {
 }
 
 std::vector<std::string> command_in(int domain, const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{AISLE_CLI};
+  std::vector<std::string> command{test_support::program("aisle")};
   command.insert(command.end(), arguments.begin(), arguments.end());
   command.insert(command.end(), {"--domain", std::to_string(domain), "--interface", "127.0.0.1"});
   return command;
 }
 
 Outcome run_alone(const std::vector<std::string>& arguments) {
-  std::vector<std::string> command{AISLE_CLI};
+  std::vector<std::string> command{test_support::program("aisle")};
   command.insert(command.end(), arguments.begin(), arguments.end());
   ChildProcess aisle(command);
   const int code = aisle.wait(seconds(60)).value_or(-1);

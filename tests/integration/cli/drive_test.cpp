@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle {
 namespace {
@@ -24,7 +25,7 @@ using test_support::ChildProcess;
 using ::testing::HasSubstr;
 
 nlohmann::json drive(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {AISLE_CLI, "drive", "--truth", "--json"});
+  arguments.insert(arguments.begin(), {test_support::program("aisle"), "drive", "--truth", "--json"});
   ChildProcess aisle(arguments);
   EXPECT_EQ(aisle.wait(seconds(120)), 0) << aisle.err();
   return nlohmann::json::parse(aisle.out());
@@ -66,7 +67,7 @@ struct Refusal {
 };
 
 Refusal refusal(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {AISLE_CLI, "drive"});
+  arguments.insert(arguments.begin(), {test_support::program("aisle"), "drive"});
   ChildProcess aisle(arguments);
   const std::optional<int> code = aisle.wait(seconds(60));
   EXPECT_EQ(aisle.out(), "");
@@ -97,13 +98,15 @@ TEST(Drive, APictureThatCannotBeWrittenIsRefusedBeforeTheRun) {
 }
 
 TEST(Drive, AnExperimentsPageThatCannotBeWrittenIsRefusedBeforeTheDrives) {
-  ChildProcess aisle({AISLE_CLI, "experiment", "local", "--maps", "/no-such-folder", "--page", "/dev/null/page.md"});
+  ChildProcess aisle({test_support::program("aisle"), "experiment", "local", "--maps", "/no-such-folder", "--page",
+                      "/dev/null/page.md"});
   EXPECT_EQ(aisle.wait(seconds(60)), 3);
   EXPECT_THAT(aisle.err(), HasSubstr("/dev/null/"));
 }
 
 TEST(Drive, AFullDiskBehindStdoutIsNoSuccess) {
-  ChildProcess aisle({"/bin/sh", "-c", AISLE_CLI " drive --truth --scenario crossing > /dev/full"});
+  ChildProcess aisle(
+      {"/bin/sh", "-c", test_support::program("aisle") + " drive --truth --scenario crossing > /dev/full"});
   EXPECT_EQ(aisle.wait(seconds(60)), 3);
   EXPECT_THAT(aisle.err(), HasSubstr("stdout cannot be written"));
 }
@@ -113,9 +116,9 @@ class OwnScenario {
  public:
   OwnScenario(const std::string& vehicle, const std::string& goal)
       : file_(std::filesystem::temp_directory_path() / ("aisle-own-" + std::to_string(getpid()) + ".yml")) {
-    std::ofstream(file_) << "map: " AISLE_SOURCE_DIR
-                            "/deploy/maps/room.txt\nmoving_ai_cell_m: 0.5\nduration_s: 5\nvehicles: ["
-                         << vehicle << "]\n"
+    std::ofstream(file_) << "map: " << test_support::source_folder().string()
+                         << "/deploy/maps/room.txt\nmoving_ai_cell_m: 0.5\nduration_s: 5\nvehicles: [" << vehicle
+                         << "]\n"
                          << "missions: [{vehicle: agv-1, goals: [" << goal << "]}]\n";
   }
   ~OwnScenario() { std::filesystem::remove(file_); }
@@ -143,7 +146,7 @@ TEST(Drive, NobodyStartsInAWallOutsideOrInAnother) {
 
 TEST(Drive, AGoalThatCannotBeReachedIsMissedWithItsReason) {
   const OwnScenario scenario("{id: agv-1, start: [4.0, 5.0]}", "[0.1, 0.1]");
-  ChildProcess aisle({AISLE_CLI, "drive", "--json", "--scenario", scenario.file()});
+  ChildProcess aisle({test_support::program("aisle"), "drive", "--json", "--scenario", scenario.file()});
   EXPECT_EQ(aisle.wait(seconds(60)), 1);
   EXPECT_THAT(aisle.err(), HasSubstr("goal missed: failed, unreachable the goal (0.10, 0.10) has 0.00 m of clearance"));
   const nlohmann::json report = nlohmann::json::parse(aisle.out());
@@ -152,7 +155,7 @@ TEST(Drive, AGoalThatCannotBeReachedIsMissedWithItsReason) {
 }
 
 TEST(Drive, TellsHowFarItIsAndEndsWhenAsked) {
-  ChildProcess aisle({AISLE_CLI, "drive", "--scenario", "warehouse", "--runs", "100000"});
+  ChildProcess aisle({test_support::program("aisle"), "drive", "--scenario", "warehouse", "--runs", "100000"});
   ASSERT_TRUE(aisle.wait_for_output("of 100000: ", seconds(60))) << aisle.err();
   aisle.signal(SIGINT);
   EXPECT_EQ(aisle.wait(seconds(60)), 1) << aisle.err();

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle {
 namespace {
@@ -46,7 +47,7 @@ class PlanOffline : public ::testing::Test {
 
   /// What stands on stderr; a refusal is one line.
   static std::string refusal(int code, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {AISLE_CLI, "plan"});
+    arguments.insert(arguments.begin(), {test_support::program("aisle"), "plan"});
     ChildProcess aisle(arguments);
     EXPECT_EQ(aisle.wait(seconds(60)), code) << aisle.err();
     EXPECT_EQ(std::count(aisle.err().begin(), aisle.err().end(), '\n'), 1) << aisle.err();
@@ -62,7 +63,8 @@ class PlanOffline : public ::testing::Test {
 };
 
 TEST_F(PlanOffline, FindsAWayWithEveryPlannerAndSaysItsFigures) {
-  ChildProcess aisle({AISLE_CLI, "plan", "--map", map_, "--start", "1.5,5.5", "--goal", "10.5,3.5", "--json"});
+  ChildProcess aisle(
+      {test_support::program("aisle"), "plan", "--map", map_, "--start", "1.5,5.5", "--goal", "10.5,3.5", "--json"});
   ASSERT_EQ(aisle.wait(seconds(60)), kDone) << aisle.err();
   const nlohmann::json report = nlohmann::json::parse(aisle.out());
   EXPECT_GE(report.size(), 14U);
@@ -95,8 +97,17 @@ TEST_F(PlanOffline, PlansForARectangle) {
   // Through the gap of one metre: a steered vehicle of 0.5 m width passes it, but is too long to turn on the spot
   // there.
   const auto report = [&](std::vector<std::string> more) {
-    std::vector<std::string> arguments{AISLE_CLI, "plan",     "--map",       map_,          "--start", "2,4.5,0",
-                                       "--goal",  "10,4.5,0", "--footprint", "1.6,0.5,0.3", "--json"};
+    std::vector<std::string> arguments{test_support::program("aisle"),
+                                       "plan",
+                                       "--map",
+                                       map_,
+                                       "--start",
+                                       "2,4.5,0",
+                                       "--goal",
+                                       "10,4.5,0",
+                                       "--footprint",
+                                       "1.6,0.5,0.3",
+                                       "--json"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     ChildProcess aisle(arguments);
     aisle.wait(seconds(60));

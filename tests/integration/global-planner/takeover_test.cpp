@@ -9,6 +9,7 @@
 
 #include "tests/integration/global-planner/site.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle::global_planner {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using test_support::ChildProcess;
 
 std::unique_ptr<ChildProcess> start(int domain, const std::string& name, bool standby) {
-  std::vector<std::string> command{AISLE_BIN_DIR "/aisle-global-planner",
+  std::vector<std::string> command{test_support::program("aisle-global-planner"),
                                    "--domain",
                                    std::to_string(domain),
                                    "--interface",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle {
 namespace {
@@ -17,12 +18,19 @@ using testing::HasSubstr;
 
 std::vector<std::string> subscriber(const std::string& domain, const std::string& partition,
                                     const std::string& seconds) {
-  return {CYCLONE_SUBSCRIBER, "--domain",  domain,      "--partition", partition,
-          "--interface",      "127.0.0.1", "--seconds", seconds};
+  return {test_support::test_program("aisle_cyclone_subscriber"),
+          "--domain",
+          domain,
+          "--partition",
+          partition,
+          "--interface",
+          "127.0.0.1",
+          "--seconds",
+          seconds};
 }
 
 TEST(Cyclone, DecodesASiteInAPartition) {
-  const ChildProcess site({BUS_TEST_PEER, "220", "site-a", "planner-1", "site"});
+  const ChildProcess site({test_support::test_program("bus_test_peer"), "220", "site-a", "planner-1", "site"});
   ChildProcess cyclone(subscriber("220", "site-a", "20"));
   EXPECT_EQ(cyclone.wait(30s), 0) << cyclone.err();
   EXPECT_THAT(
@@ -49,7 +57,7 @@ TEST(Cyclone, DecodesASiteInAPartition) {
 }
 
 TEST(Cyclone, HearsNothingOfAnotherPartition) {
-  const ChildProcess site({BUS_TEST_PEER, "221", "site-a", "planner-1", "site"});
+  const ChildProcess site({test_support::test_program("bus_test_peer"), "221", "site-a", "planner-1", "site"});
   ChildProcess cyclone(subscriber("221", "site-b", "2"));
   EXPECT_EQ(cyclone.wait(10s), 1);
   EXPECT_EQ(cyclone.out(), "");

@@ -13,6 +13,7 @@
 #include "services/map/core/map_store.hpp"
 #include "tests/integration/map/site_fixture.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 #include "tests/unit/map/temporary_folder.hpp"
 
 namespace aisle::map {
@@ -38,7 +39,7 @@ class MapProcess : public ::testing::Test {
   fs::path map_file() const { return folder_.path() / "floor.txt"; }
   fs::path journal() const { return folder_.path() / "floor.journal"; }
   std::unique_ptr<ChildProcess> start(std::vector<std::string> more, int domain) const {
-    std::vector<std::string> command{std::string(AISLE_BIN_DIR) + "/aisle-map", "--domain", std::to_string(domain),
+    std::vector<std::string> command{test_support::program("aisle-map"), "--domain", std::to_string(domain),
                                      "--interface", "127.0.0.1"};
     command.insert(command.end(), more.begin(), more.end());
     return std::make_unique<ChildProcess>(command);

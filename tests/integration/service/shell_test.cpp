@@ -14,6 +14,7 @@
 #include "common/bus/bus.hpp"
 #include "common/service/health_file.hpp"
 #include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/sanitized.hpp"
 
 namespace aisle {
@@ -28,7 +29,7 @@ using ::testing::StartsWith;
 constexpr int kDomain = 151;
 
 std::vector<std::string> command(const std::vector<std::string>& more) {
-  std::vector<std::string> all{IDLE_SERVICE};
+  std::vector<std::string> all{test_support::test_program("aisle-idle")};
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "common/bus/type_table.hpp"
+#include "tests/support/places.hpp"
 #include "tests/unit/bus/golden_samples.hpp"
 
 namespace aisle::bus_test {
@@ -18,7 +19,9 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-std::string golden_file(const std::string& topic) { return AISLE_SOURCE_DIR "/tests/data/cdr/" + topic + ".hex"; }
+std::string golden_file(const std::string& topic) {
+  return test_support::source_folder().string() + "/tests/data/cdr/" + topic + ".hex";
+}
 
 /// Sixteen bytes a line.
 std::string hex(const Bytes& bytes) {

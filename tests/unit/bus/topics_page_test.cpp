@@ -6,11 +6,13 @@
 #include <iterator>
 #include <string>
 
+#include "tests/support/places.hpp"
+
 namespace aisle::bus_test {
 namespace {
 
 TEST(TopicsPage, IsWhatTheTableOfTopicsSays) {
-  std::ifstream file(AISLE_SOURCE_DIR "/docs/topics.md");
+  std::ifstream file(test_support::source_folder().string() + "/docs/topics.md");
   const std::string committed{std::istreambuf_iterator<char>(file), {}};
   EXPECT_EQ(committed, topics_page()) << "docs/topics.md is old; run build/tests/aisle_topics_page > docs/topics.md";
 }

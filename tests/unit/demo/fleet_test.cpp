@@ -8,6 +8,7 @@
 #include <set>
 
 #include "common/config/reader.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle::demo {
 namespace {
@@ -65,7 +66,7 @@ TEST(Fleet, StartsTheServicesInReverseOrderOnRequest) {
 
 TEST(Fleet, NamesTheScenariosThatThereAre) {
   try {
-    find_scenario("no-such-scenario", std::string(AISLE_SOURCE_DIR) + "/build/bin");
+    find_scenario("no-such-scenario", test_support::source_folder().string() + "/build/bin");
     FAIL();
   } catch (const config::BadInput& error) {
     EXPECT_THAT(error.what(), HasSubstr("no scenario 'no-such-scenario'"));

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "common/config/reader.hpp"
+#include "tests/support/places.hpp"
 #include "tests/unit/grid/random_grid.hpp"
 
 namespace aisle::grid {
@@ -302,7 +303,7 @@ TEST_F(MapFile, AFailedSaveLeavesTheOldMap) {
 /// Maps that others made; only where the data lies beside the sources.
 TEST(MapFileData, ReadsTheMapsOfOthers) {
   const char* set = std::getenv("AISLE_DATA");
-  const fs::path data = set != nullptr ? fs::path(set) : fs::path(AISLE_SOURCE_DIR) / ".." / "shared" / "data";
+  const fs::path data = set != nullptr ? fs::path(set) : test_support::source_folder() / ".." / "shared" / "data";
   if (!fs::exists(data / "ros")) GTEST_SKIP() << "no data in " << data << ": set AISLE_DATA to test with real maps";
   const Geometry depot = read_map_file(data / "ros" / "nav2_depot.yaml").geometry();
   EXPECT_EQ(depot.width, 604);

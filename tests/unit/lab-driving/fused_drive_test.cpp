@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "common/config/reader.hpp"
+#include "tests/support/places.hpp"
 #include "tools/lab/driving/curves_svg.hpp"
 
 namespace aisle::cli {
 namespace {
 
-const std::filesystem::path kMaps = std::filesystem::path(AISLE_SOURCE_DIR) / "deploy/experiments";
+const std::filesystem::path kMaps = test_support::source_folder() / "deploy/experiments";
 
 FusedDrive wang_drive(const Surprises& surprises) {
   const local_planner::Variant wang = paper_variant("wang");

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/config/reader.hpp"
+#include "tests/support/places.hpp"
 #include "tools/lab/planning/drawn_map.hpp"
 #include "tools/lab/planning/markdown.hpp"
 #include "tools/lab/planning/paper_tables.hpp"
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-const fs::path kMaps = fs::path(AISLE_SOURCE_DIR) / "deploy/experiments";
+const fs::path kMaps = test_support::source_folder() / "deploy/experiments";
 void silent(const std::string&) {}
 
 fs::path folder(const std::string& name) {

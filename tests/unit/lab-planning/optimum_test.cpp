@@ -12,6 +12,7 @@
 #include "common/grid/formats/map_file.hpp"
 #include "common/scenario/data_path.hpp"
 #include "services/global-planner/core/variant.hpp"
+#include "tests/support/places.hpp"
 #include "tools/lab/planning/queries.hpp"
 #include "tools/lab/planning/tally.hpp"
 
@@ -25,7 +26,7 @@ std::vector<fs::path> scenario_files() {
   std::vector<fs::path> files;
   try {
     const fs::path one = scenario::find_named_file("data:movingai/den520d.map",
-                                                   fs::path(AISLE_SOURCE_DIR) / "deploy/scenarios/any.yaml");
+                                                   test_support::source_folder() / "deploy/scenarios/any.yaml");
     for (const auto& entry : fs::directory_iterator(one.parent_path())) {
       if (entry.path().extension() == ".scen") files.push_back(entry.path());
     }

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "tests/support/places.hpp"
 #include "tools/lockstep/families.hpp"
 
 namespace aisle::lockstep {
@@ -19,7 +20,7 @@ void expect_good(const Setup& setup) {
 }
 
 Setup deployed(const std::string& name) {
-  return read_setup(std::string(AISLE_SOURCE_DIR) + "/deploy/scenarios/" + name + ".yaml", 1);
+  return read_setup(test_support::source_folder().string() + "/deploy/scenarios/" + name + ".yaml", 1);
 }
 
 TEST(Vehicles, AForkliftCompletesTheWarehouseWithoutContact) { expect_good(deployed("forklift-warehouse")); }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/geometry/body.hpp"
+#include "tests/support/places.hpp"
 #include "tools/lockstep/families.hpp"
 #include "tools/lockstep/simulation.hpp"
 
@@ -19,7 +20,7 @@ struct Pass {
 
 /// `later_s`: how much later than the scenario says agv-1 comes to the corner, seen from the person.
 Pass drive(const std::string& only_scans_of, double later_s, double& asked_m) {
-  Setup setup = read_setup(std::filesystem::path(AISLE_SOURCE_DIR) / "deploy/scenarios/around-the-corner.yaml", 1);
+  Setup setup = read_setup(test_support::source_folder() / "deploy/scenarios/around-the-corner.yaml", 1);
   setup.only_scans_of = only_scans_of;
   setup.scenario.movers.front().start_s -= later_s;
   asked_m = setup.scenario.person_clearance_m;

@@ -15,6 +15,7 @@
 #include "common/grid/formats/map_file.hpp"
 #include "common/scenario/scenario.hpp"
 #include "services/fake-world/core/recording.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle::scenario {
 namespace {
@@ -26,7 +27,7 @@ constexpr double kPassingM = 0.6;  // between two bodies that stand
 
 std::vector<std::string> names() {
   std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator(fs::path(AISLE_SOURCE_DIR) / "deploy/scenarios")) {
+  for (const auto& entry : fs::directory_iterator(test_support::source_folder() / "deploy/scenarios")) {
     if (entry.path().extension() == ".yaml") found.push_back(entry.path().stem().string());
   }
   std::sort(found.begin(), found.end());
@@ -36,7 +37,7 @@ std::vector<std::string> names() {
 class Deployed : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    const fs::path file = fs::path(AISLE_SOURCE_DIR) / "deploy/scenarios" / (GetParam() + ".yaml");
+    const fs::path file = test_support::source_folder() / "deploy/scenarios" / (GetParam() + ".yaml");
     try {
       scenario_ = read_scenario(file);
     } catch (const config::BadInput& error) {

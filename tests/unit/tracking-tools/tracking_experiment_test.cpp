@@ -9,6 +9,7 @@
 
 #include "common/config/reader.hpp"
 #include "common/scenario/data_path.hpp"
+#include "tests/support/places.hpp"
 #include "tools/lockstep/families.hpp"
 
 namespace aisle::cli {
@@ -20,7 +21,7 @@ using ::testing::HasSubstr;
 class TrackingSection : public ::testing::Test {
  protected:
   TrackingSection() {
-    orders_.empty_place = fs::path(AISLE_SOURCE_DIR) / "deploy/scenarios/crossing.yaml";
+    orders_.empty_place = test_support::source_folder() / "deploy/scenarios/crossing.yaml";
     orders_.pictures = fs::temp_directory_path() / ("aisle-tracking-" + std::to_string(::getpid()));
     orders_.pictures_from_page = "pictures";
     orders_.longest_s = 5.0;
