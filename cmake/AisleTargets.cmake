@@ -31,13 +31,17 @@ set(AISLE_QUICK_TO_COMPILE $<$<CONFIG:Release>:-O1>)
 # ccache keeps what is compiled with a precompiled header only if GCC names that header in the preprocessed text.
 set(AISLE_PRECOMPILED $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 
-# aisle_program(NAME SOURCES main.cpp LINKS lib...): a program in build/bin.
+# aisle_program(NAME SOURCES main.cpp LINKS lib...): a program in build/bin, part of the target `programs` unless it serves only the tests.
 function(aisle_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE aisle_options ${ARG_LINKS})
   target_compile_options(${name} PRIVATE ${AISLE_QUICK_TO_COMPILE})
+  string(FIND ${CMAKE_CURRENT_SOURCE_DIR}/ ${CMAKE_SOURCE_DIR}/tests/ in_tests)
+  if(in_tests EQUAL -1)
+    add_dependencies(programs ${name})
+  endif()
 endfunction()
 
 # aisle_test_program(NAME SOURCES a_test.cpp... LINKS lib...): a GoogleTest program in build/tests that ctest does not know yet.
