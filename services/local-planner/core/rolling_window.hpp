@@ -2,8 +2,8 @@
 #include <optional>
 #include <vector>
 
-#include "services/local-planner/core/local_search.hpp"
 #include "services/local-planner/core/rollout.hpp"
+#include "services/local-planner/core/room.hpp"
 #include "services/local-planner/core/route.hpp"
 
 namespace aisle::local_planner {

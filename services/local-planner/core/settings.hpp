@@ -1,8 +1,8 @@
 #pragma once
 #include "services/local-planner/core/dwa.hpp"
 #include "services/local-planner/core/lane.hpp"
+#include "services/local-planner/core/right_of_way/traffic.hpp"
 #include "services/local-planner/core/surroundings.hpp"
-#include "services/local-planner/core/traffic.hpp"
 
 namespace aisle::local_planner {
 

@@ -5,8 +5,8 @@
 
 #include "services/local-planner/core/dwa.hpp"
 #include "services/local-planner/core/inputs.hpp"
-#include "services/local-planner/core/local_search.hpp"
-#include "services/local-planner/core/traffic.hpp"
+#include "services/local-planner/core/right_of_way/traffic.hpp"
+#include "services/local-planner/core/room.hpp"
 
 namespace aisle::local_planner {
 

@@ -5,7 +5,7 @@
 
 #include "services/local-planner/core/inputs.hpp"
 #include "services/local-planner/core/recovery.hpp"
-#include "services/local-planner/core/traffic.hpp"
+#include "services/local-planner/core/right_of_way/traffic.hpp"
 #include "services/local-planner/core/way.hpp"
 
 namespace aisle::local_planner {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "services/local-planner/core/lane.hpp"
-#include "services/local-planner/core/local_search.hpp"
+#include "services/local-planner/core/room.hpp"
 #include "services/local-planner/core/route.hpp"
 
 namespace aisle::local_planner {

@@ -1,4 +1,4 @@
-#include "services/local-planner/core/traffic.hpp"
+#include "services/local-planner/core/right_of_way/traffic.hpp"
 
 #include <gtest/gtest.h>
 

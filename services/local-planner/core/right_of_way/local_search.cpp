@@ -1,4 +1,4 @@
-#include "services/local-planner/core/local_search.hpp"
+#include "services/local-planner/core/right_of_way/local_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -47,24 +47,6 @@ std::vector<Point2> straighten(const Room& room, const std::vector<Point2>& way)
 }
 
 }  // namespace
-
-double Room::spare_m(Point2 p) const {
-  double spare = std::min(1.0, clearance.clearance_m(p) - radius_m - wall_margin_m);
-  for (const Disc& disc : discs) {
-    const double reach = radius_m + disc.radius_m + disc_margin_m + spare;
-    const Point2 d = p - disc.position;
-    if (geometry::dot(d, d) < reach * reach || reach < 0.0)
-      spare = std::min(spare, geometry::norm(d) - radius_m - disc.radius_m - disc_margin_m);
-  }
-  return spare;
-}
-
-bool Room::is_line_free(Point2 a, Point2 b) const {
-  const int pieces = std::max(1, static_cast<int>(std::ceil(geometry::distance(a, b) / 0.05)));
-  for (int i = 0; i <= pieces; ++i)
-    if (spare_m(a + (static_cast<double>(i) / pieces) * (b - a)) < 0.0) return false;
-  return true;
-}
 
 std::vector<Point2> search_way(const Room& room, Point2 from, Point2 towards, double reach_m,
                                const std::function<bool(Point2)>& accepts) {
