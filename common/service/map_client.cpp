@@ -69,7 +69,7 @@ void MapClient::ask_for_missing() {
   if (Clock::now() - progress_ < (knows_what ? options_.ask_after : kAskForInfoAfter)) return;
   if (requests_.matched_readers() == 0) return;
   progress_ = Clock::now();
-  requests_.write(wire::encode(wire::MapRequest{requester_id_, map_id_, ++requests_sent_, mirror_.missing_tiles()}));
+  requests_.write(wire::encode(fleet::MapRequest{requester_id_, map_id_, ++requests_sent_, mirror_.missing_tiles()}));
 }
 
 void MapClient::drop(const std::string& reason) {

@@ -1,5 +1,6 @@
 #pragma once
 // What every decoder does with a sample from the wire: it is distrusted until each field was looked at.
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -56,10 +57,11 @@ class Checks {
   }
   /// An identifier that must not be empty and has no control characters (it ends up in logs and file names).
   Checks& id(const char* field, const std::string& value) {
-    for (const char c : value) {
-      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) return refuse(field, " has control characters");
-    }
-    return value.empty() ? refuse(field, " is empty") : *this;
+    return value.empty() ? refuse(field, " is empty") : optional_id(field, value);
+  }
+  /// The same, but it may be empty: "none".
+  Checks& optional_id(const char* field, const std::string& value) {
+    return has_control_characters(value) ? refuse(field, " has control characters") : *this;
   }
   /// An enumerator of an IDL enum that counts from 0 to `last`.
   template <class Enum>
@@ -69,10 +71,26 @@ class Checks {
                ? *this
                : refuse(field, " = " + std::to_string(number) + " is no known value");
   }
+  /// An enumerator, of the wire's enum, that stands for `ours`; none: the number is no enumerator.
+  template <class Theirs, class Ours>
+  Ours known(const char* field, Theirs value, std::optional<Ours> ours) {
+    if (!ours) refuse(field, " = " + std::to_string(static_cast<long long>(value)) + " is no known value");
+    return ours.value_or(Ours{});
+  }
   Checks& holds(bool condition, const char* what) { return condition ? *this : refuse(what, ""); }
 
   bool ok() const { return reason_.empty(); }
   const std::string& reason() const { return reason_; }
+  /// What a decoder returns: the value when every check passed, else the first reason.
+  template <class T>
+  Decoded<T> decoded(T value) const {
+    return ok() ? Decoded<T>(std::move(value)) : Decoded<T>::refused(reason_);
+  }
+
+  static bool has_control_characters(const std::string& text) {
+    return std::any_of(text.begin(), text.end(),
+                       [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+  }
 
  private:
   static std::string text(double value) {

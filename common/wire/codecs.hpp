@@ -1,5 +1,9 @@
 #pragma once
-// All codecs: wire::decode(sample) and wire::encode(value) for each topic.
+// Every topic's codec: `decode(const Topic::Sample&)` gives Decoded<Value>, `encode(const Value&)` gives the sample,
+// found by overload. Code that is written for any topic includes this; code for one topic includes that one's header.
 #include "common/wire/map.hpp"
-#include "common/wire/vehicle_info.hpp"
-#include "common/wire/world_obstacle.hpp"
+#include "common/wire/origin.hpp"
+#include "common/wire/planning.hpp"
+#include "common/wire/service.hpp"
+#include "common/wire/tracking.hpp"
+#include "common/wire/vehicle.hpp"

@@ -1,9 +1,6 @@
 #pragma once
 // Shapes of idl/geometry.idl to and from our own. Decoders check into `Checks` and return a value that is safe to
 // compute with.
-#include <cstdint>
-#include <string>
-
 #include "common/geometry/pose.hpp"
 #include "common/wire/checks.hpp"
 #include "idl/geometry.hpp"
@@ -13,15 +10,6 @@ namespace aisle::wire {
 inline constexpr double kFarthestM = 1.0e6;  // no site is larger; beyond, centimetres get lost in sums of squares
 inline constexpr double kFastestMps = 100.0;
 inline constexpr double kFastestTurnRadps = 100.0;
-
-/// Who computed a sample, in our own types; see the IDL.
-struct SampleOrigin {
-  std::string source_id;
-  std::uint64_t boot_id{0};
-  std::uint32_t epoch{0};
-  std::uint64_t sequence_number{0};
-  std::int64_t stamp_ns{0};
-};
 
 inline aisle::Point encode(const geometry::Point2& point) {
   aisle::Point sample;
@@ -46,16 +34,6 @@ inline aisle::Twist encode(const geometry::Twist2& twist) {
   return sample;
 }
 
-inline aisle::Origin encode(const SampleOrigin& origin) {
-  aisle::Origin sample;
-  sample.source_id(origin.source_id);
-  sample.boot_id(origin.boot_id);
-  sample.epoch(origin.epoch);
-  sample.sequence_number(origin.sequence_number);
-  sample.stamp_ns(origin.stamp_ns);
-  return sample;
-}
-
 inline geometry::Point2 decode(const aisle::Point& sample, Checks& checks, const char* field = "point") {
   checks.within(field, sample.x_m(), -kFarthestM, kFarthestM).within(field, sample.y_m(), -kFarthestM, kFarthestM);
   return {sample.x_m(), sample.y_m()};
@@ -74,14 +52,6 @@ inline geometry::Twist2 decode(const aisle::Twist& sample, Checks& checks, const
       .within(field, sample.angular_radps(), -kFastestTurnRadps, kFastestTurnRadps)
       .within(field, sample.sideways_mps(), -kFastestMps, kFastestMps);
   return {sample.linear_mps(), sample.angular_radps(), sample.sideways_mps()};
-}
-
-inline SampleOrigin decode(const aisle::Origin& sample, Checks& checks, const char* field = "by") {
-  SampleOrigin origin{sample.source_id().to_string(), sample.boot_id(), sample.epoch(), sample.sequence_number(),
-                      sample.stamp_ns()};
-  checks.id(field, origin.source_id);
-  checks.holds(origin.sequence_number > 0, "by.sequence_number counts from 1");
-  return origin;
 }
 
 }  // namespace aisle::wire

@@ -20,6 +20,74 @@ std::vector<std::uint8_t> bytes(const std::vector<grid::Occupancy>& cells) {
   return out;
 }
 
+aisle::EditAction to_wire(fleet::MapEdit::Action action) {
+  switch (action) {
+    case fleet::MapEdit::Action::kBlock:
+      return EditAction::EDIT_BLOCK;
+    case fleet::MapEdit::Action::kUnblock:
+      return EditAction::EDIT_UNBLOCK;
+  }
+  return {};
+}
+
+std::optional<fleet::MapEdit::Action> from_wire(aisle::EditAction action) {
+  switch (action) {
+    case EditAction::EDIT_BLOCK:
+      return fleet::MapEdit::Action::kBlock;
+    case EditAction::EDIT_UNBLOCK:
+      return fleet::MapEdit::Action::kUnblock;
+  }
+  return std::nullopt;
+}
+
+aisle::EditShape to_wire(fleet::MapEdit::Shape shape) {
+  switch (shape) {
+    case fleet::MapEdit::Shape::kRectangle:
+      return EditShape::SHAPE_RECTANGLE;
+    case fleet::MapEdit::Shape::kPolygon:
+      return EditShape::SHAPE_POLYGON;
+    case fleet::MapEdit::Shape::kDisc:
+      return EditShape::SHAPE_DISC;
+  }
+  return {};
+}
+
+std::optional<fleet::MapEdit::Shape> from_wire(aisle::EditShape shape) {
+  switch (shape) {
+    case EditShape::SHAPE_RECTANGLE:
+      return fleet::MapEdit::Shape::kRectangle;
+    case EditShape::SHAPE_POLYGON:
+      return fleet::MapEdit::Shape::kPolygon;
+    case EditShape::SHAPE_DISC:
+      return fleet::MapEdit::Shape::kDisc;
+  }
+  return std::nullopt;
+}
+
+aisle::EditOutcome to_wire(fleet::MapEditResult::Outcome outcome) {
+  switch (outcome) {
+    case fleet::MapEditResult::Outcome::kApplied:
+      return EditOutcome::EDIT_APPLIED;
+    case fleet::MapEditResult::Outcome::kAlreadyApplied:
+      return EditOutcome::EDIT_ALREADY_APPLIED;
+    case fleet::MapEditResult::Outcome::kRefused:
+      return EditOutcome::EDIT_REFUSED;
+  }
+  return {};
+}
+
+std::optional<fleet::MapEditResult::Outcome> from_wire(aisle::EditOutcome outcome) {
+  switch (outcome) {
+    case EditOutcome::EDIT_APPLIED:
+      return fleet::MapEditResult::Outcome::kApplied;
+    case EditOutcome::EDIT_ALREADY_APPLIED:
+      return fleet::MapEditResult::Outcome::kAlreadyApplied;
+    case EditOutcome::EDIT_REFUSED:
+      return fleet::MapEditResult::Outcome::kRefused;
+  }
+  return std::nullopt;
+}
+
 grid::Tiling decode_tiling(const aisle::MapInfo& sample, Checks& checks) {
   checks.within("width_cells", sample.width_cells(), 1.0, kMaxEdgeCells)
       .within("height_cells", sample.height_cells(), 1.0, kMaxEdgeCells)
@@ -108,7 +176,7 @@ Decoded<grid::Tile> decode(const aisle::MapTile& sample) {
   return tile;
 }
 
-aisle::MapRequest encode(const MapRequest& request) {
+aisle::MapRequest encode(const fleet::MapRequest& request) {
   aisle::MapRequest sample;
   sample.requester_id(request.requester_id);
   sample.map_id(request.map_id);
@@ -117,69 +185,67 @@ aisle::MapRequest encode(const MapRequest& request) {
   return sample;
 }
 
-Decoded<MapRequest> decode(const aisle::MapRequest& sample) {
+Decoded<fleet::MapRequest> decode(const aisle::MapRequest& sample) {
   Checks checks;
-  MapRequest request{sample.requester_id().to_string(), sample.map_id().to_string(), sample.sequence_number(), {}};
-  checks.id("requester_id", request.requester_id).count("tiles", sample.tiles().size(), 0, kMaxTiles);
-  if (!checks.ok()) return Decoded<MapRequest>::refused(checks.reason());
+  fleet::MapRequest request{
+      sample.requester_id().to_string(), sample.map_id().to_string(), sample.sequence_number(), {}};
+  checks.id("requester_id", request.requester_id)
+      .optional_id("map_id", request.map_id)
+      .count("tiles", sample.tiles().size(), 0, kMaxTiles);
+  if (!checks.ok()) return Decoded<fleet::MapRequest>::refused(checks.reason());
   request.tiles = sample.tiles();
   return request;
 }
 
-aisle::MapEdit encode(const grid::MapEdit& edit) {
+aisle::MapEdit encode(const fleet::MapEdit& edit) {
   aisle::MapEdit sample;
   sample.edit_id(edit.edit_id);
   sample.map_id(edit.map_id);
-  sample.action(static_cast<aisle::EditAction>(edit.action));
-  sample.shape(static_cast<aisle::EditShape>(edit.shape));
+  sample.action(to_wire(edit.action));
+  sample.shape(to_wire(edit.shape));
   for (const geometry::Point2 point : edit.points_in_map) sample.points().push_back(encode(point));
   sample.radius_m(edit.radius_m);
   return sample;
 }
 
-Decoded<grid::MapEdit> decode(const aisle::MapEdit& sample) {
+Decoded<fleet::MapEdit> decode(const aisle::MapEdit& sample) {
   Checks checks;
-  grid::MapEdit edit;
+  fleet::MapEdit edit;
   edit.edit_id = sample.edit_id().to_string();
   edit.map_id = sample.map_id().to_string();
+  edit.action = checks.known("action", sample.action(), from_wire(sample.action()));
+  edit.shape = checks.known("shape", sample.shape(), from_wire(sample.shape()));
+  edit.radius_m = sample.radius_m();
   checks.id("edit_id", edit.edit_id)
       .id("map_id", edit.map_id)
-      .known("action", sample.action(), aisle::EditAction::EDIT_UNBLOCK)
-      .known("shape", sample.shape(), aisle::EditShape::SHAPE_DISC)
       .count("points", sample.points().size(), 1, 64)
-      .within("radius_m", sample.radius_m(), -kFarthestM, kFarthestM);
-  if (!checks.ok()) return Decoded<grid::MapEdit>::refused(checks.reason());
-  edit.action = static_cast<grid::MapEdit::Action>(sample.action());
-  edit.shape = static_cast<grid::MapEdit::Shape>(sample.shape());
+      .within("radius_m", edit.radius_m, -kFarthestM, kFarthestM);
   for (const aisle::Point& point : sample.points()) edit.points_in_map.push_back(decode(point, checks, "points"));
-  edit.radius_m = sample.radius_m();
-  if (!checks.ok()) return Decoded<grid::MapEdit>::refused(checks.reason());
-  return edit;
+  return checks.decoded(std::move(edit));
 }
 
-aisle::MapEditResult encode(const grid::MapEditResult& result) {
+aisle::MapEditResult encode(const fleet::MapEditResult& result) {
   aisle::MapEditResult sample;
   sample.edit_id(result.edit_id);
   sample.map_id(result.map_id);
-  sample.outcome(static_cast<aisle::EditOutcome>(result.outcome));
+  sample.outcome(to_wire(result.outcome));
   sample.detail(result.detail.substr(0, kMaxDetail));
   sample.revision(result.revision);
   sample.changed_cells(result.changed_cells);
   return sample;
 }
 
-Decoded<grid::MapEditResult> decode(const aisle::MapEditResult& sample) {
+Decoded<fleet::MapEditResult> decode(const aisle::MapEditResult& sample) {
   Checks checks;
-  grid::MapEditResult result;
+  fleet::MapEditResult result;
   result.edit_id = sample.edit_id().to_string();
   result.map_id = sample.map_id().to_string();
-  checks.id("edit_id", result.edit_id).known("outcome", sample.outcome(), aisle::EditOutcome::EDIT_REFUSED);
-  if (!checks.ok()) return Decoded<grid::MapEditResult>::refused(checks.reason());
-  result.outcome = static_cast<grid::MapEditResult::Outcome>(sample.outcome());
+  result.outcome = checks.known("outcome", sample.outcome(), from_wire(sample.outcome()));
   result.detail = sample.detail().to_string();
   result.revision = sample.revision();
   result.changed_cells = sample.changed_cells();
-  return result;
+  checks.id("edit_id", result.edit_id).optional_id("map_id", result.map_id);
+  return checks.decoded(std::move(result));
 }
 
 }  // namespace aisle::wire

@@ -106,7 +106,7 @@ void DispatcherService::take(const aisle::MapEditResult& sample) {
     return;
   }
   if (!edits_.answered(result->edit_id)) return;
-  if (result->outcome == grid::MapEditResult::Outcome::kRefused) {
+  if (result->outcome == fleet::MapEditResult::Outcome::kRefused) {
     health_.last_error = "map edit " + result->edit_id + " refused: " + result->detail;
     health_.count("edits_refused");
     spdlog::error("{}", health_.last_error);
@@ -122,7 +122,7 @@ void DispatcherService::tick() {
   for (const Event& event : dispatcher_.take_events()) log(event);
   for (const Order& order : orders) write(order);
   if (const auto seconds = clock_.seconds(now, wall_clock_ns())) {
-    for (const grid::MapEdit& edit : edits_.due(*seconds, map_id_, now)) {
+    for (const fleet::MapEdit& edit : edits_.due(*seconds, map_id_, now)) {
       aisle::MapEdit sample = wire::encode(edit);
       sample.by(edit_stamper_.next());
       map_edits_.write(sample);

@@ -1,6 +1,7 @@
 #include "services/fake-vehicle/codec.hpp"
 
 #include "common/wire/geometry.hpp"
+#include "common/wire/origin.hpp"
 
 namespace aisle::fake_vehicle {
 namespace {
@@ -31,8 +32,8 @@ aisle::VehicleState encode(const Report& report) {
   if (report.command) {
     const Command& command = *report.command;
     sample.command_agv_id(command.agv_id);
-    sample.command_by(wire::encode(wire::SampleOrigin{command.source_id, command.boot_id, command.epoch,
-                                                      command.sequence_number, command.stamp_ns}));
+    sample.command_by(wire::encode(
+        fleet::Origin{command.source_id, command.boot_id, command.epoch, command.sequence_number, command.stamp_ns}));
     sample.command_plan_id(command.plan_id);
   }
   sample.accepted_epoch(report.accepted_epoch);

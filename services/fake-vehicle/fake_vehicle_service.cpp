@@ -8,8 +8,8 @@
 #include "common/process/clock.hpp"
 #include "common/scenario/variation.hpp"
 #include "common/wire/geometry.hpp"
-#include "common/wire/vehicle_info.hpp"
-#include "common/wire/world_obstacle.hpp"
+#include "common/wire/origin.hpp"
+#include "common/wire/vehicle.hpp"
 #include "services/fake-vehicle/core/lidar.hpp"
 
 namespace aisle::fake_vehicle {
@@ -106,8 +106,8 @@ void FakeVehicleService::take(const aisle::WorldObstacle& sample, const SampleIn
     warnings_.warn("world_obstacle", "world_obstacle: a sample was dropped: " + obstacle.reason());
     return;
   }
-  bodies_.seen(obstacle->id, obstacle->body(), obstacle->kind == wire::WorldObstacle::Kind::kVehicle, obstacle->boot_id,
-               monotonic_now());
+  bodies_.seen(obstacle->id, obstacle->body(), obstacle->kind == fleet::Obstacle::Kind::kVehicle,
+               wire::origin_of(sample).boot_id, monotonic_now());
 }
 
 bool FakeVehicleService::may_act(time::Stamp now) {
@@ -136,8 +136,8 @@ void FakeVehicleService::tick() {
   }
   if (!introduced_) {
     const Parameters& vehicle = config_.vehicle;
-    aisle::VehicleInfo info = wire::encode(wire::VehicleInfo{agv_id_, vehicle.footprint(), vehicle.limits,
-                                                             vehicle.lidar.range_max_m, vehicle.command_timeout_s});
+    aisle::VehicleInfo info = wire::encode(fleet::Vehicle{agv_id_, vehicle.footprint(), vehicle.limits,
+                                                          vehicle.lidar.range_max_m, vehicle.command_timeout_s});
     info.by(info_stamper_.next());
     introduced_ = infos_.write(info);
   }
@@ -168,9 +168,9 @@ void FakeVehicleService::publish() {
 
   const geometry::Pose2& base = vehicle_.base_in_map();
   const geometry::Twist2& twist = vehicle_.twist();
-  wire::WorldObstacle truth;
+  fleet::Obstacle truth;
   truth.id = agv_id_;
-  truth.kind = wire::WorldObstacle::Kind::kVehicle;
+  truth.kind = fleet::Obstacle::Kind::kVehicle;
   truth.base_in_map = base;
   truth.footprint = config_.vehicle.footprint();
   truth.velocity_in_map = geometry::to_map({0.0, 0.0, base.yaw}, {twist.linear_mps, twist.sideways_mps});

@@ -3,7 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include "common/process/clock.hpp"
-#include "common/wire/world_obstacle.hpp"
+#include "common/wire/vehicle.hpp"
 #include "services/fake-world/world_memory.hpp"
 
 namespace aisle::fake_world {
@@ -39,9 +39,9 @@ std::optional<std::int64_t> second_zero(const ServiceConfig& config, const std::
 }
 
 aisle::WorldObstacle encode(const Thing& thing) {
-  wire::WorldObstacle obstacle;
+  fleet::Obstacle obstacle;
   obstacle.id = thing.id;
-  obstacle.kind = thing.kind == Kind::kPerson ? wire::WorldObstacle::Kind::kPerson : wire::WorldObstacle::Kind::kBlock;
+  obstacle.kind = thing.kind == Kind::kPerson ? fleet::Obstacle::Kind::kPerson : fleet::Obstacle::Kind::kBlock;
   obstacle.base_in_map = thing.body.base_in_map;
   obstacle.footprint = {thing.body.shape, thing.body.radius_m, thing.body.length_m, thing.body.width_m, 0.0};
   obstacle.velocity_in_map = thing.velocity_in_map;

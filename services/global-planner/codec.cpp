@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "common/wire/geometry.hpp"
-#include "common/wire/vehicle_info.hpp"
+#include "common/wire/vehicle.hpp"
 #include "services/global-planner/core/fleet_planner.hpp"
 
 namespace aisle::global_planner {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/wire/geometry.hpp"
-#include "common/wire/vehicle_info.hpp"
+#include "common/wire/vehicle.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -29,7 +29,7 @@ Decoded<Vehicle> decode(const aisle::VehicleInfo& sample) {
   const auto info = wire::decode(sample);
   if (!info) return Decoded<Vehicle>::refused(info.reason());
   const geometry::Footprint& footprint = info->footprint;
-  return Vehicle{info->agv_id, geometry::reach_m(footprint), info->limits,
+  return Vehicle{info->id, geometry::reach_m(footprint), info->limits,
                  footprint.is_disc() ? std::nullopt : std::optional(footprint)};
 }
 

@@ -10,7 +10,7 @@
 
 namespace aisle::map {
 
-using grid::MapEditResult;
+using fleet::MapEditResult;
 using Outcome = MapEditResult::Outcome;
 using std::chrono::milliseconds;
 

@@ -48,7 +48,7 @@ class MapService {
   Output<topics::MapInfo> info_;
   Output<topics::MapEditResult> results_;
   std::set<int> changed_tiles_;
-  std::vector<grid::MapEditResult> answers_;
+  std::vector<fleet::MapEditResult> answers_;
   bool is_publishing_{false};
   std::set<std::uint32_t> requested_tiles_;
   bool is_info_requested_{false};

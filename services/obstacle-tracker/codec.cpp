@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "common/wire/geometry.hpp"
-#include "common/wire/vehicle_info.hpp"
+#include "common/wire/vehicle.hpp"
 
 namespace aisle::obstacle_tracker {
 namespace {
@@ -23,7 +23,7 @@ Decoded<KnownVehicle> decode(const aisle::VehicleInfo& sample) {
   if (!info) return Decoded<KnownVehicle>::refused(info.reason());
   const geometry::Footprint& footprint = info->footprint;
   KnownVehicle vehicle;
-  vehicle.agv_id = info->agv_id;
+  vehicle.agv_id = info->id;
   vehicle.is_rectangle = !footprint.is_disc();
   vehicle.radius_m = geometry::reach_m(footprint);
   vehicle.length_m = footprint.length_m;

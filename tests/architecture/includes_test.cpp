@@ -1,5 +1,5 @@
 // Who may include whom. The DDS headers lie in the system's path, so a slip compiles silently: this says no.
-//   geometry grid kinematics time config <- core <- service <- main;  Fast DDS only in common/bus
+//   geometry grid kinematics time config <- fleet <- core <- service <- main;  Fast DDS only in common/bus
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,8 +64,8 @@ std::string core_of(const std::string& file) {
 /// Values in, values out: no DDS, no clock, no thread, no log. (tools/lockstep is no core: it measures computing
 /// times.)
 bool is_pure(const std::string& file) {
-  return !core_of(file).empty() ||
-         begins_with_any(file, {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/"});
+  return !core_of(file).empty() || begins_with_any(file, {"common/geometry/", "common/grid/", "common/kinematics/",
+                                                          "common/time/", "common/fleet/"});
 }
 
 TEST(Architecture, FindsTheSources) { EXPECT_GT(all_sources().size(), 50U); }
@@ -112,6 +112,7 @@ TEST(Architecture, CoresKnowNoDdsClockThreadOrLog) {
 Strings allowed_rooms(const std::string& file) {
   if (begins_with(file, "common/geometry/") || begins_with(file, "common/time/")) return {};
   if (begins_with(file, "common/kinematics/")) return {"common/geometry/", "common/time/"};
+  if (begins_with(file, "common/fleet/")) return {"common/geometry/", "common/kinematics/", "common/time/"};
   if (begins_with(file, "common/grid/")) return {"common/geometry/", "common/time/", "common/config/"};
   if (begins_with(file, "common/config/")) return {};
   if (begins_with(file, "common/process/")) return {"common/time/", "common/config/"};
@@ -119,9 +120,9 @@ Strings allowed_rooms(const std::string& file) {
     return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/", "common/config/"};
   if (begins_with(file, "common/bus/")) return {"common/config/", "common/time/"};
   if (begins_with(file, "common/wire/"))
-    return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/"};
+    return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/", "common/fleet/"};
   if (begins_with(file, "common/")) return {"common/"};
-  const Strings for_cores{"common/geometry/", "common/grid/",   "common/kinematics/",
+  const Strings for_cores{"common/geometry/", "common/grid/",   "common/kinematics/", "common/fleet/",
                           "common/time/",     "common/config/", "common/scenario/"};
   // Pictures of maps and curves know nothing of vehicles, so that the referee may use them and share no planner.
   if (begins_with(file, "tools/draw/")) return {"common/geometry/", "common/grid/"};

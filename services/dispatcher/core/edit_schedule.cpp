@@ -9,16 +9,16 @@ EditSchedule::EditSchedule(const scenario::Scenario& scenario, const std::vector
   for (const scenario::MapEdit& planned : scenario.map_edits) {
     Entry entry{planned.at_s, {}, false, false, {}};
     entry.edit.edit_id = scenario.name.substr(0, 40) + "/edit/" + std::to_string(entries_.size());
-    entry.edit.action = planned.block ? grid::MapEdit::Action::kBlock : grid::MapEdit::Action::kUnblock;
-    entry.edit.shape = grid::MapEdit::Shape::kRectangle;
+    entry.edit.action = planned.block ? fleet::MapEdit::Action::kBlock : fleet::MapEdit::Action::kUnblock;
+    entry.edit.shape = fleet::MapEdit::Shape::kRectangle;
     entry.edit.points_in_map = {planned.low_in_map, planned.high_in_map};
     entry.done = std::find(done.begin(), done.end(), entry.edit.edit_id) != done.end();
     entries_.push_back(std::move(entry));
   }
 }
 
-std::vector<grid::MapEdit> EditSchedule::due(double seconds, const std::string& map_id, time::Stamp now) {
-  std::vector<grid::MapEdit> edits;
+std::vector<fleet::MapEdit> EditSchedule::due(double seconds, const std::string& map_id, time::Stamp now) {
+  std::vector<fleet::MapEdit> edits;
   if (map_id.empty()) return edits;
   for (Entry& entry : entries_) {
     if (entry.done || seconds < entry.at_s || (entry.sent && now - entry.sent_at < kRepeat)) continue;

@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "common/grid/map_edit.hpp"
+#include "common/fleet/map_edit.hpp"
 #include "common/scenario/scenario.hpp"
 #include "common/time/stamp.hpp"
 
@@ -16,7 +16,7 @@ class EditSchedule {
   EditSchedule(const scenario::Scenario& scenario, const std::vector<std::string>& done);
 
   /// Edits to write at this second of the scenario. Nothing before the id of the map is known.
-  std::vector<grid::MapEdit> due(double seconds, const std::string& map_id, time::Stamp now);
+  std::vector<fleet::MapEdit> due(double seconds, const std::string& map_id, time::Stamp now);
 
   /// True when the answer is to an edit of ours that was open.
   bool answered(const std::string& edit_id);
@@ -29,7 +29,7 @@ class EditSchedule {
  private:
   struct Entry {
     double at_s;
-    grid::MapEdit edit;
+    fleet::MapEdit edit;
     bool done{false};
     bool sent{false};
     time::Stamp sent_at{};

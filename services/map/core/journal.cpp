@@ -13,7 +13,7 @@
 namespace aisle::map {
 namespace {
 
-using grid::MapEdit;
+using fleet::MapEdit;
 constexpr int kSchema = 1;
 constexpr int kBusyMs = 1000;
 

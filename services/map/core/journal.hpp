@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/grid/map_edit.hpp"
+#include "common/fleet/map_edit.hpp"
 
 struct sqlite3;
 
@@ -21,7 +21,7 @@ class JournalError : public std::runtime_error {
 /// One accepted edit and the revision that it made.
 struct JournalEntry {
   std::uint64_t revision{0};
-  grid::MapEdit edit;
+  fleet::MapEdit edit;
   std::uint32_t changed_cells{0};
   std::string source_id;     // who asked for it
   std::int64_t stamp_ns{0};  // when it was accepted; for people

@@ -8,8 +8,8 @@
 
 namespace aisle::map {
 
-using grid::MapEdit;
-using grid::MapEditResult;
+using fleet::MapEdit;
+using fleet::MapEditResult;
 
 MapStore::MapStore(SiteMap base, std::unique_ptr<Journal> journal, const Limits& limits)
     : map_(std::move(base)), journal_(std::move(journal)), limits_(limits) {

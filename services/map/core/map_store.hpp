@@ -19,7 +19,7 @@ class MapStore {
     int max_edits{200000};  // of this map, ever; beyond, save the map and start a new journal
   };
   struct Answer {
-    grid::MapEditResult result;
+    fleet::MapEditResult result;
     std::vector<int> changed_tiles;
   };
 
@@ -29,7 +29,7 @@ class MapStore {
 
   /// Applied; or known by its id and left alone; or refused with a reason, and nothing changed.
   /// `source_id`: who asks; `stamp_ns`: now, for people.
-  Answer take(const grid::MapEdit& edit, const std::string& source_id, std::int64_t stamp_ns);
+  Answer take(const fleet::MapEdit& edit, const std::string& source_id, std::int64_t stamp_ns);
 
   const SiteMap& map() const { return map_; }
   /// Edits that were applied, those of the journal included.
@@ -41,7 +41,7 @@ class MapStore {
     std::uint32_t changed_cells;
     std::uint64_t content_hash;
   };
-  static std::uint64_t content_hash(const grid::MapEdit& edit);
+  static std::uint64_t content_hash(const fleet::MapEdit& edit);
 
   SiteMap map_;
   std::unique_ptr<Journal> journal_;

@@ -13,7 +13,7 @@ using geometry::Point2;
 constexpr double kTouch = 1e-6;  // cells; less than this is touching, not overlapping
 
 /// From here on lengths are in cells from the lower left corner of the grid.
-std::vector<Point2> to_cells(const grid::MapEdit& edit, const grid::Geometry& g) {
+std::vector<Point2> to_cells(const fleet::MapEdit& edit, const grid::Geometry& g) {
   std::vector<Point2> points;
   for (const Point2 p : edit.points_in_map) {
     points.push_back({(p.x - g.origin_in_map.x) / g.resolution_m, (p.y - g.origin_in_map.y) / g.resolution_m});
@@ -108,14 +108,14 @@ std::vector<CellRun> polygon(const std::vector<Point2>& corners, const grid::Geo
 
 }  // namespace
 
-std::vector<CellRun> rasterise(const grid::MapEdit& edit, const grid::Geometry& geometry) {
+std::vector<CellRun> rasterise(const fleet::MapEdit& edit, const grid::Geometry& geometry) {
   const std::vector<Point2> points = to_cells(edit, geometry);
   switch (edit.shape) {
-    case grid::MapEdit::Shape::kRectangle:
+    case fleet::MapEdit::Shape::kRectangle:
       return rectangle(points[0], points[1], geometry);
-    case grid::MapEdit::Shape::kPolygon:
+    case fleet::MapEdit::Shape::kPolygon:
       return polygon(points, geometry);
-    case grid::MapEdit::Shape::kDisc:
+    case fleet::MapEdit::Shape::kDisc:
       return disc(points[0], edit.radius_m / geometry.resolution_m, geometry);
   }
   return {};

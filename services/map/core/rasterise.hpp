@@ -1,7 +1,7 @@
 #pragma once
 #include <vector>
 
-#include "common/grid/map_edit.hpp"
+#include "common/fleet/map_edit.hpp"
 #include "common/grid/occupancy_grid.hpp"
 
 namespace aisle::map {
@@ -16,6 +16,6 @@ struct CellRun {
 /// The cells whose squares the shape overlaps (more than touches), clipped to the grid; each cell once. A block
 /// therefore covers at least its shape, and an unblock of the same shape frees the same cells. Polygons may be concave;
 /// where they cross themselves the even-odd rule holds. @pre finite numbers; as many points as the shape needs
-std::vector<CellRun> rasterise(const grid::MapEdit& edit, const grid::Geometry& geometry);
+std::vector<CellRun> rasterise(const fleet::MapEdit& edit, const grid::Geometry& geometry);
 
 }  // namespace aisle::map

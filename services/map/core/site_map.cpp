@@ -10,8 +10,8 @@
 namespace aisle::map {
 namespace {
 
+using fleet::MapEdit;
 using grid::Cell;
-using grid::MapEdit;
 using grid::Occupancy;
 
 Occupancy after(MapEdit::Action action) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "common/grid/map_edit.hpp"
+#include "common/fleet/map_edit.hpp"
 #include "common/grid/map_mirror.hpp"
 #include "services/map/core/rasterise.hpp"
 
@@ -24,11 +24,11 @@ class SiteMap {
   grid::Tile tile(int index) const;
 
   /// How many cells would change.
-  std::uint32_t count_changes(const std::vector<CellRun>& runs, grid::MapEdit::Action action) const;
+  std::uint32_t count_changes(const std::vector<CellRun>& runs, fleet::MapEdit::Action action) const;
 
   /// Blocks the cells, or makes them free (walls of the map file and unknown cells as well); raises the revision by
   /// one, also when nothing changes. Returns the tiles that changed.
-  std::vector<int> apply(const std::vector<CellRun>& runs, grid::MapEdit::Action action);
+  std::vector<int> apply(const std::vector<CellRun>& runs, fleet::MapEdit::Action action);
 
  private:
   grid::OccupancyGrid grid_;
@@ -42,6 +42,6 @@ struct EditLimits {
 };
 
 /// Why the edit cannot be applied to this map, in one line that names value and limit; empty when it can.
-std::string refusal_of(const grid::MapEdit& edit, const SiteMap& map, const EditLimits& limits);
+std::string refusal_of(const fleet::MapEdit& edit, const SiteMap& map, const EditLimits& limits);
 
 }  // namespace aisle::map

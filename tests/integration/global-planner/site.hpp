@@ -11,7 +11,7 @@
 #include "common/service/origin_stamper.hpp"
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
-#include "common/wire/vehicle_info.hpp"
+#include "common/wire/vehicle.hpp"
 #include "services/global-planner/codec.hpp"
 #include "services/global-planner/core/path_checker.hpp"
 #include "tests/integration/bus/two_buses.hpp"
@@ -90,7 +90,7 @@ class Site {
   }
   void add_vehicle(const std::string& id, const geometry::Pose2& pose, const geometry::Footprint& footprint,
                    const kinematics::Limits& limits) {
-    aisle::VehicleInfo info = wire::encode(wire::VehicleInfo{id, footprint, limits, 10.0, 0.2});
+    aisle::VehicleInfo info = wire::encode(fleet::Vehicle{id, footprint, limits, 10.0, 0.2});
     stamp(info.by());
     vehicles_.write(info);
     poses_[id] = pose;

@@ -13,7 +13,8 @@
 #include "common/kinematics/vehicle_model.hpp"
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
-#include "common/wire/vehicle_info.hpp"
+#include "common/wire/origin.hpp"
+#include "common/wire/vehicle.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 
 namespace aisle::local_planner {
@@ -89,7 +90,7 @@ class Site {
   }
 
   void publish_vehicle() {
-    aisle::VehicleInfo info = wire::encode(wire::VehicleInfo{"agv-1", geometry::disc(0.35), {}, 10.0, 0.2});
+    aisle::VehicleInfo info = wire::encode(fleet::Vehicle{"agv-1", geometry::disc(0.35), {}, 10.0, 0.2});
     info.by(origin(1));
     vehicles_.write(info);
     vehicle_lives = true;
@@ -98,7 +99,7 @@ class Site {
   void publish_plan(const std::string& goal_id, double x, double y, std::uint32_t epoch = 1) {
     aisle::Plan plan;
     plan.agv_id("agv-1");
-    plan.by(wire::encode(wire::SampleOrigin{"global-planner", epoch, epoch, sequence_++, 1}));
+    plan.by(wire::encode(fleet::Origin{"global-planner", epoch, epoch, sequence_++, 1}));
     plan.plan_id(7);
     plan.goal_id(goal_id);
     plan.map_id("hall");
@@ -128,7 +129,7 @@ class Site {
 
  private:
   static aisle::Origin origin(std::uint64_t sequence_number) {
-    return wire::encode(wire::SampleOrigin{"site", 1, 1, sequence_number, 1});
+    return wire::encode(fleet::Origin{"site", 1, 1, sequence_number, 1});
   }
 
   void move() {

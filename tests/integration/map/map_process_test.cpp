@@ -19,8 +19,8 @@
 namespace aisle::map {
 namespace {
 
-using grid::MapEdit;
-using grid::MapEditResult;
+using fleet::MapEdit;
+using fleet::MapEditResult;
 using test_support::ChildProcess;
 using ::testing::HasSubstr;
 using testing::rectangle;

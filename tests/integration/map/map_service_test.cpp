@@ -11,8 +11,8 @@
 namespace aisle::map {
 namespace {
 
-using grid::MapEdit;
-using grid::MapEditResult;
+using fleet::MapEdit;
+using fleet::MapEditResult;
 using ::testing::HasSubstr;
 using testing::local_settings;
 using testing::rectangle;
@@ -126,10 +126,10 @@ TEST(MapService, WritesTilesAgainForWhoMissesThem) {
   other.on<topics::MapInfo>([&](const aisle::MapInfo&, const bus::SampleInfo&) { ++infos; });
   const auto run = [&](const std::function<bool()>& done) { return testing::run_until({&service.bus, &other}, done); };
   ASSERT_TRUE(run([&] { return tiles == 20 && infos == 1 && requests.matched_readers() > 0; }));
-  requests.write(wire::encode(wire::MapRequest{"asker", "floor", 1, {3, 7, 7, 4000000000U}}));
+  requests.write(wire::encode(fleet::MapRequest{"asker", "floor", 1, {3, 7, 7, 4000000000U}}));
   ASSERT_TRUE(run([&] { return tiles == 22 && infos == 2; }));
-  requests.write(wire::encode(wire::MapRequest{"asker", "annex", 2, {3}}));
-  requests.write(wire::encode(wire::MapRequest{"asker", "", 3, {}}));
+  requests.write(wire::encode(fleet::MapRequest{"asker", "annex", 2, {3}}));
+  requests.write(wire::encode(fleet::MapRequest{"asker", "", 3, {}}));
   ASSERT_TRUE(run([&] { return infos == 3; }));
   EXPECT_EQ(tiles, 22);
   EXPECT_EQ(service.health.counters["bad_map_request.map_id"], 1U);

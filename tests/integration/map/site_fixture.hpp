@@ -20,9 +20,9 @@ inline bus::Settings local_settings(int domain, const std::string& name) {
   return settings;
 }
 
-inline grid::MapEdit rectangle(const std::string& id, grid::MapEdit::Action action, geometry::Point2 low,
-                               geometry::Point2 high) {
-  return {id, "floor", action, grid::MapEdit::Shape::kRectangle, {low, high}, 0.0};
+inline fleet::MapEdit rectangle(const std::string& id, fleet::MapEdit::Action action, geometry::Point2 low,
+                                geometry::Point2 high) {
+  return {id, "floor", action, fleet::MapEdit::Shape::kRectangle, {low, high}, 0.0};
 }
 
 /// Whoever uses the map: a mirror, and edits with their results.
@@ -38,7 +38,7 @@ class Site {
     });
   }
   bool can_send() const { return edits_.matched_readers() > 0; }
-  void send(const grid::MapEdit& edit) { send_raw(wire::encode(edit)); }
+  void send(const fleet::MapEdit& edit) { send_raw(wire::encode(edit)); }
   void send_raw(aisle::MapEdit sample) {
     sample.by().source_id("test");
     sample.by().sequence_number(++sent_);
@@ -47,7 +47,7 @@ class Site {
 
   bus::Bus bus;
   service::MapClient map;
-  std::map<std::string, grid::MapEditResult> results;
+  std::map<std::string, fleet::MapEditResult> results;
 
  private:
   bus::Writer<topics::MapEdit> edits_;

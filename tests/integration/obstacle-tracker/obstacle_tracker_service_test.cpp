@@ -14,7 +14,7 @@
 #include "common/process/clock.hpp"
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
-#include "common/wire/vehicle_info.hpp"
+#include "common/wire/vehicle.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 #include "tests/unit/obstacle-tracker/simulated_lidar.hpp"
 
@@ -93,7 +93,7 @@ class Site {
   }
 
   void publish_info(const std::string& agv_id) {
-    aisle::VehicleInfo info = wire::encode(wire::VehicleInfo{agv_id, geometry::disc(0.35), {}, 10.0, 0.2});
+    aisle::VehicleInfo info = wire::encode(fleet::Vehicle{agv_id, geometry::disc(0.35), {}, 10.0, 0.2});
     info.by(origin_.next());
     vehicle_infos_.write(info);
   }

@@ -9,6 +9,7 @@
 
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
+#include "common/wire/origin.hpp"
 #include "tests/integration/simulation/site.hpp"
 
 namespace aisle::dispatcher {
@@ -82,10 +83,10 @@ class Fleet {
     infos_.write(sample);
   }
   void answer(const std::string& edit_id) {
-    grid::MapEditResult result;
+    fleet::MapEditResult result;
     result.edit_id = edit_id;
     result.map_id = "hall";
-    result.outcome = grid::MapEditResult::Outcome::kApplied;
+    result.outcome = fleet::MapEditResult::Outcome::kApplied;
     result.revision = 2;
     aisle::MapEditResult sample = wire::encode(result);
     sample.by(origin());
@@ -98,7 +99,7 @@ class Fleet {
   std::vector<std::string> edits;
 
  private:
-  aisle::Origin origin() { return wire::encode(wire::SampleOrigin{"fleet", 1, 1, ++sequence_, 0}); }
+  aisle::Origin origin() { return wire::encode(fleet::Origin{"fleet", 1, 1, ++sequence_, 0}); }
   std::uint64_t sequence_{0};
   bus::Writer<topics::VehicleInfo> vehicles_;
   bus::Writer<topics::NavigationStatus> statuses_;

@@ -12,6 +12,7 @@
 #include "common/process/clock.hpp"
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
+#include "common/wire/origin.hpp"
 #include "tests/integration/simulation/site.hpp"
 
 namespace aisle::fake_vehicle {
@@ -45,7 +46,7 @@ struct VehicleProcess {
   void say_hello(std::uint64_t boot_id) {
     aisle::ServiceHealth sample;
     sample.instance_id(std::string("fake-vehicle-agv-1"));
-    sample.by(wire::encode(wire::SampleOrigin{"fake-vehicle-agv-1", boot_id, 1, 1, process::wall_clock_ns()}));
+    sample.by(wire::encode(fleet::Origin{"fake-vehicle-agv-1", boot_id, 1, 1, process::wall_clock_ns()}));
     sample.service(std::string("fake-vehicle"));
     sample.agv_id(std::string("agv-1"));
     sample.state(ServiceState::SERVICE_READY);
@@ -89,7 +90,7 @@ class Site {
   void command(double linear_mps) {
     aisle::VelocityCommand sample;
     sample.agv_id(std::string("agv-1"));
-    sample.by(wire::encode(wire::SampleOrigin{"local-planner-agv-1", 1, epoch, ++sequence_, process::wall_clock_ns()}));
+    sample.by(wire::encode(fleet::Origin{"local-planner-agv-1", 1, epoch, ++sequence_, process::wall_clock_ns()}));
     sample.plan_id(77);
     aisle::Twist twist;
     twist.linear_mps(linear_mps);
@@ -102,7 +103,7 @@ class Site {
   void show_person(double x, double y) {
     aisle::WorldObstacle sample;
     sample.obstacle_id(std::string("person"));
-    sample.by(wire::encode(wire::SampleOrigin{"world", 1, 1, 1, 0}));
+    sample.by(wire::encode(fleet::Origin{"world", 1, 1, 1, 0}));
     sample.kind(BodyKind::BODY_PERSON);
     sample.base_in_map(wire::encode(geometry::Pose2{x, y, 0.0}));
     sample.radius_m(0.25);
@@ -145,7 +146,7 @@ class Site {
     sample.by(origin());
     infos_.write(sample);
   }
-  aisle::Origin origin() const { return wire::encode(wire::SampleOrigin{"map", 1, 1, 1, 0}); }
+  aisle::Origin origin() const { return wire::encode(fleet::Origin{"map", 1, 1, 1, 0}); }
 
   std::uint64_t sequence_{0};
   bus::Writer<topics::MapInfo> infos_;

@@ -6,7 +6,8 @@
 #include <set>
 
 #include "common/wire/geometry.hpp"
-#include "common/wire/world_obstacle.hpp"
+#include "common/wire/origin.hpp"
+#include "common/wire/vehicle.hpp"
 #include "tests/integration/simulation/site.hpp"
 
 namespace aisle::fake_world {
@@ -57,13 +58,13 @@ class Watcher {
     });
   }
   void show_vehicle() {
-    wire::WorldObstacle vehicle;
+    fleet::Obstacle vehicle;
     vehicle.id = "agv-1";
-    vehicle.kind = wire::WorldObstacle::Kind::kVehicle;
+    vehicle.kind = fleet::Obstacle::Kind::kVehicle;
     vehicle.base_in_map = {20, 20, 0};
     vehicle.footprint = geometry::disc(0.35);
     aisle::WorldObstacle sample = wire::encode(vehicle);
-    sample.by(wire::encode(wire::SampleOrigin{"fake-vehicle-agv-1", 1, 1, 1, 0}));
+    sample.by(wire::encode(fleet::Origin{"fake-vehicle-agv-1", 1, 1, 1, 0}));
     vehicles_.write(sample);
   }
   bus::Bus bus;

@@ -21,7 +21,7 @@ TEST(EditSchedule, SendsAtItsTimeAndAgainUntilAnswered) {
   const auto first = schedule.due(10.1, "hall", milliseconds(200));
   ASSERT_EQ(first.size(), 1u);
   EXPECT_EQ(first[0].map_id, "hall");
-  EXPECT_EQ(first[0].action, grid::MapEdit::Action::kBlock);
+  EXPECT_EQ(first[0].action, fleet::MapEdit::Action::kBlock);
   EXPECT_EQ(first[0].points_in_map.at(1), (geometry::Point2{2, 3}));
   EXPECT_TRUE(schedule.due(10.2, "hall", milliseconds(300)).empty());
   const auto again = schedule.due(10.7, "hall", milliseconds(800));
@@ -42,7 +42,7 @@ TEST(EditSchedule, DoesNotRepeatAfterARestartWhatWasAnswered) {
   EditSchedule after(yard(), before.done());
   const auto open = after.due(30.0, "hall", milliseconds(0));
   ASSERT_EQ(open.size(), 1u);
-  EXPECT_EQ(open[0].action, grid::MapEdit::Action::kUnblock);
+  EXPECT_EQ(open[0].action, fleet::MapEdit::Action::kUnblock);
 }
 
 }  // namespace

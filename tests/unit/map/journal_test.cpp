@@ -11,7 +11,7 @@
 namespace aisle::map {
 namespace {
 
-using grid::MapEdit;
+using fleet::MapEdit;
 using ::testing::HasSubstr;
 
 JournalEntry entry(std::uint64_t revision) {

@@ -12,8 +12,8 @@
 namespace aisle::map {
 namespace {
 
-using grid::MapEdit;
-using grid::MapEditResult;
+using fleet::MapEdit;
+using fleet::MapEditResult;
 using grid::Occupancy;
 using Outcome = MapEditResult::Outcome;
 using ::testing::ElementsAre;

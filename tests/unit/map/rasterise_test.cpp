@@ -10,9 +10,9 @@
 namespace aisle::map {
 namespace {
 
+using fleet::MapEdit;
 using geometry::Point2;
 using grid::Geometry;
-using grid::MapEdit;
 
 std::set<std::pair<int, int>> cells_of(const std::vector<CellRun>& runs) {
   std::set<std::pair<int, int>> cells;

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "common/wire/origin.hpp"
+
 namespace aisle::wire {
 namespace {
 
@@ -18,7 +20,7 @@ TEST(GeometryCodec, DecodesWhatItEncodes) {
   EXPECT_EQ(twist.linear_mps, 0.5);
   EXPECT_EQ(twist.sideways_mps, -0.125);
   EXPECT_EQ(twist.angular_radps, -0.25);
-  const SampleOrigin origin = decode(encode(SampleOrigin{"planner-1", 2, 3, 4, 5}), checks);
+  const fleet::Origin origin = decode(encode(fleet::Origin{"planner-1", 2, 3, 4, 5}), checks);
   EXPECT_EQ(origin.source_id, "planner-1");
   EXPECT_EQ(origin.boot_id, 2U);
   EXPECT_EQ(origin.epoch, 3U);
@@ -64,10 +66,10 @@ TEST(GeometryCodec, RefusesNumbersThatNoSiteHas) {
 
 TEST(GeometryCodec, RefusesAnOriginWithoutSourceOrNumber) {
   Checks nameless;
-  decode(encode(SampleOrigin{"", 1, 1, 1, 1}), nameless);
+  decode(encode(fleet::Origin{"", 1, 1, 1, 1}), nameless);
   EXPECT_FALSE(nameless.ok());
   Checks unnumbered;
-  decode(encode(SampleOrigin{"planner-1", 1, 1, 0, 1}), unnumbered);
+  decode(encode(fleet::Origin{"planner-1", 1, 1, 0, 1}), unnumbered);
   EXPECT_FALSE(unnumbered.ok());
 }
 

@@ -74,8 +74,8 @@ TEST(MapCodec, RefusesASummaryThatDoesNotAddUp) {
 }
 
 TEST(MapCodec, DecodesTheEditItEncodesAndRefusesOthers) {
-  const grid::MapEdit edit{"edit-1",     "site", grid::MapEdit::Action::kUnblock, grid::MapEdit::Shape::kDisc,
-                           {{1.0, 2.0}}, 0.5};
+  const fleet::MapEdit edit{"edit-1",     "site", fleet::MapEdit::Action::kUnblock, fleet::MapEdit::Shape::kDisc,
+                            {{1.0, 2.0}}, 0.5};
   const auto decoded = decode(encode(edit));
   ASSERT_TRUE(static_cast<bool>(decoded)) << decoded.reason();
   EXPECT_EQ(*decoded, edit);

@@ -1,16 +1,16 @@
-#include "common/wire/world_obstacle.hpp"
-
 #include <gtest/gtest.h>
 
 #include <limits>
 
+#include "common/wire/vehicle.hpp"
+
 namespace aisle::wire {
 namespace {
 
-WorldObstacle forklift() {
-  WorldObstacle obstacle;
+fleet::Obstacle forklift() {
+  fleet::Obstacle obstacle;
   obstacle.id = "forklift-1";
-  obstacle.kind = WorldObstacle::Kind::kVehicle;
+  obstacle.kind = fleet::Obstacle::Kind::kVehicle;
   obstacle.base_in_map = {3.0, 2.0, 0.5 * geometry::kPi};
   obstacle.footprint = geometry::rectangle(2.4, 1.1, 0.4);
   obstacle.velocity_in_map = {0.0, 1.0};
@@ -20,7 +20,7 @@ WorldObstacle forklift() {
 TEST(WorldObstacleCodec, DecodesWhatItEncodes) {
   const auto decoded = decode(encode(forklift()));
   ASSERT_TRUE(static_cast<bool>(decoded)) << decoded.reason();
-  EXPECT_EQ(decoded->kind, WorldObstacle::Kind::kVehicle);
+  EXPECT_EQ(decoded->kind, fleet::Obstacle::Kind::kVehicle);
   EXPECT_EQ(decoded->base_in_map.position(), (geometry::Point2{3.0, 2.0}));
   EXPECT_EQ(decoded->footprint.length_m, 2.4);
   EXPECT_EQ(decoded->footprint.ahead_m, 0.4);

@@ -1,4 +1,4 @@
-#include "common/wire/vehicle_info.hpp"
+#include "common/wire/vehicle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,13 +15,13 @@ using geometry::Footprint;
 using kinematics::Limits;
 using kinematics::Model;
 
-VehicleInfo forklift() {
+fleet::Vehicle forklift() {
   Limits limits{1.0, 0.4, 0.9, 0.5, 0.7, 2.0};
   limits.model = Model::kTricycle;
   limits.axle = {1.5, 1.1, 0.8, true};
   return {"forklift-1", geometry::rectangle(2.4, 1.1, 0.4), limits, 10.0, 0.2};
 }
-VehicleInfo cart() {
+fleet::Vehicle cart() {
   Limits limits;
   limits.model = Model::kOmnidirectional;
   return {"cart-1", geometry::disc(0.35), limits, 8.0, 0.2};
@@ -30,7 +30,7 @@ VehicleInfo cart() {
 TEST(VehicleInfoCodec, DecodesTheForkliftItEncodes) {
   const auto decoded = decode(encode(forklift()));
   ASSERT_TRUE(static_cast<bool>(decoded)) << decoded.reason();
-  EXPECT_EQ(decoded->agv_id, "forklift-1");
+  EXPECT_EQ(decoded->id, "forklift-1");
   EXPECT_FALSE(decoded->footprint.is_disc());
   EXPECT_EQ(decoded->footprint.length_m, 2.4);
   EXPECT_EQ(decoded->footprint.width_m, 1.1);
@@ -66,7 +66,7 @@ TEST(VehicleInfoCodec, SaysTheCircleAroundTheFrameThatHoldsARectangle) {
 
 using Spoil = std::function<void(aisle::VehicleInfo&)>;
 
-std::string refusal(const VehicleInfo& vehicle, const Spoil& spoil) {
+std::string refusal(const fleet::Vehicle& vehicle, const Spoil& spoil) {
   aisle::VehicleInfo sample = encode(vehicle);
   spoil(sample);
   return decode(sample).reason();

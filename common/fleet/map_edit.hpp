@@ -5,7 +5,7 @@
 
 #include "common/geometry/pose.hpp"
 
-namespace aisle::grid {
+namespace aisle::fleet {
 
 /// A change of the site's map: cells blocked, or freed again.
 struct MapEdit {
@@ -37,4 +37,4 @@ struct MapEditResult {
   std::uint32_t changed_cells{0};
 };
 
-}  // namespace aisle::grid
+}  // namespace aisle::fleet
