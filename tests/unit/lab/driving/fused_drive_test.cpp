@@ -8,7 +8,7 @@
 #include "tests/support/places.hpp"
 #include "tools/lab/driving/curves_svg.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 const std::filesystem::path kMaps = test_support::source_folder() / "deploy/experiments";
@@ -97,4 +97,4 @@ TEST(CurvesSvg, ShowsEveryDrive) {
 }
 
 }  // namespace
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 WindowDrive drive_named(const std::string& name) {
@@ -62,4 +62,4 @@ TEST(WindowCases, BeforeAClosedAisleItStopsAndAsksForAnotherPlan) {
 }
 
 }  // namespace
-}  // namespace aisle::cli
+}  // namespace aisle::lab

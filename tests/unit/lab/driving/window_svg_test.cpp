@@ -5,7 +5,7 @@
 
 #include "tools/lockstep/building.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using ::testing::HasSubstr;
@@ -57,4 +57,4 @@ TEST(WindowSvg, AVehicleThatStandsIsDrawnOnce) {
 }
 
 }  // namespace
-}  // namespace aisle::cli
+}  // namespace aisle::lab

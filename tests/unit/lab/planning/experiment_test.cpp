@@ -12,7 +12,7 @@
 #include "tools/lab/planning/paper_tables.hpp"
 #include "tools/lab/planning/random_tables.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ TEST(RandomTables, HaveARowForEachPlannerAndNoFaults) {
 }
 
 }  // namespace
-}  // namespace aisle::cli
+}  // namespace aisle::lab

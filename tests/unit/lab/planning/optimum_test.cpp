@@ -16,7 +16,7 @@
 #include "tools/lab/planning/queries.hpp"
 #include "tools/lab/planning/tally.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 namespace fs = std::filesystem;
@@ -96,4 +96,4 @@ INSTANTIATE_TEST_SUITE_P(Planners, Optimum,
                          });
 
 }  // namespace
-}  // namespace aisle::cli
+}  // namespace aisle::lab

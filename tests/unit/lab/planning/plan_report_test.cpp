@@ -13,7 +13,7 @@
 #include "tests/support/ascii_grid.hpp"
 #include "tools/lab/planning/plan_svg.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using global_planner::path_figures;
@@ -86,4 +86,4 @@ TEST(PlanSvg, DrawsTheMapAndEachPath) {
 }
 
 }  // namespace
-}  // namespace aisle::cli
+}  // namespace aisle::lab

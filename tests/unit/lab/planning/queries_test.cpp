@@ -10,7 +10,7 @@
 #include "common/config/reader.hpp"
 #include "tools/lab/planning/chosen_planners.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using testing::HasSubstr;
@@ -73,4 +73,4 @@ TEST(ChosenPlanners, AreAllOrThoseNamed) {
 }
 
 }  // namespace
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -12,7 +12,7 @@
 #include "tests/support/places.hpp"
 #include "tools/lockstep/families.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST(DetourTable, ComparesThePredictedWithTheHeldStill) {
 }
 
 }  // namespace
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -1,4 +1,4 @@
-#include "tools/lab/planning/output_file.hpp"
+#include "common/process/output_file.hpp"
 
 #include <unistd.h>
 
@@ -8,7 +8,7 @@
 
 #include "common/config/reader.hpp"
 
-namespace aisle::cli {
+namespace aisle::process {
 namespace {
 
 config::BadEnvironment not_writable(const std::string& file) {
@@ -35,4 +35,4 @@ void write_output_file(const std::string& file, const std::string& text) {
   if (!out.flush()) throw not_writable(file);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::process
