@@ -129,12 +129,7 @@ Strings allowed_rooms(const std::string& file) {
   if (begins_with(file, "tools/referee/core/")) return for_cores;
   if (begins_with(file, "tools/referee/report/")) return {"common/", "tools/draw/"};
   if (begins_with(file, "tools/referee/")) return {"common/"};
-  const std::string core = core_of(file);
-  if (!core.empty()) {
-    Strings rooms = for_cores;
-    if (core != "services/obstacle-tracker/core/") rooms.push_back("services/obstacle-tracker/core/track.hpp");
-    return rooms;
-  }
+  if (!core_of(file).empty()) return for_cores;
   // The laboratory and `aisle drive` run the lock-step simulator and draw its runs as the referee draws real ones.
   Strings for_runs{"common/",     "services/",           "tools/lockstep/",
                    "tools/draw/", "tools/referee/core/", "tools/referee/report/"};
@@ -144,7 +139,7 @@ Strings allowed_rooms(const std::string& file) {
     return for_runs;
   }
   if (begins_with(file, "tools/")) return {"common/", "services/"};
-  return {"common/", "services/obstacle-tracker/core/track.hpp"};  // a service; its own folder comes with it
+  return {"common/"};  // a service; its own folder comes with it
 }
 
 TEST(Architecture, IncludesPointOneWay) {
