@@ -1,5 +1,5 @@
 // Who may include whom. The DDS headers lie in the system's path, so a slip compiles silently: this says no.
-//   geometry grid kinematics time config <- fleet <- core <- service <- main;  Fast DDS only in common/bus
+//   geometry grid kinematics time config <- fleet <- core <- service <- main;  Fast DDS only in common/bus/dds
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ TEST(Architecture, OnlyTheBusIncludesFastDds) {
   for (const Source& source : all_sources()) {
     for (const std::string& include : source.includes) {
       if (!begins_with_any(include, {"fastdds", "fastrtps", "fastcdr"})) continue;
-      EXPECT_TRUE(begins_with(source.file, "common/bus/")) << source.file << " includes " << include;
+      EXPECT_TRUE(begins_with(source.file, "common/bus/dds/")) << source.file << " includes " << include;
     }
   }
 }

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "common/bus/discovery.hpp"
-#include "common/bus/fastdds_compat.hpp"
-#include "common/bus/participant_qos.hpp"
+#include "common/bus/dds/discovery.hpp"
+#include "common/bus/dds/fastdds_compat.hpp"
+#include "common/bus/dds/participant_qos.hpp"
 #include "idl/planning_support.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/type_table.hpp"
+#include "common/bus/dds/type_table.hpp"
 #include "tests/support/places.hpp"
 #include "tests/unit/bus/golden_samples.hpp"
 

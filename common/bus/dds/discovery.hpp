@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "common/bus/fastdds_compat.hpp"
+#include "common/bus/dds/fastdds_compat.hpp"
 
 namespace aisle::bus {
 

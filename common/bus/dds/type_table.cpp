@@ -1,4 +1,4 @@
-#include "common/bus/type_table.hpp"
+#include "common/bus/dds/type_table.hpp"
 
 #include <array>
 #include <cassert>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/site.hpp"
+#include "common/bus/dds/site.hpp"
 
 namespace aisle::bus {
 

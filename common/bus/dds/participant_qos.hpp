@@ -1,5 +1,5 @@
 #pragma once
-#include "common/bus/fastdds_compat.hpp"
+#include "common/bus/dds/fastdds_compat.hpp"
 #include "common/bus/qos.hpp"
 #include "common/bus/settings.hpp"
 

@@ -1,4 +1,4 @@
-#include "common/bus/participant_qos.hpp"
+#include "common/bus/dds/participant_qos.hpp"
 
 #include <arpa/inet.h>
 #include <ifaddrs.h>

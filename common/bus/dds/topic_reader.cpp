@@ -1,4 +1,4 @@
-#include "common/bus/topic_reader.hpp"
+#include "common/bus/dds/topic_reader.hpp"
 
 #include <algorithm>
 #include <sstream>

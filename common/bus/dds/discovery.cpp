@@ -1,4 +1,4 @@
-#include "common/bus/discovery.hpp"
+#include "common/bus/dds/discovery.hpp"
 
 #include <fnmatch.h>
 

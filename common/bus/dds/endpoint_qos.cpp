@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "common/bus/participant_qos.hpp"
+#include "common/bus/dds/participant_qos.hpp"
 
 namespace aisle::bus {
 namespace {

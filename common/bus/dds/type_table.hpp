@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "common/bus/fastdds_compat.hpp"
+#include "common/bus/dds/fastdds_compat.hpp"
 #include "common/bus/qos.hpp"
 
 namespace aisle::bus {

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "common/bus/type_table.hpp"
+#include "common/bus/dds/type_table.hpp"
 
 namespace aisle::bus {
 

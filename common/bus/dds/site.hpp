@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "common/bus/discovery.hpp"
-#include "common/bus/fastdds_compat.hpp"
-#include "common/bus/type_table.hpp"
+#include "common/bus/dds/discovery.hpp"
+#include "common/bus/dds/fastdds_compat.hpp"
+#include "common/bus/dds/type_table.hpp"
 
 namespace aisle::bus {
 

@@ -1,13 +1,12 @@
-#include "common/bus/bus.hpp"
-
 #include <algorithm>
 #include <deque>
 #include <map>
 #include <mutex>
 #include <utility>
 
-#include "common/bus/site.hpp"
-#include "common/bus/topic_reader.hpp"
+#include "common/bus/bus.hpp"
+#include "common/bus/dds/site.hpp"
+#include "common/bus/dds/topic_reader.hpp"
 
 namespace aisle::bus {
 namespace {

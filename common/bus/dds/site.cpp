@@ -1,4 +1,4 @@
-#include "common/bus/site.hpp"
+#include "common/bus/dds/site.hpp"
 
 #include <malloc.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/bus/participant_qos.hpp"
+#include "common/bus/dds/participant_qos.hpp"
 #include "common/config/reader.hpp"
 
 namespace aisle::bus {
