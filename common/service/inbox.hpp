@@ -48,7 +48,7 @@ Sender sender_of(const Sample& sample, const bus::SampleInfo& info) {
     sender.sequence_number = sample.by().sequence_number();
     sender.stamp_ns = sample.by().stamp_ns();
   }
-  sender.arrived = std::chrono::duration_cast<time::Stamp>(info.arrived.time_since_epoch());
+  sender.arrived = info.arrived;
   return sender;
 }
 

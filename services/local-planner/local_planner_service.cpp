@@ -88,11 +88,11 @@ void LocalPlannerService::listen_to_vehicles() {
   });
   bus_.on<topics::VehicleState>([this, peer](const aisle::VehicleState& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
-    if (sample.agv_id().to_string() == agv_id_) return take_own_state(sample, info.arrived.time_since_epoch());
+    if (sample.agv_id().to_string() == agv_id_) return take_own_state(sample, info.arrived);
     if (const auto report = accepted("vehicle_state", wire::decode(sample))) {
       Peer& entry = peer(report->agv_id);
       entry.state = report->motion;
-      entry.state_arrived = info.arrived.time_since_epoch();
+      entry.state_arrived = info.arrived;
     }
   });
   bus_.on<topics::NavigationStatus>([this, peer](const aisle::NavigationStatus& sample, const SampleInfo& info) {
@@ -102,7 +102,7 @@ void LocalPlannerService::listen_to_vehicles() {
       entry.phase = status->phase;
       entry.reason = status->reason;
       entry.intent = std::move(status->intent);
-      entry.intent_arrived = info.arrived.time_since_epoch();
+      entry.intent_arrived = info.arrived;
     }
   });
 }
@@ -151,12 +151,12 @@ void LocalPlannerService::listen_to_tracks() {
       return;
     }
     if (const auto track = accepted("track", wire::decode(sample)))
-      tracks_[track->id] = {{*track, info.arrived.time_since_epoch()}, sample.by().source_id().to_string()};
+      tracks_[track->id] = {{*track, info.arrived}, sample.by().source_id().to_string()};
   });
   bus_.on<topics::TrackingStatus>([this](const aisle::TrackingStatus& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
     if (const auto status = accepted("tracking_status", wire::decode(sample)))
-      take_status(*status, wire::origin_of(sample).source_id, info.arrived.time_since_epoch());
+      take_status(*status, wire::origin_of(sample).source_id, info.arrived);
   });
 }
 

@@ -1,10 +1,11 @@
+#include "common/bus/dds/dds_bus.hpp"
+
 #include <algorithm>
 #include <deque>
 #include <map>
 #include <mutex>
 #include <utility>
 
-#include "common/bus/bus.hpp"
 #include "common/bus/dds/site.hpp"
 #include "common/bus/dds/topic_reader.hpp"
 
@@ -15,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
-struct Bus::State {
+struct DdsBus::State {
   struct Timer {
     std::chrono::nanoseconds period;
     Clock::time_point next;
@@ -51,7 +52,7 @@ struct Bus::State {
   std::vector<std::function<void()>> posted;
 };
 
-bool Bus::State::handle_posted() {
+bool DdsBus::State::handle_posted() {
   std::vector<std::function<void()>> work;
   {
     const std::lock_guard<std::mutex> lock(post_mutex);
@@ -61,13 +62,13 @@ bool Bus::State::handle_posted() {
   return !work.empty();
 }
 
-bool Bus::State::handle_incidents() {
+bool DdsBus::State::handle_incidents() {
   const std::vector<Incident> conflicts = site->discovery().new_conflicts();
   for (const Incident& incident : conflicts) report(incident);
   return !conflicts.empty();
 }
 
-bool Bus::State::handle_readers() {
+bool DdsBus::State::handle_readers() {
   bool handled = false;
   for (auto& [name, reader] : readers) {  // a map: readers that a handler adds do not disturb
     handled |= reader->drain([this](const Incident& incident) { report(incident); });
@@ -75,7 +76,7 @@ bool Bus::State::handle_readers() {
   return handled;
 }
 
-bool Bus::State::handle_timers() {
+bool DdsBus::State::handle_timers() {
   bool handled = false;
   const Clock::time_point now = Clock::now();
   for (std::size_t i = 0; i < timers.size(); ++i) {
@@ -89,7 +90,7 @@ bool Bus::State::handle_timers() {
   return handled;
 }
 
-bool Bus::State::handle_all() {
+bool DdsBus::State::handle_all() {
   site->guard().set_trigger_value(false);  // first: what comes from now on wakes the next wait
   const bool posted_work = handle_posted();
   const bool incidents = handle_incidents();
@@ -98,7 +99,7 @@ bool Bus::State::handle_all() {
   return posted_work || incidents || samples || ticks;
 }
 
-void Bus::State::wait_until(Clock::time_point limit) {
+void DdsBus::State::wait_until(Clock::time_point limit) {
   for (const auto& [name, reader] : readers) {
     if (reader->has_more()) return;
   }
@@ -109,10 +110,10 @@ void Bus::State::wait_until(Clock::time_point limit) {
   wait_set.wait(active, fast::duration(left));
 }
 
-Bus::Bus(const Settings& settings) : state_(std::make_unique<State>(settings)) {}
-Bus::~Bus() = default;
+DdsBus::DdsBus(const Settings& settings) : state_(std::make_unique<State>(settings)) {}
+DdsBus::~DdsBus() = default;
 
-std::shared_ptr<detail::RawWriter> Bus::raw_writer(const char* topic, int strength) {
+std::shared_ptr<detail::RawWriter> DdsBus::raw_writer(const char* topic, int strength) {
   const Site::Channel& channel = state_->site->channel(topic);
   auto writer = std::make_shared<DdsWriter>(state_->site, channel, strength);
   state_->own.push_back(
@@ -120,7 +121,7 @@ std::shared_ptr<detail::RawWriter> Bus::raw_writer(const char* topic, int streng
   return writer;
 }
 
-void Bus::raw_on(const char* topic, detail::RawHandler handler) {
+void DdsBus::raw_on(const char* topic, detail::RawHandler handler) {
   auto found = state_->readers.find(topic);
   if (found == state_->readers.end()) {
     const Site::Channel& channel = state_->site->channel(topic);
@@ -132,16 +133,16 @@ void Bus::raw_on(const char* topic, detail::RawHandler handler) {
   found->second->add(std::move(handler));
 }
 
-void Bus::every(std::chrono::nanoseconds period, std::function<void()> handler) {
+void DdsBus::every(std::chrono::nanoseconds period, std::function<void()> handler) {
   const std::chrono::nanoseconds bounded = std::max(period, std::chrono::nanoseconds(1000));
   state_->timers.push_back({bounded, Clock::now() + bounded, std::move(handler)});
 }
 
-void Bus::on_incident(std::function<void(const Incident&)> handler) {
+void DdsBus::on_incident(std::function<void(const Incident&)> handler) {
   state_->incident_handlers.push_back(std::move(handler));
 }
 
-void Bus::post(std::function<void()> work) {
+void DdsBus::post(std::function<void()> work) {
   {
     const std::lock_guard<std::mutex> lock(state_->post_mutex);
     state_->posted.push_back(std::move(work));
@@ -149,7 +150,7 @@ void Bus::post(std::function<void()> work) {
   state_->site->wake();
 }
 
-bool Bus::run_once(std::chrono::nanoseconds limit) {
+bool DdsBus::run_once(std::chrono::nanoseconds limit) {
   const Clock::time_point end = Clock::now() + limit;
   while (!state_->handle_all()) {
     if (Clock::now() >= end) return false;
@@ -158,29 +159,26 @@ bool Bus::run_once(std::chrono::nanoseconds limit) {
   return true;
 }
 
-void Bus::run_until(const std::atomic<bool>& stop) {
-  while (!stop) run_once(std::chrono::milliseconds(100));
+time::Stamp DdsBus::now() const { return std::chrono::duration_cast<time::Stamp>(Clock::now().time_since_epoch()); }
+
+std::int64_t DdsBus::wall_clock_ns() const {
+  const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(since_epoch).count();
 }
 
-int Bus::matched_writers(const std::string& topic) const {
+int DdsBus::matched_writers(const std::string& topic) const {
   const auto found = state_->readers.find(topic);
   return found == state_->readers.end() ? 0 : found->second->matched_writers();
 }
 
-std::vector<Endpoint> Bus::endpoints() const {
+std::vector<Endpoint> DdsBus::endpoints() const {
   std::vector<Endpoint> all = state_->own;
   for (Endpoint& endpoint : state_->site->discovery().endpoints()) all.push_back(std::move(endpoint));
   return all;
 }
 
-std::vector<Participant> Bus::peers() const { return state_->site->discovery().participants(); }
+std::vector<Participant> DdsBus::peers() const { return state_->site->discovery().participants(); }
 
-std::vector<std::string> Bus::participants() const {
-  std::vector<std::string> names;
-  for (const Participant& peer : peers()) names.push_back(peer.name);
-  return names;
-}
-
-const Settings& Bus::settings() const { return state_->settings; }
+const Settings& DdsBus::settings() const { return state_->settings; }
 
 }  // namespace aisle::bus

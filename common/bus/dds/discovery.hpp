@@ -27,11 +27,6 @@ struct LocalEndpoint {
   Qos qos;
 };
 
-/// Why a writer and a reader of one topic do not meet: the policy, what is offered and what is asked for; empty when
-/// they do.
-std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, const Qos& requested,
-                         bool asks_manual_liveliness);
-
 /// Who else is there, and what of it does not fit ours. The middleware's threads fill it; everything else is for the
 /// loop.
 class Discovery final : public fast::DiscoveryListener {

@@ -1,6 +1,6 @@
 #pragma once
-// Everything in which Fast DDS 2.9 and 3.1 differ for us. Included by common/bus/*.cpp (and tests that play a foreign
-// peer) only.
+// Everything in which Fast DDS 2.9 and 3.1 differ for us. Included by common/bus/dds/*.cpp (and tests that play a
+// foreign peer) only.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -237,28 +237,45 @@ inline std::size_t serialized_bytes(const dds::TypeSupport& support, const void*
 #endif
 }
 
+/// Bytes that the middleware reads or fills, and that belong to the caller.
+class BorrowedPayload {
+ public:
+  BorrowedPayload(std::uint8_t* data, std::size_t size) {
+    payload_.data = data;
+    payload_.max_size = payload_.length = static_cast<std::uint32_t>(size);
+  }
+  ~BorrowedPayload() { payload_.data = nullptr; }
+  BorrowedPayload(const BorrowedPayload&) = delete;
+  BorrowedPayload& operator=(const BorrowedPayload&) = delete;
+  rtps::SerializedPayload_t& operator*() { return payload_; }
+
+ private:
+  rtps::SerializedPayload_t payload_;
+};
+
 /// A sample as it goes over the wire: XCDR version 1, little endian, with the four bytes of its encapsulation in front.
-inline std::vector<std::uint8_t> encoded(const dds::TypeSupport& support, const void* sample) {
+/// False, with no bytes, when it cannot be written.
+inline bool encode(const dds::TypeSupport& support, const void* sample, std::vector<std::uint8_t>& bytes) {
 #if AISLE_FASTDDS_MAJOR >= 3
-  const std::uint32_t size = support->calculate_serialized_size(sample, dds::XCDR_DATA_REPRESENTATION);
-  rtps::SerializedPayload_t payload(size);
-  if (!support->serialize(sample, payload, dds::XCDR_DATA_REPRESENTATION)) return {};
+  bytes.resize(support->calculate_serialized_size(sample, dds::XCDR_DATA_REPRESENTATION));
+  BorrowedPayload payload(bytes.data(), bytes.size());
+  const bool written = support->serialize(sample, *payload, dds::XCDR_DATA_REPRESENTATION);
 #else
   void* data = const_cast<void*>(sample);
-  rtps::SerializedPayload_t payload(support->getSerializedSizeProvider(data)());
-  if (!support->serialize(data, &payload)) return {};
+  bytes.resize(support->getSerializedSizeProvider(data)());
+  BorrowedPayload payload(bytes.data(), bytes.size());
+  const bool written = dds::TypeSupport(support)->serialize(data, &*payload);
 #endif
-  return {payload.data, payload.data + payload.length};
+  bytes.resize(written ? (*payload).length : 0);
+  return written;
 }
 /// False when the bytes are no such sample.
 inline bool decode(const dds::TypeSupport& support, const std::vector<std::uint8_t>& bytes, void* sample) {
-  rtps::SerializedPayload_t payload(static_cast<std::uint32_t>(bytes.size()));
-  std::copy(bytes.begin(), bytes.end(), payload.data);
-  payload.length = static_cast<std::uint32_t>(bytes.size());
+  BorrowedPayload payload(const_cast<std::uint8_t*>(bytes.data()), bytes.size());  // it is only read
 #if AISLE_FASTDDS_MAJOR >= 3
-  support->deserialize(payload, sample);
+  support->deserialize(*payload, sample);
 #else
-  dds::TypeSupport(support)->deserialize(&payload, sample);
+  dds::TypeSupport(support)->deserialize(&*payload, sample);
 #endif
   return last_sample_fits;
 }

@@ -169,7 +169,8 @@ void TopicReader::report_statuses(const Report& report) {
 }
 
 void TopicReader::hand_over(const void* sample, SampleKind kind, const Handle& writer) {
-  const SampleInfo info{kind, name_of(writer), std::chrono::steady_clock::now()};
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  const SampleInfo info{kind, name_of(writer), std::chrono::duration_cast<time::Stamp>(now)};
   for (std::size_t i = 0; i < handlers_.size(); ++i) handlers_[i](sample, info);  // a handler may add handlers
 }
 

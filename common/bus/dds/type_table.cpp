@@ -1,8 +1,8 @@
 #include "common/bus/dds/type_table.hpp"
 
-#include <array>
 #include <cassert>
 #include <cstdlib>
+#include <tuple>
 #include <type_traits>
 
 #include "common/bus/topics.hpp"
@@ -15,22 +15,35 @@
 namespace aisle::bus {
 namespace {
 
+/// A key field as bytes that tell where it ends.
+template <class Field>
+void append_field(const Field& field, std::string& bytes) {
+  if constexpr (std::is_arithmetic_v<Field>) {
+    bytes.append(reinterpret_cast<const char*>(&field), sizeof field);
+  } else {
+    bytes.append(field.c_str()).push_back('\0');
+  }
+}
+
 template <class Topic, class Generated>
 TopicType row() {
   static_assert(std::is_same_v<typename Topic::Sample, typename Generated::type>);
   using Sample = typename Topic::Sample;
-  return {
-      Topic::kName, Topic::kQos, [] { return fast::dds::TypeSupport(new fast::Guarded<Generated>); },
-      [](void* to, void* from) { Topic::key(*static_cast<Sample*>(to)) = Topic::key(*static_cast<Sample*>(from)); }};
+  return {Topic::kName, Topic::kQos, [] { return fast::dds::TypeSupport(new fast::Guarded<Generated>); },
+          [](void* to, void* from) { Topic::key(*static_cast<Sample*>(to)) = Topic::key(*static_cast<Sample*>(from)); },
+          [](void* sample, std::string& bytes) {
+            std::apply([&](const auto&... fields) { (append_field(fields, bytes), ...); },
+                       Topic::key(*static_cast<Sample*>(sample)));
+          }};
 }
 
 template <class... Topics, class... Rows>
 auto complete(topics::List<Topics...>, Rows... rows) {
   static_assert(sizeof...(Topics) == sizeof...(Rows), "each topic of topics.hpp needs its row here");
-  return std::array{rows...};
+  return std::vector<TopicType>{rows...};
 }
 
-const auto& table() {
+const std::vector<TopicType>& table() {
   static const auto rows = complete(
       topics::All{}, row<topics::MapInfo, MapInfoPubSubType>(), row<topics::MapTile, MapTilePubSubType>(),
       row<topics::MapRequest, MapRequestPubSubType>(), row<topics::MapEdit, MapEditPubSubType>(),
@@ -45,6 +58,8 @@ const auto& table() {
 }
 
 }  // namespace
+
+const std::vector<TopicType>& all_topic_types() { return table(); }
 
 const TopicType& topic_type(const std::string& topic) {
   for (const TopicType& row : table()) {
