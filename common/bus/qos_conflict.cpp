@@ -1,5 +1,9 @@
 #include "common/bus/qos_conflict.hpp"
 
+#include <fnmatch.h>
+
+#include <algorithm>
+
 namespace aisle::bus {
 namespace {
 
@@ -36,6 +40,29 @@ std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, cons
            period(requested.liveliness_lease) + " is asked for";
   }
   return {};
+}
+
+std::optional<Incident> mismatch(const Announced& ours, const Announced& theirs, const std::string& participant) {
+  const std::string their_end = (theirs.is_writer ? "writer " : "reader ") + participant;
+  if (ours.type != theirs.type) {
+    return Incident{
+        Incident::Kind::kTypeMismatch, ours.topic,
+        ours.topic + ": " + their_end + " uses type " + theirs.type + ", ours is " + ours.type + "; no samples pass"};
+  }
+  if (ours.is_writer == theirs.is_writer) return std::nullopt;
+  const Announced& writer = ours.is_writer ? ours : theirs;
+  const Announced& reader = ours.is_writer ? theirs : ours;
+  const std::string conflict = qos_conflict(writer.qos, writer.manual_liveliness, reader.qos, reader.manual_liveliness);
+  if (conflict.empty()) return std::nullopt;
+  return Incident{Incident::Kind::kIncompatibleQos, ours.topic,
+                  ours.topic + ": " + their_end + " does not fit our QoS: " + conflict + "; no samples pass"};
+}
+
+bool same_partition(const std::string& ours, const std::vector<std::string>& theirs) {
+  if (theirs.empty()) return ours.empty();
+  return std::any_of(theirs.begin(), theirs.end(), [&](const std::string& name) {
+    return name == ours || fnmatch(name.c_str(), ours.c_str(), 0) == 0 || fnmatch(ours.c_str(), name.c_str(), 0) == 0;
+  });
 }
 
 }  // namespace aisle::bus

@@ -1,13 +1,9 @@
 #include "common/bus/dds/discovery.hpp"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <sstream>
 #include <utility>
-
-#include "common/bus/qos_conflict.hpp"
 
 namespace aisle::bus {
 namespace {
@@ -90,7 +86,7 @@ void Discovery::participant_seen(fast::ParticipantInfo info, bool gone) {
   peers_[prefix] = {fast::name_of(info), value_of(data, "host"), std::atoi(value_of(data, "pid").c_str())};
 }
 
-void Discovery::add_local(const LocalEndpoint& endpoint) {
+void Discovery::add_local(const Announced& endpoint) {
   const std::lock_guard<std::mutex> lock(mutex_);
   locals_.push_back(endpoint);
   changed_ = true;
@@ -101,46 +97,14 @@ std::vector<Incident> Discovery::new_conflicts() {
   std::vector<Incident> found;
   if (!changed_) return found;
   changed_ = false;
-  for (const LocalEndpoint& ours : locals_) {
+  for (const Announced& ours : locals_) {
     for (const auto& [guid, theirs] : remotes_) {
-      if (ours.topic == theirs.topic && same_partition(theirs.partitions)) compare(ours, theirs, found);
+      if (ours.topic != theirs.topic || !same_partition(partition_, theirs.partitions)) continue;
+      std::optional<Incident> incident = mismatch(ours, theirs, name_of(theirs.participant_prefix));
+      if (incident && reported_.insert(guid + " " + incident->text).second) found.push_back(std::move(*incident));
     }
   }
   return found;
-}
-
-void Discovery::compare(const LocalEndpoint& ours, const RemoteEndpoint& theirs, std::vector<Incident>& found) {
-  const std::string who = std::string(theirs.is_writer ? "writer " : "reader ") + name_of(theirs.participant_prefix);
-  if (ours.type != theirs.type) {
-    report(theirs,
-           {Incident::Kind::kTypeMismatch, ours.topic,
-            ours.topic + ": " + who + " uses type " + theirs.type + ", ours is " + ours.type + "; no samples pass"},
-           found);
-    return;
-  }
-  if (ours.is_writer == theirs.is_writer) return;
-  const bool ours_manual = ours.qos.liveliness_lease.count() > 0;
-  const std::string conflict = ours.is_writer
-                                   ? qos_conflict(ours.qos, ours_manual, theirs.qos, theirs.manual_liveliness)
-                                   : qos_conflict(theirs.qos, theirs.manual_liveliness, ours.qos, ours_manual);
-  if (conflict.empty()) return;
-  report(theirs,
-         {Incident::Kind::kIncompatibleQos, ours.topic,
-          ours.topic + ": " + who + " does not fit our QoS: " + conflict + "; no samples pass"},
-         found);
-}
-
-void Discovery::report(const RemoteEndpoint& theirs, Incident incident, std::vector<Incident>& found) {
-  if (reported_.insert(theirs.guid + " " + incident.text).second) found.push_back(std::move(incident));
-}
-
-/// Names may be patterns, on either side; no name is the default partition.
-bool Discovery::same_partition(const std::vector<std::string>& theirs) const {
-  if (theirs.empty()) return partition_.empty();
-  return std::any_of(theirs.begin(), theirs.end(), [&](const std::string& name) {
-    return name == partition_ || fnmatch(name.c_str(), partition_.c_str(), 0) == 0 ||
-           fnmatch(partition_.c_str(), name.c_str(), 0) == 0;
-  });
 }
 
 std::string Discovery::name_of(const std::string& prefix) const {

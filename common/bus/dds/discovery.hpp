@@ -8,23 +8,14 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/dds/fastdds_compat.hpp"
+#include "common/bus/qos_conflict.hpp"
 
 namespace aisle::bus {
 
 /// A reader or writer of someone else, as announced.
-struct RemoteEndpoint {
-  std::string guid, participant_prefix, topic, type;
-  bool is_writer{false};
-  bool manual_liveliness{false};
-  Qos qos;
+struct RemoteEndpoint : Announced {
+  std::string guid, participant_prefix;
   std::vector<std::string> partitions;
-};
-
-/// One of ours.
-struct LocalEndpoint {
-  std::string topic, type;
-  bool is_writer{false};
-  Qos qos;
 };
 
 /// Who else is there, and what of it does not fit ours. The middleware's threads fill it; everything else is for the
@@ -38,7 +29,7 @@ class Discovery final : public fast::DiscoveryListener {
   void reader_seen(fast::ReaderInfo info, bool gone) override;
   void participant_seen(fast::ParticipantInfo info, bool gone) override;
 
-  void add_local(const LocalEndpoint& endpoint);
+  void add_local(const Announced& endpoint);
   /// What does not fit, each once.
   std::vector<Incident> new_conflicts();
 
@@ -54,16 +45,13 @@ class Discovery final : public fast::DiscoveryListener {
   };
   void endpoint_seen(RemoteEndpoint endpoint, bool gone);
   std::string name_of(const std::string& prefix) const;
-  void compare(const LocalEndpoint& ours, const RemoteEndpoint& theirs, std::vector<Incident>& found);
-  void report(const RemoteEndpoint& theirs, Incident incident, std::vector<Incident>& found);
-  bool same_partition(const std::vector<std::string>& theirs) const;
 
   const std::string partition_;
   const std::function<void()> wake_;
   mutable std::mutex mutex_;                       // guards what follows
   std::map<std::string, Peer> peers_;              // by GUID prefix
   std::map<std::string, RemoteEndpoint> remotes_;  // by GUID
-  std::vector<LocalEndpoint> locals_;
+  std::vector<Announced> locals_;
   std::set<std::string> reported_;  // GUID and conflict
   bool changed_{false};
 };

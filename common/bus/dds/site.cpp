@@ -89,7 +89,7 @@ const Site::Channel& Site::channel(const std::string& name) {
 fast::dds::DataWriter& Site::make_writer(const Channel& channel, int strength) {
   dds::DataWriter* writer = publisher_->create_datawriter(channel.topic, writer_qos(channel.type->qos, strength));
   if (writer == nullptr) throw config::BadEnvironment(std::string("cannot create a writer of ") + channel.type->name);
-  discovery_.add_local({channel.type->name, channel.support.get_type_name(), true, channel.type->qos});
+  discovery_.add_local(channel.announced(true));
   return *writer;
 }
 
@@ -98,7 +98,7 @@ fast::dds::DataReader& Site::make_reader(const Channel& channel, fast::dds::Data
   dds::DataReader* reader =
       subscriber_->create_datareader(channel.topic, reader_qos(channel.type->qos), listener, heard);
   if (reader == nullptr) throw config::BadEnvironment(std::string("cannot create a reader of ") + channel.type->name);
-  discovery_.add_local({channel.type->name, channel.support.get_type_name(), false, channel.type->qos});
+  discovery_.add_local(channel.announced(false));
   return *reader;
 }
 

@@ -26,6 +26,9 @@ class Site {
     const TopicType* type;
     fast::dds::TypeSupport support;
     fast::dds::Topic* topic;
+    Announced announced(bool is_writer) const {
+      return {type->name, support.get_type_name(), is_writer, type->qos, type->qos.liveliness_lease.count() > 0};
+    }
   };
   /// Registers the topic at its first use.
   const Channel& channel(const std::string& name);

@@ -1,6 +1,7 @@
 #include "common/bus/dds/topic_reader.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <sstream>
 #include <utility>
 
@@ -8,8 +9,9 @@ namespace aisle::bus {
 namespace {
 
 namespace dds = fast::dds;
-constexpr int kSamplesPerTurn = 512;           // then others have their turn
-constexpr std::chrono::seconds kQuietTime{5};  // between two reports of one kind
+constexpr int kSamplesPerTurn = 512;  // then others have their turn
+
+time::Stamp monotonic_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 std::string text_of_guid(const fast::rtps::InstanceHandle_t& writer) {
   std::ostringstream text;
@@ -95,72 +97,44 @@ void TopicReader::take(const dds::SampleInfo& info, const Report& report) {
     return;
   }
   if (!fast::last_sample_fits) {
-    report({Incident::Kind::kMalformedSample, type_->name,
-            std::string(type_->name) + ": a sample of " + participant_of(writer) + " is not of type " + type_name_ +
-                "; dropped"});
+    report(malformed_sample(type_->name, type_name_, participant_of(writer)));
     return;
   }
-  if (type_->qos.depth > 0) hear(info.instance_handle, writer);
+  if (type_->qos.depth > 0) {
+    instances_.hear(info.instance_handle, writer, [this] {
+      fast::Sample key = fast::new_sample(support_);
+      type_->copy_key(key.get(), sample_.get());
+      return key;
+    });
+  }
   hand_over(sample_.get(), SampleKind::kData, writer);
 }
 
-void TopicReader::hear(const Handle& handle, const Handle& writer) {
-  auto found = instances_.find(handle);
-  if (found == instances_.end()) {
-    found = instances_.emplace(handle, Instance{fast::new_sample(support_), {}}).first;
-    type_->copy_key(found->second.key.get(), sample_.get());
-  }
-  std::vector<Handle>& writers = found->second.writers;
-  if (std::find(writers.begin(), writers.end(), writer) == writers.end()) writers.push_back(writer);
-}
-
 void TopicReader::end(const Handle& handle, const Handle& writer, bool disposed) {
-  const auto found = instances_.find(handle);
-  if (found == instances_.end()) return;
-  std::vector<Handle>& writers = found->second.writers;
-  writers.erase(std::remove(writers.begin(), writers.end(), writer), writers.end());
-  if (!disposed && !writers.empty()) return;
-  const Instance ended = std::move(found->second);
-  instances_.erase(found);
-  hand_over(ended.key.get(), disposed ? SampleKind::kDisposed : SampleKind::kNoWriters, writer);
+  const std::optional<fast::Sample> key = instances_.end(handle, writer, disposed);
+  if (key) hand_over(key->get(), disposed ? SampleKind::kDisposed : SampleKind::kNoWriters, writer);
 }
 
 void TopicReader::lose(const WriterEvent& event, const Report& report) {
-  if (event.silent) {
-    report({Incident::Kind::kLivelinessLost, type_->name,
-            std::string(type_->name) + ": writer " + participant_of(event.writer) + " is silent for more than " +
-                std::to_string(type_->qos.liveliness_lease.count()) + " ms"});
-  }
-  std::vector<Handle> heard;
-  for (const auto& [handle, instance] : instances_) {
-    const bool by_it =
-        std::find(instance.writers.begin(), instance.writers.end(), event.writer) != instance.writers.end();
-    if (by_it) heard.push_back(handle);
-  }
-  for (const Handle& handle : heard) end(handle, event.writer, false);
+  if (event.silent) report(liveliness_lost(type_->name, type_->qos, participant_of(event.writer)));
+  for (const Handle& handle : instances_.heard_from(event.writer)) end(handle, event.writer, false);
   if (!event.silent) names_.erase(event.writer);
 }
 
 void TopicReader::report_statuses(const Report& report) {
   const dds::StatusMask changed = reader_->get_status_changes();
-  const auto now = std::chrono::steady_clock::now();
-  const auto limited = [&](Incident::Kind kind, const std::string& text) {
-    const auto last = reported_.find(kind);
-    if (last != reported_.end() && now - last->second < kQuietTime) return;
-    reported_[kind] = now;
-    report({kind, type_->name, std::string(type_->name) + ": " + text});
+  const auto limited = [&](const Incident& incident) {
+    if (quiet_.allows(incident.kind, monotonic_now())) report(incident);
   };
   if (changed.is_active(dds::StatusMask::requested_deadline_missed())) {
     dds::RequestedDeadlineMissedStatus status;
     reader_->get_requested_deadline_missed_status(status);
-    limited(Incident::Kind::kDeadlineMissed, "nothing new for more than " +
-                                                 std::to_string(type_->qos.deadline.count()) + " ms, " +
-                                                 std::to_string(status.total_count) + " times in all");
+    limited(deadline_missed(type_->name, type_->qos, status.total_count));
   }
   if (changed.is_active(dds::StatusMask::sample_rejected())) {
     dds::SampleRejectedStatus status;
     reader_->get_sample_rejected_status(status);
-    limited(Incident::Kind::kSampleRejected, std::to_string(status.total_count) + " samples rejected in all: no room");
+    limited(samples_rejected(type_->name, status.total_count));
   }
   if (changed.is_active(dds::StatusMask::requested_incompatible_qos())) {
     dds::RequestedIncompatibleQosStatus status;
@@ -169,8 +143,7 @@ void TopicReader::report_statuses(const Report& report) {
 }
 
 void TopicReader::hand_over(const void* sample, SampleKind kind, const Handle& writer) {
-  const auto now = std::chrono::steady_clock::now().time_since_epoch();
-  const SampleInfo info{kind, name_of(writer), std::chrono::duration_cast<time::Stamp>(now)};
+  const SampleInfo info{kind, name_of(writer), monotonic_now()};
   for (std::size_t i = 0; i < handlers_.size(); ++i) handlers_[i](sample, info);  // a handler may add handlers
 }
 

@@ -1,5 +1,4 @@
 #pragma once
-#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -8,11 +7,12 @@
 #include <vector>
 
 #include "common/bus/dds/site.hpp"
+#include "common/bus/heard_instances.hpp"
+#include "common/bus/reader_incidents.hpp"
 
 namespace aisle::bus {
 
-/// Reads one topic for all its handlers. Knows which writers each instance was heard from, because the middleware does
-/// not tell when the last of them goes.
+/// Reads one topic for all its handlers.
 class TopicReader {
  public:
   using Report = std::function<void(Incident)>;
@@ -33,10 +33,6 @@ class TopicReader {
 
  private:
   using Handle = fast::rtps::InstanceHandle_t;
-  struct Instance {
-    fast::Sample key;             // only its key fields hold
-    std::vector<Handle> writers;  // heard from
-  };
   struct WriterEvent {
     Handle writer;
     bool gone;
@@ -59,7 +55,6 @@ class TopicReader {
 
   bool drain_samples(const Report& report);
   void take(const fast::dds::SampleInfo& info, const Report& report);
-  void hear(const Handle& instance, const Handle& writer);
   void end(const Handle& instance, const Handle& writer, bool disposed);
   void lose(const WriterEvent& event, const Report& report);
   void report_statuses(const Report& report);
@@ -75,9 +70,9 @@ class TopicReader {
   fast::Sample sample_;
   fast::dds::DataReader* reader_;
   std::vector<detail::RawHandler> handlers_;
-  std::map<Handle, Instance> instances_;
+  HeardInstances<Handle, Handle, fast::Sample> instances_;
   std::map<Handle, std::string> names_;  // of writers
-  std::map<Incident::Kind, std::chrono::steady_clock::time_point> reported_;
+  QuietTime quiet_;
   bool has_more_{false};
 };
 
