@@ -23,8 +23,8 @@ std::optional<HealthNote> recall_health(const std::filesystem::path& file) {
   try {
     const json kept = json::parse(*text);
     const int state = kept.at("state").get<int>();
-    if (state < 0 || state > static_cast<int>(ServiceState::SERVICE_STOPPING)) return std::nullopt;
-    return HealthNote{kept.at("instance_id").get<std::string>(), static_cast<ServiceState>(state),
+    if (state < 0 || state > static_cast<int>(fleet::ServiceState::kStopping)) return std::nullopt;
+    return HealthNote{kept.at("instance_id").get<std::string>(), static_cast<fleet::ServiceState>(state),
                       kept.at("waits_for").get<std::string>(), kept.at("last_error").get<std::string>(),
                       kept.at("wall_clock_ns").get<std::int64_t>()};
   } catch (const json::exception&) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "common/bus/topics.hpp"
+#include "common/fleet/health.hpp"
 
 namespace aisle::service {
 
@@ -12,7 +12,7 @@ namespace aisle::service {
 /// because a check that joins the site anew costs more than the service it asks after.
 struct HealthNote {
   std::string instance_id;
-  aisle::ServiceState state{};
+  fleet::ServiceState state{};
   std::string waits_for;
   std::string last_error;
   std::int64_t wall_clock_ns{0};  // when it was said

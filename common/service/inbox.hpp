@@ -38,20 +38,6 @@ struct Subscription {
   std::function<void(const KeyOf<Topic>&, const std::string& reason)> refused;
 };
 
-template <class Sample>
-Sender sender_of(const Sample& sample, const bus::SampleInfo& info) {
-  Sender sender;
-  if constexpr (HasOrigin<Sample>::value) {
-    sender.source_id = sample.by().source_id().to_string();
-    sender.boot_id = sample.by().boot_id();
-    sender.epoch = sample.by().epoch();
-    sender.sequence_number = sample.by().sequence_number();
-    sender.stamp_ns = sample.by().stamp_ns();
-  }
-  sender.arrived = info.arrived;
-  return sender;
-}
-
 /// One reader of a topic for all shells of a process: each sample is decoded once, then handed to every subscription.
 template <class Topic>
 class Channel {
@@ -76,7 +62,8 @@ class Channel {
  private:
   void hand_over(const Sample& sample, const bus::SampleInfo& info) {
     const auto decoded = wire::decode(sample);
-    const Sender sender = sender_of(sample, info);
+    const Sender sender{wire::origin_of(sample),
+                        std::chrono::duration_cast<time::Stamp>(info.arrived.time_since_epoch())};
     for (Subscription<Topic>& subscription : subscriptions_) {
       subscription.owner.guarded([&] {
         if (decoded) return subscription.take(*decoded, sender);

@@ -16,7 +16,7 @@ class OutboxOwner {
  public:
   virtual ~OutboxOwner() = default;
   /// Source, boot and wall clock; epoch and sequence number are the outbox's.
-  virtual aisle::Origin origin() = 0;
+  virtual fleet::Origin origin() = 0;
   /// A shell that failed writes nothing more.
   virtual bool may_write() const = 0;
   /// Counts `<topic>_not_written`.
@@ -36,23 +36,21 @@ class Outbox {
   using Value = ValueOf<Topic>;
 
   Outbox() = default;
-  Outbox(bus::Bus& bus, detail::OutboxOwner& owner) : state_(std::make_shared<State>(State{bus, owner, {}, 1, 0})) {
-    if constexpr (Topic::kQos.ownership != bus::Ownership::kExclusive) state_->writer = bus.writer<Topic>();
+  Outbox(bus::Bus& bus, detail::OutboxOwner& owner)
+      : state_(std::make_shared<State>(State{bus, owner, {}, false, 1, 0})) {
+    if constexpr (Topic::kQos.ownership != bus::Ownership::kExclusive) claim(1, 0);
   }
 
-  /// False, and counted, when it could not be written: the queue is full of what readers did not acknowledge, or the
-  /// outbox is closed.
+  /// False while the outbox is closed; false, and counted, when the queue is full of what readers did not acknowledge.
   bool write(const Value& value) { return write_sample(wire::encode(value)); }
 
   /// For samples with fields that the value does not have.
   bool write_sample(Sample sample) {
-    if (!state_ || !state_->owner.may_write()) return false;
-    if constexpr (HasOrigin<Sample>::value) {
-      aisle::Origin by = state_->owner.origin();
-      by.epoch(state_->epoch);
-      by.sequence_number(++state_->sequence_number);
-      sample.by(by);
-    }
+    if (!state_ || !state_->is_open || !state_->owner.may_write()) return false;
+    fleet::Origin by = state_->owner.origin();
+    by.epoch = state_->epoch;
+    by.sequence_number = ++state_->sequence_number;
+    wire::stamp(sample, by);
     if (state_->writer.write(sample)) return true;
     state_->owner.note_not_written(Topic::kName);
     return false;
@@ -65,9 +63,13 @@ class Outbox {
   void claim(std::uint32_t epoch, int strength) {
     state_->epoch = epoch;
     state_->writer = state_->bus.template writer<Topic>(strength);
+    state_->is_open = true;
   }
   /// Closes the writer: the next strongest is heard.
-  void release() { state_->writer = {}; }
+  void release() {
+    state_->writer = {};
+    state_->is_open = false;
+  }
 
   /// For topics with a lease, when there is nothing new to write.
   void assert_liveliness() {
@@ -80,6 +82,7 @@ class Outbox {
     bus::Bus& bus;
     detail::OutboxOwner& owner;
     bus::Writer<Topic> writer;
+    bool is_open;
     std::uint32_t epoch;
     std::uint64_t sequence_number;
   };

@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "common/bus/dds/dds_bus.hpp"
+#include "common/process/clock.hpp"
 #include "common/process/exit_code.hpp"
 #include "common/process/leaving.hpp"
 #include "common/process/log.hpp"
@@ -108,6 +108,7 @@ void read_config(const std::string& file, const About& about, Common& common, co
 std::vector<Identity> identities_of(const About& about, const Common& common) {
   Identity process;
   process.service = about.service;
+  process.boot_id = static_cast<std::uint64_t>(process::wall_clock_ns()) / 1000;
   process.host = host_name();
   process.process_id = static_cast<std::uint32_t>(getpid());
   process.instance_id = common.instance_id;
@@ -157,13 +158,11 @@ void tidy() {
 struct Process::State {
   State(const About& about, const Common& common_options, const std::vector<Identity>& identities)
       : common(common_options), name(process_name(about, common, identities)), bus(settings_of(common, name)) {
-    for (Identity identity : identities) {
-      identity.boot_id = static_cast<std::uint64_t>(bus.wall_clock_ns()) / 1000;
+    for (const Identity& identity : identities) {
       const std::size_t index = shells.size();
-      notes.push_back({identity.instance_id, ServiceState::SERVICE_STARTING, "", "", 0});
-      const Surroundings surroundings{
-          nullptr, [this] { return usage(); },
-          [this, index](const Health& health, std::int64_t now_ns) { keep_health_file(index, health, now_ns); }};
+      notes.push_back({identity.instance_id, fleet::ServiceState::kStarting, "", "", 0});
+      const Surroundings surroundings{nullptr, [this] { return usage(); },
+                                      [this, index](const Health& health) { keep_health_file(index, health); }};
       shells.push_back(shells.empty() ? std::make_unique<Shell>(bus, identity, surroundings)
                                       : std::make_unique<Shell>(*shells.front(), identity, surroundings));
     }
@@ -178,7 +177,7 @@ struct Process::State {
 
   /// An equal share for each shell, so that the rows of `service_health` add up to the process.
   Surroundings::Usage usage() {
-    const time::Stamp now = bus.now();
+    const time::Stamp now = process::monotonic_now();
     if (now - measured_at >= kUsagePeriod) {
       measured_at = now;
       cpu_percent = cpu.percent_since_last(now, process::cpu_time());
@@ -188,16 +187,16 @@ struct Process::State {
   }
 
   /// The file has one row: of several shells, that of the first that is not ready.
-  void keep_health_file(std::size_t index, const Health& health, std::int64_t now_ns) {
+  void keep_health_file(std::size_t index, const Health& health) {
     if (common.health_file.empty()) return;
     HealthNote& own = notes[index];
-    own = {own.instance_id, health.state, health.waits_for, health.last_error, now_ns};
+    own = {own.instance_id, health.state, health.waits_for, health.last_error, health.wall_clock_ns};
     const auto unready = std::find_if(notes.begin(), notes.end(),
-                                      [](const HealthNote& note) { return note.state != ServiceState::SERVICE_READY; });
+                                      [](const HealthNote& note) { return note.state != fleet::ServiceState::kReady; });
     HealthNote note = unready == notes.end() ? own : *unready;
     if (notes.size() > 1 && !note.waits_for.empty()) note.waits_for = note.instance_id + ": " + note.waits_for;
     note.instance_id = name;
-    note.wall_clock_ns = now_ns;
+    note.wall_clock_ns = health.wall_clock_ns;
     if (keep(common.health_file, note)) return;
     shells[index]->warn("health_file",
                         "cannot write " + common.health_file + "; a healthcheck that reads it will fail");
@@ -216,7 +215,7 @@ struct Process::State {
 
   Common common;
   std::string name;
-  bus::DdsBus bus;
+  bus::Bus bus;
   std::vector<std::unique_ptr<Shell>> shells;
   std::vector<HealthNote> notes;  // one for each shell
   process::CpuMeter cpu;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "common/process/clock.hpp"
 #include "common/process/log.hpp"
 #include "common/process/version.hpp"
 #include "common/service/peer_watch.hpp"
@@ -24,45 +25,32 @@ constexpr milliseconds kLivelinessPeriod{500};  // of a lease of 2 s
 constexpr milliseconds kGoodbye{200};
 constexpr seconds kWarningPeriod{10};
 
-PeerHealth peer_of(const aisle::ServiceHealth& sample) {
+PeerHealth peer_of(const fleet::ServiceHealth& health, const Sender& from) {
   PeerHealth peer;
-  peer.instance_id = sample.instance_id().to_string();
-  peer.host = sample.host().to_string();
-  peer.process_id = sample.process_id();
-  peer.boot_id = sample.by().boot_id();
-  peer.idl_version = sample.idl_version();
-  peer.software_version = sample.software_version().to_string();
-  peer.wall_clock_ns = sample.wall_clock_ns();
-  peer.is_stopping = sample.state() == ServiceState::SERVICE_STOPPING;
-  peer.service = sample.service().to_string();
-  peer.agv_id = sample.agv_id().to_string();
+  peer.instance_id = health.instance_id;
+  peer.host = health.host;
+  peer.process_id = health.process_id;
+  peer.boot_id = from.by.boot_id;
+  peer.idl_version = health.idl_version;
+  peer.software_version = health.software_version;
+  peer.wall_clock_ns = health.wall_clock_ns;
+  peer.is_stopping = health.state == fleet::ServiceState::kStopping;
+  peer.service = health.service;
+  peer.agv_id = health.agv_id;
   return peer;
 }
 
-aisle::ServiceHealth sample_of(const Identity& identity, const Health& health, const Surroundings::Usage& usage) {
-  aisle::ServiceHealth sample;
-  sample.instance_id(identity.instance_id);
-  sample.service(identity.service);
-  sample.software_version(std::string(process::software_version()));
-  sample.idl_version(kIdlVersion);
-  sample.host(identity.host);
-  sample.process_id(identity.process_id);
-  sample.agv_id(identity.agv_id);
-  sample.map_id(health.map_id);
-  sample.map_revision(health.map_revision);
-  sample.map_hash(health.map_hash);
-  sample.state(health.state);
-  sample.waits_for(health.waits_for);
-  sample.last_error(health.last_error);
-  sample.cpu_percent(usage.cpu_percent);
-  sample.resident_mb(usage.resident_mb);
-  for (const auto& [name, value] : health.counters) {
-    aisle::Counter counter;
-    counter.name(name);
-    counter.value(value);
-    sample.counters().push_back(counter);
-  }
-  return sample;
+/// The part that stays the same.
+Health health_of(const Identity& identity) {
+  Health health;
+  health.instance_id = identity.instance_id;
+  health.service = identity.service;
+  health.software_version = process::software_version();
+  health.idl_version = kIdlVersion;
+  health.host = identity.host;
+  health.process_id = identity.process_id;
+  health.agv_id = identity.agv_id;
+  return health;
 }
 
 }  // namespace
@@ -87,10 +75,11 @@ struct Shell::State {
         log(surroundings.log ? surroundings.log : spdlog::default_logger()->clone(identity.instance_id)),
         writer(shared->bus.writer<topics::ServiceHealth>()),
         peers(identity.instance_id, identity.boot_id, kIdlVersion, identity.service, identity.agv_id),
-        warnings(kWarningPeriod) {}
+        warnings(kWarningPeriod),
+        health(health_of(identity)) {}
 
-  time::Stamp now() const { return shared->bus.now(); }
-  std::int64_t wall_clock_ns() const { return shared->bus.wall_clock_ns(); }
+  time::Stamp now() const { return process::monotonic_now(); }
+  std::int64_t wall_clock_ns() const { return process::wall_clock_ns(); }
 
   void warn(const std::string& kind, const std::string& text) {
     const process::RateLimit::Pass pass = warnings.ask(kind, now());
@@ -118,13 +107,7 @@ struct Shell::State {
     }
   }
 
-  aisle::Origin origin() const {
-    aisle::Origin by;
-    by.source_id(identity.instance_id);
-    by.boot_id(identity.boot_id);
-    by.stamp_ns(wall_clock_ns());
-    return by;
-  }
+  fleet::Origin origin() const { return {identity.instance_id, identity.boot_id, 1, 0, wall_clock_ns()}; }
 
   /// Asks the service how it is.
   void fill_report() {
@@ -137,9 +120,9 @@ struct Shell::State {
     health.waits_for.clear();
     health.is_degraded = false;
     fill(health);
-    health.state = health.is_degraded         ? ServiceState::SERVICE_DEGRADED
-                   : health.waits_for.empty() ? ServiceState::SERVICE_READY
-                                              : ServiceState::SERVICE_WAITING;
+    health.state = health.is_degraded         ? fleet::ServiceState::kDegraded
+                   : health.waits_for.empty() ? fleet::ServiceState::kReady
+                                              : fleet::ServiceState::kWaiting;
   }
 
   bool has_changed() const {
@@ -149,16 +132,17 @@ struct Shell::State {
 
   void publish() {
     const Surroundings::Usage usage = surroundings.usage ? surroundings.usage() : Surroundings::Usage{};
-    aisle::ServiceHealth sample = sample_of(identity, health, usage);
-    aisle::Origin by = origin();
-    by.epoch(1);
-    by.sequence_number(++sequence_number);
-    sample.wall_clock_ns(by.stamp_ns());
-    sample.by(by);
+    health.cpu_percent = usage.cpu_percent;
+    health.resident_mb = usage.resident_mb;
+    fleet::Origin by = origin();
+    by.sequence_number = ++sequence_number;
+    health.wall_clock_ns = by.stamp_ns;
+    aisle::ServiceHealth sample = wire::encode(health);
+    wire::stamp(sample, by);
     writer.write(sample);
     said = health;
     was_published = true;
-    if (surroundings.on_published) surroundings.on_published(health, sample.wall_clock_ns());
+    if (surroundings.on_published) surroundings.on_published(health);
   }
 
   void publish_changes() {
@@ -169,7 +153,7 @@ struct Shell::State {
   void fail(const std::string& why) {
     has_failed = true;
     if (shared->only_failed_are_left()) throw;
-    health.state = ServiceState::SERVICE_DEGRADED;
+    health.state = fleet::ServiceState::kDegraded;
     health.waits_for.clear();
     health.last_error = "failed: " + why + "; silent until its process is restarted";
     log->error("{}", health.last_error);
@@ -209,11 +193,6 @@ void Shell::Shared::start() {
   bus.on_incident([this](const bus::Incident& incident) {
     for (State* shell : shells) shell->take(incident);
   });
-  bus.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) {
-    if (info.kind != bus::SampleKind::kData) return;
-    const PeerHealth peer = peer_of(sample);
-    for (State* shell : shells) shell->take(peer);
-  });
   bus.every(kLivelinessPeriod, [this] {
     for (State* shell : shells) shell->writer.assert_liveliness();
   });
@@ -224,13 +203,13 @@ Shell::Shell(bus::Bus& bus, Identity identity, Surroundings surroundings) {
   state_ = std::make_unique<State>(shared, std::move(identity), std::move(surroundings));
   shared->shells.push_back(state_.get());
   shared->start();
-  begin_reports();
+  begin();
 }
 
 Shell::Shell(Shell& first, Identity identity, Surroundings surroundings)
     : state_(std::make_unique<State>(first.state_->shared, std::move(identity), std::move(surroundings))) {
   state_->shared->shells.push_back(state_.get());
-  begin_reports();
+  begin();
 }
 
 Shell::~Shell() {
@@ -238,7 +217,9 @@ Shell::~Shell() {
   shells.erase(std::remove(shells.begin(), shells.end(), state_.get()), shells.end());
 }
 
-void Shell::begin_reports() {
+void Shell::begin() {
+  inbox<topics::ServiceHealth>(
+      [this](const fleet::ServiceHealth& health, const Sender& from) { state_->take(peer_of(health, from)); });
   post([this] { report_now(); });  // after the service's constructor
   bus().every(kReportPeriod, [this] { report_now(); });
   bus().every(kHealthPeriod, [this] { state_->publish(); });
@@ -287,7 +268,7 @@ void Shell::report_now() {
 void Shell::publish_changes() { state_->publish_changes(); }
 
 void Shell::say_goodbye() {
-  state_->health.state = ServiceState::SERVICE_STOPPING;
+  state_->health.state = fleet::ServiceState::kStopping;
   state_->publish();
   state_->writer.wait_until_acknowledged(kGoodbye);
 }
@@ -301,7 +282,7 @@ void Shell::note_dropped(const std::string& topic, const std::string& reason) {
   warn(topic, topic + ": a sample was dropped: " + reason);
 }
 
-aisle::Origin Shell::origin() { return state_->origin(); }
+fleet::Origin Shell::origin() { return state_->origin(); }
 bool Shell::may_write() const { return !state_->has_failed; }
 void Shell::note_not_written(const std::string& topic) { count(topic + "_not_written"); }
 

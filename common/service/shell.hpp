@@ -37,9 +37,9 @@ struct Surroundings {
     double cpu_percent{0.0};  // of one core, since the call before
     double resident_mb{0.0};
   };
-  std::shared_ptr<spdlog::logger> log;  // none: the default logger's sinks, named after the instance
-  std::function<Usage()> usage;         // none: zeros
-  std::function<void(const Health&, std::int64_t wall_clock_ns)> on_published;  // after each `service_health`
+  std::shared_ptr<spdlog::logger> log;              // none: the default logger's sinks, named after the instance
+  std::function<Usage()> usage;                     // none: zeros
+  std::function<void(const Health&)> on_published;  // after each `service_health`
 };
 
 /// What a service stands in: its inboxes and outboxes, timers, log lines and health. Needs a bus and an identity, no
@@ -123,7 +123,7 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
 
   /// Publishes when state, waits_for or last_error changed since the last time.
   void publish_changes();
-  /// The last word: SERVICE_STOPPING, waiting at most 200 ms until it was heard.
+  /// The last word: ServiceState::kStopping, waiting at most 200 ms until it was heard.
   void say_goodbye();
   bool has_failed() const;
 
@@ -132,7 +132,7 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
   /// What the shells of one bus share.
   struct Shared;
 
-  void begin_reports();
+  void begin();
   template <class Topic>
   detail::Channel<Topic>& channel() {
     std::shared_ptr<void>& slot = channel_slot(Topic::kName);
@@ -143,7 +143,7 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
 
   void guarded(const std::function<void()>& work) override;
   void note_dropped(const std::string& topic, const std::string& reason) override;
-  aisle::Origin origin() override;
+  fleet::Origin origin() override;
   bool may_write() const override;
   void note_not_written(const std::string& topic) override;
 

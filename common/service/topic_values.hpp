@@ -11,7 +11,7 @@
 
 namespace aisle::service {
 
-/// The value that wire::decode() makes of a sample of this topic, e.g. grid::MapEdit of topics::MapEdit.
+/// The value that wire::decode() makes of a sample of this topic, e.g. fleet::MapEdit of topics::MapEdit.
 template <class Topic>
 using ValueOf = std::decay_t<decltype(*wire::decode(std::declval<const typename Topic::Sample&>()))>;
 
@@ -57,11 +57,5 @@ typename Topic::Sample sample_of_key(const KeyOf<Topic>& key) {
   }
   return sample;
 }
-
-/// Do samples of this topic say who wrote them?
-template <class Sample, class = void>
-struct HasOrigin : std::false_type {};
-template <class Sample>
-struct HasOrigin<Sample, std::void_t<decltype(std::declval<const Sample&>().by().boot_id())>> : std::true_type {};
 
 }  // namespace aisle::service

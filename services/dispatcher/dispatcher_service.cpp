@@ -194,7 +194,7 @@ void DispatcherService::tell_health() {
     if (health_.waits_for.size() < 200)
       health_.waits_for += (health_.waits_for.empty() ? "vehicle_state of " : ", ") + id;
   }
-  health_.state = health_.waits_for.empty() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
+  health_.state = health_.waits_for.empty() ? fleet::ServiceState::kReady : fleet::ServiceState::kWaiting;
 }
 
 }  // namespace aisle::dispatcher

@@ -94,7 +94,7 @@ void FakeVehicleService::take(const aisle::VelocityCommand& sample, const Sample
   }
   if (!map_.has_map()) return;  // cannot tell where its walls are
   command_ = command;
-  vehicle_.command(command.twist, info.arrived);
+  vehicle_.command(command.twist, info.arrived.time_since_epoch());
 }
 
 void FakeVehicleService::take(const aisle::WorldObstacle& sample, const SampleInfo& info) {
@@ -201,7 +201,7 @@ void FakeVehicleService::tell_health(time::Stamp now) {
   health_.map_hash = map_.hash();
   health_.counters["contacts"] = vehicle_.contacts();
   if (duplicates_.is_duplicate(now)) {
-    health_.state = ServiceState::SERVICE_DEGRADED;
+    health_.state = fleet::ServiceState::kDegraded;
     health_.last_error =
         fmt::format("two processes are {}: boot {} and this one, which {}", agv_id_, duplicates_.other_boot_id(),
                     yields_ ? "came later, stands and stays silent (hold: duplicate id)" : "was first and goes on");
@@ -209,7 +209,7 @@ void FakeVehicleService::tell_health(time::Stamp now) {
     return;
   }
   health_.waits_for = map_.has_map() ? "" : "map_info";
-  health_.state = map_.has_map() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
+  health_.state = map_.has_map() ? fleet::ServiceState::kReady : fleet::ServiceState::kWaiting;
 }
 
 }  // namespace aisle::fake_vehicle

@@ -114,7 +114,7 @@ void FakeWorldService::keep_memory() {
 void FakeWorldService::tell_health() {
   health_.counters["things"] = world_.things().size();
   const bool runs = clock_.started_at_ns().has_value();
-  health_.state = runs ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
+  health_.state = runs ? fleet::ServiceState::kReady : fleet::ServiceState::kWaiting;
   health_.waits_for.clear();
   if (runs) return;
   for (const std::string& id : clock_.missing()) {

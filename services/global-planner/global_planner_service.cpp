@@ -190,7 +190,7 @@ void GlobalPlannerService::report() {
   health_.counters[kPlanEpoch] = leadership_.highest_epoch();
   health_.counters["searches"] = fleet_.searches();
   health_.waits_for = fleet_.waits_for(monotonic_now());
-  health_.state = health_.waits_for.empty() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
+  health_.state = health_.waits_for.empty() ? fleet::ServiceState::kReady : fleet::ServiceState::kWaiting;
 }
 
 }  // namespace aisle::global_planner

@@ -38,7 +38,7 @@ MapService::MapService(bus::Bus& bus, const std::string& instance_id, std::uint6
   for (int i = 0; i < store_.map().tiles(); ++i) write_tile(i);
   write_info();
   note_revision();
-  health_.state = aisle::ServiceState::SERVICE_READY;
+  health_.state = fleet::ServiceState::kReady;
   bus_.every(kRequestPeriod, [this] { write_requested(); });
   bus_.every(std::chrono::seconds(1), [this] { lines_left_ = kLogLinesPerSecond; });
 }

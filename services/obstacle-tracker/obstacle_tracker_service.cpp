@@ -68,10 +68,10 @@ void ObstacleTrackerService::listen() {
     if (info.kind == SampleKind::kData) hear(sample);
   });
   bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) hear(sample, info.arrived);
+    if (info.kind == SampleKind::kData) hear(sample, info.arrived.time_since_epoch());
   });
   bus_.on<topics::Scan>([this](const aisle::Scan& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) hear(sample, info.arrived);
+    if (info.kind == SampleKind::kData) hear(sample, info.arrived.time_since_epoch());
   });
 }
 
@@ -227,7 +227,7 @@ void ObstacleTrackerService::report() {
     waits_for += std::string(waits_for.empty() ? "" : ", ") + "scan";
   }
   health_.waits_for = waits_for;
-  health_.state = waits_for.empty() ? ServiceState::SERVICE_READY : ServiceState::SERVICE_WAITING;
+  health_.state = waits_for.empty() ? fleet::ServiceState::kReady : fleet::ServiceState::kWaiting;
 }
 
 }  // namespace aisle::obstacle_tracker

@@ -26,9 +26,9 @@ std::string text_of_absence(const Cli& cli, const std::string& instance_id, cons
          (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
-void print_word(const std::string& instance_id, ServiceState state, const std::string& waits_for,
+void print_word(const std::string& instance_id, const std::string& state, const std::string& waits_for,
                 const std::string& last_error) {
-  const std::string word = instance_id + ": " + name_of(state) + (waits_for.empty() ? "" : ", waits for " + waits_for) +
+  const std::string word = instance_id + ": " + state + (waits_for.empty() ? "" : ", waits for " + waits_for) +
                            (last_error.empty() ? "" : ", last error: " + last_error);
   std::printf("%s\n", printable(word).c_str());
 }
@@ -50,7 +50,8 @@ int heard_health(const Cli& cli, const std::string& instance_id, double timeout_
   } else if (!newest) {
     std::fprintf(stderr, "%s\n", text_of_absence(cli, instance_id, seen).c_str());
   } else {
-    print_word(instance_id, newest->state(), newest->waits_for().to_string(), newest->last_error().to_string());
+    print_word(instance_id, name_of(newest->state()), newest->waits_for().to_string(),
+               newest->last_error().to_string());
   }
   return is_ready ? process::kDone : process::kNegative;
 }
@@ -66,7 +67,7 @@ int kept_health(const Cli& cli, const std::string& instance_id, const std::strin
   const bool is_fresh = age_s < kLease_s;
   if (cli.json) {
     std::printf("%s\n", write_json(Json{{"instance_id", instance_id},
-                                        {"state", name_of(note->state)},
+                                        {"state", fleet::name(note->state)},
                                         {"waits_for", note->waits_for},
                                         {"last_error", note->last_error},
                                         {"age_s", age_s}})
@@ -74,9 +75,9 @@ int kept_health(const Cli& cli, const std::string& instance_id, const std::strin
   } else if (!is_fresh) {
     std::printf("%s: silent for %.1f s\n", printable(instance_id).c_str(), age_s);
   } else {
-    print_word(instance_id, note->state, note->waits_for, note->last_error);
+    print_word(instance_id, fleet::name(note->state), note->waits_for, note->last_error);
   }
-  return is_fresh && note->state == ServiceState::SERVICE_READY ? process::kDone : process::kNegative;
+  return is_fresh && note->state == fleet::ServiceState::kReady ? process::kDone : process::kNegative;
 }
 
 }  // namespace

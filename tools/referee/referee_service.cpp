@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "common/process/clock.hpp"
 #include "common/wire/geometry.hpp"
 
 namespace aisle::referee {
@@ -82,22 +83,25 @@ bool all_finite(const std::vector<geometry::Point2>& points) {
 
 RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls,
                                const Expectation& expectation)
-    : bus_(bus),
-      health_(health),
+    : health_(health),
       judge_(&walls, expectation),
-      started_(bus.now()),
-      started_wall_ns_(bus.wall_clock_ns()) {
+      started_(std::chrono::steady_clock::now()),
+      started_wall_ns_(process::wall_clock_ns()) {
   listen_to_simulation(bus);
   listen_to_fleet(bus);
   listen_to_map(bus);
   listen_to_services(bus);
   bus.every(std::chrono::milliseconds(50), [this] { judge_.advance(now_s() - kJudgeDelay_s); });
-  health_.state = ServiceState::SERVICE_READY;
+  health_.state = fleet::ServiceState::kReady;
 }
 
-double RefereeService::now_s() const { return time::seconds(bus_.now() - started_); }
+double RefereeService::now_s() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+}
 
-double RefereeService::arrived_s(const SampleInfo& info) const { return time::seconds(info.arrived - started_); }
+double RefereeService::arrived_s(const SampleInfo& info) const {
+  return std::chrono::duration<double>(info.arrived - started_).count();
+}
 
 bool RefereeService::fit(const char* topic, bool ok) {
   if (!ok) health_.count(std::string("unfit_") + topic);

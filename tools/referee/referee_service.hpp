@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -36,10 +37,9 @@ class RefereeService {
   bool fit(const char* topic, bool ok);
   double arrived_s(const bus::SampleInfo& info) const;
 
-  bus::Bus& bus_;
   service::Health& health_;
   Judge judge_;
-  time::Stamp started_;
+  std::chrono::steady_clock::time_point started_;
   std::int64_t started_wall_ns_;
 };
 

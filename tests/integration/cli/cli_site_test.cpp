@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/bus/dds/dds_bus.hpp"
+#include "common/bus/bus.hpp"
 #include "common/grid/formats/map_file.hpp"
 #include "common/grid/tiles.hpp"
 #include "common/process/clock.hpp"
@@ -211,7 +211,7 @@ class CliSite : public ::testing::Test {
   }
 
   int domain_;
-  bus::DdsBus bus_;
+  bus::Bus bus_;
   bus::Writer<topics::VehicleInfo> infos_{bus_.writer<topics::VehicleInfo>()};
   bus::Writer<topics::VehicleState> states_{bus_.writer<topics::VehicleState>()};
   bus::Writer<topics::Plan> plans_{bus_.writer<topics::Plan>()};
@@ -465,14 +465,14 @@ TEST(CliHealth, ReadsWhatAServiceOfThisHostKeeps) {
     return run_alone({"health", instance, "--file", file.string()});
   };
   EXPECT_THAT(check("map").err, HasSubstr("is not a health file of 'map'"));
-  ASSERT_TRUE(service::keep(file, {"map", ServiceState::SERVICE_READY, "", "", process::wall_clock_ns()}));
+  ASSERT_TRUE(service::keep(file, {"map", fleet::ServiceState::kReady, "", "", process::wall_clock_ns()}));
   EXPECT_EQ(check("map").code, 0);
   EXPECT_EQ(check("global-planner").code, 1);
-  ASSERT_TRUE(service::keep(file, {"map", ServiceState::SERVICE_WAITING, "its disk", "", process::wall_clock_ns()}));
+  ASSERT_TRUE(service::keep(file, {"map", fleet::ServiceState::kWaiting, "its disk", "", process::wall_clock_ns()}));
   EXPECT_EQ(check("map").code, 1);
   EXPECT_EQ(check("map").out, "map: waiting, waits for its disk\n");
   ASSERT_TRUE(
-      service::keep(file, {"map", ServiceState::SERVICE_READY, "", "", process::wall_clock_ns() - 10'000'000'000}));
+      service::keep(file, {"map", fleet::ServiceState::kReady, "", "", process::wall_clock_ns() - 10'000'000'000}));
   EXPECT_EQ(check("map").code, 1);
   EXPECT_THAT(check("map").out, ContainsRegex("^map: silent for 1[0-9]\\.[0-9] s"));
   std::filesystem::remove(file);
@@ -508,7 +508,7 @@ TEST_F(CliSite, DoctorSaysWhatIsWrong) {
 }
 
 TEST_F(CliSite, DoctorNamesTheDomainWhereSomebodyIs) {
-  bus::DdsBus elsewhere(on_loopback(13));
+  bus::Bus elsewhere(on_loopback(13));
   const Outcome outcome = run_alone({"doctor", "--wait", "3", "--domain", "68", "--interface", "127.0.0.1"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out,

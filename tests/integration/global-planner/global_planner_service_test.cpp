@@ -21,7 +21,7 @@ struct PlannerProcess {
     config.standby = standby;
     return config;
   }
-  bus::DdsBus bus;
+  Bus bus;
   service::Health health;
   GlobalPlannerService service;
 };

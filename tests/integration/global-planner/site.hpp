@@ -19,6 +19,7 @@
 namespace aisle::global_planner {
 
 using namespace std::chrono_literals;
+using bus::Bus;
 using bus::SampleInfo;
 using bus::SampleKind;
 
@@ -126,7 +127,7 @@ class Site {
                        plan->waypoints_in_map);
   }
 
-  bus::DdsBus bus;
+  Bus bus;
   grid::OccupancyGrid grid;
   std::uint64_t revision{0};
   std::vector<aisle::Plan> plans;

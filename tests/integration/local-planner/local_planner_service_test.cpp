@@ -21,6 +21,7 @@ namespace aisle::local_planner {
 namespace {
 
 using namespace std::chrono_literals;
+using bus::Bus;
 using bus::SampleInfo;
 using bus::SampleKind;
 
@@ -35,7 +36,7 @@ struct PlannerProcess {
       : bus(site(domain, "local-planner")),
         service(bus, "agv-1", service::OriginStamper("local-planner-agv-1", boot_id), health, "local-planner-agv-1",
                 {}) {}
-  bus::DdsBus bus;
+  Bus bus;
   service::Health health;
   LocalPlannerService service;
 };
@@ -116,7 +117,7 @@ class Site {
     return status() != nullptr && status()->phase() == phase && status()->reason() == reason;
   }
 
-  bus::DdsBus bus;
+  Bus bus;
   geometry::Pose2 base{3.0, 5.0, 0.0};
   geometry::Twist2 twist, wanted;
   std::uint32_t accepted_epoch{4};  // of a planner of before

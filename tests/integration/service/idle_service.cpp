@@ -23,7 +23,7 @@ volatile std::sig_atomic_t may_be_ready = 1;
 void serve(aisle::service::Shell& shell, const Parameters& parameters) {
   if (parameters.fail == "environment") throw aisle::config::BadEnvironment("no disk");
   shell.health().waits_for = "radius " + std::to_string(parameters.radius_m);
-  shell.health().state = aisle::ServiceState::SERVICE_WAITING;
+  shell.health().state = aisle::fleet::ServiceState::kWaiting;
   shell.health().count("radius_mm", static_cast<std::uint64_t>(std::lround(1000.0 * parameters.radius_m)));
   if (parameters.hold) {
     may_be_ready = 0;
@@ -31,7 +31,7 @@ void serve(aisle::service::Shell& shell, const Parameters& parameters) {
   }
   shell.every(std::chrono::milliseconds(200), [&shell] {
     if (may_be_ready == 0) return;
-    shell.health().state = aisle::ServiceState::SERVICE_READY;
+    shell.health().state = aisle::fleet::ServiceState::kReady;
     shell.health().waits_for.clear();
   });
 }

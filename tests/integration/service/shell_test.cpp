@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/dds/dds_bus.hpp"
+#include "common/bus/bus.hpp"
 #include "common/service/health_file.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/places.hpp"
@@ -64,7 +64,7 @@ struct Observer {
   bool heard_state(ServiceState state) {
     return until([&] { return !heard.empty() && heard.back().state() == state; });
   }
-  bus::DdsBus bus;
+  bus::Bus bus;
   std::vector<ServiceHealth> heard;
   bool lost{false};
 };
@@ -103,14 +103,14 @@ TEST(Shell, KeepsItsLastWordForAHealthcheck) {
   };
   Observer observer(kDomain + 4);
   ChildProcess service(on_site({"--hold", "--health-file", file.string()}, kDomain + 4));
-  EXPECT_TRUE(observer.until([&] { return kept_state() == ServiceState::SERVICE_WAITING; })) << service.err();
+  EXPECT_TRUE(observer.until([&] { return kept_state() == fleet::ServiceState::kWaiting; })) << service.err();
   EXPECT_EQ(service::recall_health(file)->instance_id, "idle");
   EXPECT_EQ(service::recall_health(file)->waits_for, "radius 0.500000");
   service.signal(SIGUSR1);
-  EXPECT_TRUE(observer.until([&] { return kept_state() == ServiceState::SERVICE_READY; }));
+  EXPECT_TRUE(observer.until([&] { return kept_state() == fleet::ServiceState::kReady; }));
   service.signal(SIGTERM);
   EXPECT_EQ(service.wait(seconds(5)), 0);
-  EXPECT_EQ(kept_state(), ServiceState::SERVICE_STOPPING);
+  EXPECT_EQ(kept_state(), fleet::ServiceState::kStopping);
   std::filesystem::remove(file);
 }
 

@@ -52,7 +52,7 @@ struct VehicleProcess {
     sample.state(ServiceState::SERVICE_READY);
     hello.write(sample);
   }
-  bus::DdsBus bus;
+  bus::Bus bus;
   service::Health health;
   FakeVehicleService service;
   bus::Writer<topics::ServiceHealth> hello;
@@ -112,7 +112,7 @@ class Site {
 
   bool drives() const { return state && state->twist().linear_mps() > 0.5; }
 
-  bus::DdsBus bus;
+  bus::Bus bus;
   std::optional<double> speed_mps;  // commanded 50 times a second
   double turn_radps{0.0};
   double sideways_mps{0.0};

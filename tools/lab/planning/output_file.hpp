@@ -1,9 +1,12 @@
 #pragma once
-#include "common/process/output_file.hpp"
+#include <string>
 
 namespace aisle::cli {
 
-using process::check_writable;
-using process::write_output_file;
+/// Before what may take minutes: can `file` be made or written anew? @throws config::BadEnvironment
+void check_writable(const std::string& file);
+
+/// @throws config::BadEnvironment
+void write_output_file(const std::string& file, const std::string& text);
 
 }  // namespace aisle::cli

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace aisle::lab {
+namespace aisle::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -50,4 +50,4 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<Tally>& tallies)
   return rows;
 }
 
-}  // namespace aisle::lab
+}  // namespace aisle::cli

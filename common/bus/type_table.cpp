@@ -1,0 +1,57 @@
+#include "common/bus/type_table.hpp"
+
+#include <array>
+#include <cassert>
+#include <cstdlib>
+#include <type_traits>
+
+#include "common/bus/topics.hpp"
+#include "idl/map_support.hpp"
+#include "idl/planning_support.hpp"
+#include "idl/service_support.hpp"
+#include "idl/tracking_support.hpp"
+#include "idl/vehicle_support.hpp"
+
+namespace aisle::bus {
+namespace {
+
+template <class Topic, class Generated>
+TopicType row() {
+  static_assert(std::is_same_v<typename Topic::Sample, typename Generated::type>);
+  using Sample = typename Topic::Sample;
+  return {
+      Topic::kName, Topic::kQos, [] { return fast::dds::TypeSupport(new fast::Guarded<Generated>); },
+      [](void* to, void* from) { Topic::key(*static_cast<Sample*>(to)) = Topic::key(*static_cast<Sample*>(from)); }};
+}
+
+template <class... Topics, class... Rows>
+auto complete(topics::List<Topics...>, Rows... rows) {
+  static_assert(sizeof...(Topics) == sizeof...(Rows), "each topic of topics.hpp needs its row here");
+  return std::array{rows...};
+}
+
+const auto& table() {
+  static const auto rows = complete(
+      topics::All{}, row<topics::MapInfo, MapInfoPubSubType>(), row<topics::MapTile, MapTilePubSubType>(),
+      row<topics::MapRequest, MapRequestPubSubType>(), row<topics::MapEdit, MapEditPubSubType>(),
+      row<topics::MapEditResult, MapEditResultPubSubType>(), row<topics::VehicleInfo, VehicleInfoPubSubType>(),
+      row<topics::VehicleState, VehicleStatePubSubType>(), row<topics::Scan, ScanPubSubType>(),
+      row<topics::Goal, GoalPubSubType>(), row<topics::Plan, PlanPubSubType>(), row<topics::Track, TrackPubSubType>(),
+      row<topics::TrackingStatus, TrackingStatusPubSubType>(), row<topics::Coverage, CoveragePubSubType>(),
+      row<topics::VelocityCommand, VelocityCommandPubSubType>(),
+      row<topics::NavigationStatus, NavigationStatusPubSubType>(),
+      row<topics::WorldObstacle, WorldObstaclePubSubType>(), row<topics::ServiceHealth, ServiceHealthPubSubType>());
+  return rows;
+}
+
+}  // namespace
+
+const TopicType& topic_type(const std::string& topic) {
+  for (const TopicType& row : table()) {
+    if (topic == row.name) return row;
+  }
+  assert(false && "not in topics.hpp");
+  std::abort();
+}
+
+}  // namespace aisle::bus

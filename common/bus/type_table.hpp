@@ -1,0 +1,20 @@
+#pragma once
+#include <string>
+
+#include "common/bus/fastdds_compat.hpp"
+#include "common/bus/qos.hpp"
+
+namespace aisle::bus {
+
+/// What the bus must know of a topic without knowing its C++ type.
+struct TopicType {
+  const char* name;
+  Qos qos;
+  fast::dds::TypeSupport (*make_support)();
+  void (*copy_key)(void* to, void* from);
+};
+
+/// The row of topics.hpp with this name. @pre there is one
+const TopicType& topic_type(const std::string& topic);
+
+}  // namespace aisle::bus
