@@ -132,7 +132,7 @@ struct Times {
   std::vector<double> astar, jps, first, repair;
 };
 
-void edit_and_plan(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, const cli::Query& query, Times& times) {
+void edit_and_plan(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, const lab::Query& query, Times& times) {
   const auto astar = find_variant("astar")->make();
   const auto jps = find_variant("jps")->make();
   const grid::Geometry& geometry = grid.geometry();
@@ -191,8 +191,8 @@ int main(int argc, char** argv) {
     grid::OccupancyGrid grid = grid::read_map_file(file);
     grid::ClearanceField clearance(grid, 2.0);
     Times times;
-    for (const cli::Query& query :
-         cli::read_queries(data / "queries" / (file.stem().string() + ".q"), grid.geometry(), limit)) {
+    for (const lab::Query& query :
+         lab::read_queries(data / "queries" / (file.stem().string() + ".q"), grid.geometry(), limit)) {
       edit_and_plan(grid, clearance, query, times);
     }
     std::printf("%-24s %10.1f %10.1f %10.1f %10.1f %14.2f\n", file.stem().c_str(), median(times.astar),

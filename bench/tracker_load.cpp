@@ -116,7 +116,7 @@ class Recorder final : public tracking::Contestant {
       if (scan.agv_id == "agv-" + std::to_string(v)) taken_.push_back({scan, vehicles, now});
     }
   }
-  std::vector<obstacle_tracker::Track> tracks(time::Stamp) const override { return {}; }
+  std::vector<fleet::Track> tracks(time::Stamp) const override { return {}; }
   const std::vector<Taken>& taken() const { return taken_; }
 
  private:

@@ -27,7 +27,7 @@ struct Ours {
 Contestant ours(const Site& site, const planning::Variant& variant, const std::string& name, std::vector<Pass> then) {
   auto state = std::make_shared<Ours>();
   state->planner = variant.make();
-  const auto answer = [&site, state, then = std::move(then)](const cli::Query& query) {
+  const auto answer = [&site, state, then = std::move(then)](const lab::Query& query) {
     const planning::Problem problem{site.clearance, query.start_in_map, query.goal_in_map};
     state->planner->plan(problem, nullptr, state->plan);
     if (!then.empty() && state->plan.outcome == planning::Outcome::kFound) {
@@ -50,12 +50,12 @@ Reply reply_of(const PeerAnswer& answer, const Site& site) {
 std::vector<Contestant> contestants(const Site& site) {
   std::vector<Contestant> all;
   const auto cell = [&site](geometry::Point2 p) { return site.grid.geometry().cell_at(p); };
-  all.push_back({"textbook", false, true, [&site, cell](const cli::Query& query) {
+  all.push_back({"textbook", false, true, [&site, cell](const lab::Query& query) {
                    return reply_of(textbook_astar(site.grid, cell(query.start_in_map), cell(query.goal_in_map)), site);
                  }});
 #ifdef AISLE_BENCH_BOOST
   const auto boost = std::make_shared<BoostAstar>(site.grid);
-  all.push_back({"boost", false, true, [&site, cell, boost](const cli::Query& query) {
+  all.push_back({"boost", false, true, [&site, cell, boost](const lab::Query& query) {
                    return reply_of(boost->plan(cell(query.start_in_map), cell(query.goal_in_map)), site);
                  }});
 #endif
@@ -68,7 +68,7 @@ std::vector<Contestant> contestants(const Site& site) {
   }
 #ifdef AISLE_BENCH_OMPL
   for (const char* name : {"RRTConnect", "BITstar"}) {
-    all.push_back({std::string("ompl ") + name, false, false, [&site, name](const cli::Query& query) {
+    all.push_back({std::string("ompl ") + name, false, false, [&site, name](const lab::Query& query) {
                      return reply_of(ompl_plan(name, site.clearance, query.start_in_map, query.goal_in_map, 0.5), site);
                    }});
   }

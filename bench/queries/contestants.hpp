@@ -23,7 +23,7 @@ struct Contestant {
   std::string name;
   bool is_ours{false};
   bool is_on_grid{true};  // lengths compare with the octile optimum
-  std::function<Reply(const cli::Query&)> answer;
+  std::function<Reply(const lab::Query&)> answer;
 };
 
 /// Every variant of ours, "astar+removal" (astar, then passes P1 and P3), a textbook A*, Boost.Graph and OMPL.

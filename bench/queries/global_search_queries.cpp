@@ -41,7 +41,7 @@ double quantile(const std::vector<double>& sorted, double part) {
              : sorted[std::min(sorted.size() - 1, static_cast<std::size_t>(part * static_cast<double>(sorted.size())))];
 }
 
-bool is_refused(const Site& site, const cli::Query& query, const Reply& reply) {
+bool is_refused(const Site& site, const lab::Query& query, const Reply& reply) {
   if (!reply.is_found) return true;
   const global_planner::Problem problem{site.clearance, query.start_in_map, query.goal_in_map};
   return reply.waypoints_in_map != nullptr && !global_planner::is_drivable(problem, *reply.waypoints_in_map);
@@ -56,7 +56,7 @@ Row measure(const Site& site, const Contestant& contestant, int round, bool chec
   row.queries = site.queries.size();
   std::vector<double> times_us;
   double spent_s = 0.0;
-  for (const cli::Query& query : site.queries) {
+  for (const lab::Query& query : site.queries) {
     if (spent_s > limit_s) break;
     const double begun_s = cpu_s();
     const Reply reply = contestant.answer(query);

@@ -37,7 +37,7 @@ Site read_site(const fs::path& data, const Known& known, std::size_t limit) {
   const std::size_t cells = site.grid.geometry().cells();
   const std::size_t fewer =
       std::max<std::size_t>(std::min<std::size_t>(limit, 10), limit * std::min(cells, kCellsOfFullLimit) / cells);
-  site.queries = cli::read_queries(data / "queries" / (std::string(known.name) + ".q"), site.grid.geometry(), fewer);
+  site.queries = lab::read_queries(data / "queries" / (std::string(known.name) + ".q"), site.grid.geometry(), fewer);
   return site;
 }
 
@@ -45,7 +45,7 @@ Site read_site(const fs::path& data, const Known& known, std::size_t limit) {
 Site near_pairs(const Site& large) {
   Site site{large.name + " (near)", large.grid, large.clearance, {}, true, 0.0};
   const grid::Geometry& g = site.grid.geometry();
-  for (const cli::Query& query : large.queries) {
+  for (const lab::Query& query : large.queries) {
     const grid::Cell start = g.cell_at(query.start_in_map);
     bool is_open = true;
     for (int k = 0; k <= 3; ++k) is_open = is_open && site.grid.is_free({start.x + k, start.y});

@@ -13,7 +13,7 @@ struct Site {
   std::string name;
   grid::OccupancyGrid grid;
   grid::ClearanceField clearance;
-  std::vector<cli::Query> queries;
+  std::vector<lab::Query> queries;
   bool is_from_ros{false};
   double any_angle_bound{0.0};  // mean of the shortest possible length over the octile optimum; 0: not known
 };

@@ -7,55 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "common/bus/sample_info.hpp"
 #include "common/bus/settings.hpp"
 #include "common/bus/topics.hpp"
+#include "common/time/stamp.hpp"
 
 namespace aisle::bus {
 
-enum class SampleKind {
-  kData,
-  kDisposed,   // the writer says that this instance is gone; only the key fields of the sample hold
-  kNoWriters,  // every writer of this instance is gone or silent beyond its lease; only the key fields hold
-};
-
-/// kDisposed and kNoWriters come for instances of which data came before, and not on queues (depth 0).
-struct SampleInfo {
-  SampleKind kind{SampleKind::kData};
-  std::string writer;                             // GUID, for logs
-  std::chrono::steady_clock::time_point arrived;  // when it was taken, on this host's monotonic clock
-};
-
-/// Something about our site that a person must know, by name: topic, the peer, what does not fit.
-struct Incident {
-  enum class Kind {
-    kIncompatibleQos,
-    kTypeMismatch,
-    kDeadlineMissed,
-    kLivelinessLost,
-    kSampleRejected,
-    kMalformedSample
-  };
-  Kind kind;
-  std::string topic;
-  std::string text;  // one line
-};
-
-/// An endpoint seen on the wire (our own too), for inspection.
-struct Endpoint {
-  std::string topic, type, participant, host;
-  bool is_writer{false};
-  Qos qos;  // history is not announced: depth is 0 for those of others
-  std::vector<std::string> partitions;
-};
-
-/// Another participant of the domain, whatever its partition.
-struct Participant {
-  std::string name, host;
-  int process_id{0};  // 0: unknown
-};
-
 namespace detail {
-/// A writer without its type, so that who writes does not compile the middleware's headers.
+/// A writer without its type, so that callers do not compile the middleware's headers.
 class RawWriter {
  public:
   virtual ~RawWriter() = default;
@@ -68,13 +28,13 @@ class RawWriter {
 using RawHandler = std::function<void(const void* sample, const SampleInfo&)>;
 }  // namespace detail
 
-/// Writes samples of one topic. Copies share the one DDS writer. Write from the loop's thread only. A default-made
+/// Writes samples of one topic. Copies share one writer of the bus. Write from the loop's thread only. A default-made
 /// writer, and one whose bus is gone, write nothing.
 template <class Topic>
 class Writer {
  public:
   Writer() = default;
-  /// False when the middleware took nothing (history full of unacknowledged samples, or out of memory).
+  /// False when the bus took nothing (history full of unacknowledged samples, or out of memory).
   bool write(const typename Topic::Sample& sample) { return raw_ && raw_->write(&sample); }
   /// Tells readers that the instance with these key fields is gone. False when it was never written.
   bool dispose(const typename Topic::Sample& sample) { return raw_ && raw_->dispose(&sample); }
@@ -92,19 +52,20 @@ class Writer {
   std::shared_ptr<detail::RawWriter> raw_;
 };
 
-/// One DDS participant and one event loop. Handlers and timers run in the loop, on the thread that calls run_*: no
-/// locks are needed, no work is done on threads of the middleware. Readers, writers and timers may be added at any
-/// time, also from a handler. All functions but post() belong to the loop's thread.
+/// A process's place on its site's bus: typed topics, one event loop, one clock. Implementations: DdsBus
+/// (common/bus/dds), and the buses of a simulated network (common/bus/simulated).
+///
+/// Handlers and timers run in the loop, on the thread that calls run_*: no locks are needed, no work is done on other
+/// threads. Readers, writers and timers may be added at any time, also from a handler. All functions but post() and
+/// the clock belong to the loop's thread.
 class Bus {
  public:
-  /// @throws config::BadEnvironment when the participant cannot be made (no such interface, ports taken, bad
-  /// certificate), config::BadInput for settings that fit no site
-  explicit Bus(const Settings& settings);
-  ~Bus();
+  Bus() = default;
+  virtual ~Bus();
   Bus(const Bus&) = delete;
   Bus& operator=(const Bus&) = delete;
 
-  /// `strength`: of this writer on topics with exclusive ownership. Each call makes one DDS writer.
+  /// `strength`: of this writer on topics with exclusive ownership. Each call makes one writer.
   template <class Topic>
   Writer<Topic> writer(int strength = 0) {
     return Writer<Topic>(raw_writer(Topic::kName, strength));
@@ -119,30 +80,33 @@ class Bus {
     });
   }
 
+  /// Monotonic: never jumps, says nothing about the date. Ages, periods and leases are differences of it.
+  virtual time::Stamp now() const = 0;
+  /// Nanoseconds since the Unix epoch, as this host believes: it may jump. For stamps of samples and files.
+  virtual std::int64_t wall_clock_ns() const = 0;
+
   /// First after one period. A loop that is late skips ticks, so that they never pile up.
-  void every(std::chrono::nanoseconds period, std::function<void()> handler);
-  void on_incident(std::function<void(const Incident&)> handler);
+  virtual void every(std::chrono::nanoseconds period, std::function<void()> handler) = 0;
+  virtual void on_incident(std::function<void(const Incident&)> handler) = 0;
   /// Runs `work` in the loop, soon. From any thread: for workers that hand back a result.
-  void post(std::function<void()> work);
+  virtual void post(std::function<void()> work) = 0;
 
   /// Waits until something happens, at most `limit`, and handles all there is. False when `limit` passed with nothing.
-  bool run_once(std::chrono::nanoseconds limit);
+  virtual bool run_once(std::chrono::nanoseconds limit) = 0;
   /// Looks at `stop` after each event and at least every 100 ms.
   void run_until(const std::atomic<bool>& stop);
 
-  int matched_writers(const std::string& topic) const;
-  std::vector<Endpoint> endpoints() const;
-  /// Names of other participants in the domain.
+  /// Writers of others and our own that reach our reader of `topic`; 0 without a reader.
+  virtual int matched_writers(const std::string& topic) const = 0;
+  virtual std::vector<Endpoint> endpoints() const = 0;
+  virtual std::vector<Participant> peers() const = 0;
+  /// Names of peers().
   std::vector<std::string> participants() const;
-  std::vector<Participant> peers() const;
-  const Settings& settings() const;
+  virtual const Settings& settings() const = 0;
 
  private:
-  std::shared_ptr<detail::RawWriter> raw_writer(const char* topic, int strength);
-  void raw_on(const char* topic, detail::RawHandler handler);
-
-  struct State;
-  std::unique_ptr<State> state_;
+  virtual std::shared_ptr<detail::RawWriter> raw_writer(const char* topic, int strength) = 0;
+  virtual void raw_on(const char* topic, detail::RawHandler handler) = 0;
 };
 
 }  // namespace aisle::bus

@@ -62,8 +62,7 @@ class Channel {
  private:
   void hand_over(const Sample& sample, const bus::SampleInfo& info) {
     const auto decoded = wire::decode(sample);
-    const Sender sender{wire::origin_of(sample),
-                        std::chrono::duration_cast<time::Stamp>(info.arrived.time_since_epoch())};
+    const Sender sender{wire::origin_of(sample), info.arrived};
     for (Subscription<Topic>& subscription : subscriptions_) {
       subscription.owner.guarded([&] {
         if (decoded) return subscription.take(*decoded, sender);

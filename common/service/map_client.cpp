@@ -6,7 +6,6 @@
 
 namespace aisle::service {
 
-using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
 namespace {
@@ -16,7 +15,7 @@ constexpr std::size_t kMaxReasons = 16;
 }  // namespace
 
 MapClient::MapClient(bus::Bus& bus, const std::string& requester_id, const Options& options)
-    : bus_(bus), options_(options), requester_id_(requester_id), map_id_(options.map_id), progress_(Clock::now()) {
+    : bus_(bus), options_(options), requester_id_(requester_id), map_id_(options.map_id), progress_(bus_.now()) {
   requests_ = bus_.writer<topics::MapRequest>();
   bus_.on<topics::MapInfo>([this](const aisle::MapInfo& sample, const bus::SampleInfo& info) {
     if (info.kind == bus::SampleKind::kData) take(sample);
@@ -49,7 +48,7 @@ bool MapClient::is_ours(const std::string& map_id) {
 
 void MapClient::note(grid::MapMirror::Change change) {
   if (change == grid::MapMirror::Change::kNone) return;
-  progress_ = Clock::now();
+  progress_ = bus_.now();
   if (change != grid::MapMirror::Change::kComplete) return;
   hash_ = mirror_.summary()->hash;
   if (options_.with_clearance) {
@@ -66,9 +65,9 @@ void MapClient::note(grid::MapMirror::Change change) {
 void MapClient::ask_for_missing() {
   if (mirror_.is_complete()) return;
   const bool knows_what = mirror_.summary().has_value();
-  if (Clock::now() - progress_ < (knows_what ? options_.ask_after : kAskForInfoAfter)) return;
+  if (bus_.now() - progress_ < (knows_what ? options_.ask_after : kAskForInfoAfter)) return;
   if (requests_.matched_readers() == 0) return;
-  progress_ = Clock::now();
+  progress_ = bus_.now();
   requests_.write(wire::encode(fleet::MapRequest{requester_id_, map_id_, ++requests_sent_, mirror_.missing_tiles()}));
 }
 

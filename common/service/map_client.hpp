@@ -76,7 +76,7 @@ class MapClient {
   std::string map_id_;
   bus::Writer<topics::MapRequest> requests_;
   std::uint64_t requests_sent_{0};
-  std::chrono::steady_clock::time_point progress_;
+  time::Stamp progress_;
   grid::MapMirror mirror_;
   grid::ClearanceField clearance_;
   std::uint64_t hash_{0};

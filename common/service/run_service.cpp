@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "common/process/clock.hpp"
+#include "common/bus/dds/dds_bus.hpp"
 #include "common/process/exit_code.hpp"
 #include "common/process/leaving.hpp"
 #include "common/process/log.hpp"
@@ -108,7 +108,6 @@ void read_config(const std::string& file, const About& about, Common& common, co
 std::vector<Identity> identities_of(const About& about, const Common& common) {
   Identity process;
   process.service = about.service;
-  process.boot_id = static_cast<std::uint64_t>(process::wall_clock_ns()) / 1000;
   process.host = host_name();
   process.process_id = static_cast<std::uint32_t>(getpid());
   process.instance_id = common.instance_id;
@@ -158,7 +157,8 @@ void tidy() {
 struct Process::State {
   State(const About& about, const Common& common_options, const std::vector<Identity>& identities)
       : common(common_options), name(process_name(about, common, identities)), bus(settings_of(common, name)) {
-    for (const Identity& identity : identities) {
+    for (Identity identity : identities) {
+      identity.boot_id = static_cast<std::uint64_t>(bus.wall_clock_ns()) / 1000;
       const std::size_t index = shells.size();
       notes.push_back({identity.instance_id, fleet::ServiceState::kStarting, "", "", 0});
       const Surroundings surroundings{nullptr, [this] { return usage(); },
@@ -177,7 +177,7 @@ struct Process::State {
 
   /// An equal share for each shell, so that the rows of `service_health` add up to the process.
   Surroundings::Usage usage() {
-    const time::Stamp now = process::monotonic_now();
+    const time::Stamp now = bus.now();
     if (now - measured_at >= kUsagePeriod) {
       measured_at = now;
       cpu_percent = cpu.percent_since_last(now, process::cpu_time());
@@ -215,7 +215,7 @@ struct Process::State {
 
   Common common;
   std::string name;
-  bus::Bus bus;
+  bus::DdsBus bus;
   std::vector<std::unique_ptr<Shell>> shells;
   std::vector<HealthNote> notes;  // one for each shell
   process::CpuMeter cpu;

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "common/process/clock.hpp"
 #include "common/process/log.hpp"
 #include "common/process/version.hpp"
 #include "common/service/peer_watch.hpp"
@@ -78,8 +77,8 @@ struct Shell::State {
         warnings(kWarningPeriod),
         health(health_of(identity)) {}
 
-  time::Stamp now() const { return process::monotonic_now(); }
-  std::int64_t wall_clock_ns() const { return process::wall_clock_ns(); }
+  time::Stamp now() const { return shared->bus.now(); }
+  std::int64_t wall_clock_ns() const { return shared->bus.wall_clock_ns(); }
 
   void warn(const std::string& kind, const std::string& text) {
     const process::RateLimit::Pass pass = warnings.ask(kind, now());

@@ -94,7 +94,7 @@ void FakeVehicleService::take(const aisle::VelocityCommand& sample, const Sample
   }
   if (!map_.has_map()) return;  // cannot tell where its walls are
   command_ = command;
-  vehicle_.command(command.twist, info.arrived.time_since_epoch());
+  vehicle_.command(command.twist, info.arrived);
 }
 
 void FakeVehicleService::take(const aisle::WorldObstacle& sample, const SampleInfo& info) {

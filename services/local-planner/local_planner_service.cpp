@@ -8,7 +8,10 @@
 
 #include "common/config/reader.hpp"
 #include "common/process/clock.hpp"
-#include "services/local-planner/codec.hpp"
+#include "common/wire/origin.hpp"
+#include "common/wire/planning.hpp"
+#include "common/wire/tracking.hpp"
+#include "common/wire/vehicle.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -22,7 +25,8 @@ constexpr milliseconds kPeriod{20};
 constexpr int kStatusEvery = 5;           // cycles
 constexpr milliseconds kTrackGrace{300};  // a new track may be heard before the status that lists it
 constexpr std::uint32_t kMostStrength = 1'000'000'000;
-constexpr double kUnknownRadiusM = 0.6;  // of a peer whose vehicle_info has not come yet
+constexpr double kLeastTolerance_m = 0.02;  // of a goal's position: no vehicle stops more exactly
+constexpr double kUnknownRadiusM = 0.6;     // of a peer whose vehicle_info has not come yet
 
 const Variant& variant_of(const std::string& name) {
   if (const Variant* variant = find_variant(name)) return *variant;
@@ -71,42 +75,42 @@ void LocalPlannerService::listen_to_vehicles() {
   };
   bus_.on<topics::VehicleInfo>([this, peer](const aisle::VehicleInfo& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;  // a vehicle that is gone still stands where it was
-    const auto vehicle = accepted("vehicle_info", decode(sample));
+    const auto vehicle = accepted("vehicle_info", wire::decode(sample));
     if (!vehicle) return;
     if (vehicle->id == agv_id_) {
       inputs_.vehicle = *vehicle;
       return;
     }
     Peer& entry = peer(vehicle->id);
-    entry.radius_m = vehicle->radius_m;
+    entry.radius_m = vehicle->reach_m();
     entry.limits = vehicle->limits;
-    entry.rectangle = vehicle->rectangle;
+    entry.rectangle = vehicle->footprint.is_disc() ? std::nullopt : std::optional(vehicle->footprint);
   });
   bus_.on<topics::VehicleState>([this, peer](const aisle::VehicleState& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
-    if (sample.agv_id().to_string() == agv_id_) return take_own_state(sample, info.arrived.time_since_epoch());
-    if (const auto report = accepted("vehicle_state", decode(sample))) {
-      Peer& entry = peer(sample.agv_id().to_string());
-      entry.state = report->state;
-      entry.state_arrived = info.arrived.time_since_epoch();
+    if (sample.agv_id().to_string() == agv_id_) return take_own_state(sample, info.arrived);
+    if (const auto report = accepted("vehicle_state", wire::decode(sample))) {
+      Peer& entry = peer(report->agv_id);
+      entry.state = report->motion;
+      entry.state_arrived = info.arrived;
     }
   });
   bus_.on<topics::NavigationStatus>([this, peer](const aisle::NavigationStatus& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData || sample.agv_id().to_string() == agv_id_) return;
-    if (auto announcement = accepted("navigation_status", decode(sample))) {
-      Peer& entry = peer(sample.agv_id().to_string());
-      entry.phase = announcement->phase;
-      entry.reason = announcement->reason;
-      entry.intent = std::move(announcement->intent);
-      entry.intent_arrived = info.arrived.time_since_epoch();
+    if (auto status = accepted("navigation_status", wire::decode(sample))) {
+      Peer& entry = peer(status->agv_id);
+      entry.phase = status->phase;
+      entry.reason = status->reason;
+      entry.intent = std::move(status->intent);
+      entry.intent_arrived = info.arrived;
     }
   });
 }
 
 void LocalPlannerService::take_own_state(const aisle::VehicleState& sample, time::Stamp arrived) {
-  const auto report = accepted("vehicle_state", decode(sample));
+  const auto report = accepted("vehicle_state", wire::decode(sample));
   if (!report) return;
-  inputs_.state.set(report->state, arrived);
+  inputs_.state.set(report->motion, arrived);
   if (!epoch_) {
     epoch_ = report->accepted_epoch + 1;
     command_stamper_.set_epoch(*epoch_);
@@ -125,19 +129,19 @@ void LocalPlannerService::take_own_state(const aisle::VehicleState& sample, time
 
 void LocalPlannerService::take(const aisle::Plan& sample) {
   if (sample.agv_id().to_string() != agv_id_) return plan_authority_.hear(sample.by().epoch());
-  auto plan = accepted("plan", decode(sample));
+  auto plan = accepted("plan", wire::decode(sample));
   if (!plan) return;
-  const PlanVerdict verdict =
-      plan_authority_.judge(sample.by().epoch(), sample.by().boot_id(), sample.by().sequence_number());
+  const fleet::Origin by = wire::origin_of(sample);
+  const PlanVerdict verdict = plan_authority_.judge(by.epoch, by.boot_id, by.sequence_number);
   if (verdict == PlanVerdict::kAccepted) {
+    plan->position_tolerance_m = std::max(kLeastTolerance_m, plan->position_tolerance_m);
     inputs_.plan = *std::move(plan);
     return;
   }
   health_.count(std::string("refused_plan_") + name(verdict));
-  warnings_.warn(
-      std::string("plan ") + name(verdict),
-      fmt::format("plan refused: {} (plan {} of {}, epoch {}; newest epoch heard {})", name(verdict), sample.plan_id(),
-                  sample.by().source_id().to_string(), sample.by().epoch(), plan_authority_.epoch()));
+  warnings_.warn(std::string("plan ") + name(verdict),
+                 fmt::format("plan refused: {} (plan {} of {}, epoch {}; newest epoch heard {})", name(verdict),
+                             plan->id, by.source_id, by.epoch, plan_authority_.epoch()));
 }
 
 void LocalPlannerService::listen_to_tracks() {
@@ -146,25 +150,27 @@ void LocalPlannerService::listen_to_tracks() {
       tracks_.erase(sample.track_id());
       return;
     }
-    if (const auto track = accepted("track", decode(sample)))
-      tracks_[track->id] = {{*track, info.arrived.time_since_epoch()}, sample.by().source_id().to_string()};
+    if (const auto track = accepted("track", wire::decode(sample)))
+      tracks_[track->id] = {{*track, info.arrived}, sample.by().source_id().to_string()};
   });
   bus_.on<topics::TrackingStatus>([this](const aisle::TrackingStatus& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take_status(sample, info.arrived.time_since_epoch());
+    if (info.kind != SampleKind::kData) return;
+    if (const auto status = accepted("tracking_status", wire::decode(sample)))
+      take_status(*status, wire::origin_of(sample).source_id, info.arrived);
   });
 }
 
-void LocalPlannerService::take_status(const aisle::TrackingStatus& sample, time::Stamp arrived) {
+void LocalPlannerService::take_status(const fleet::TrackingStatus& status, const std::string& source,
+                                      time::Stamp arrived) {
   inputs_.tracker_heard = arrived;
-  const auto& live = sample.live_track_ids();
-  const std::string source = sample.by().source_id().to_string();
-  for (const aisle::ScanUse& use : sample.newest_scans()) {
-    if (use.agv_id().to_string() != agv_id_) continue;
-    scan_stamp_ns_ = std::max<std::int64_t>(scan_stamp_ns_, use.scan_stamp_ns());
+  const std::vector<std::uint64_t>& live = status.live_track_ids;
+  for (const fleet::ScanUse& use : status.newest_scans) {
+    if (use.agv_id != agv_id_) continue;
+    scan_stamp_ns_ = std::max(scan_stamp_ns_, use.scan_stamp_ns);
     // Another number is another scan, also the 1 of a vehicle that was restarted. The first one heard may be of long
     // ago.
-    const auto [known, is_first] = own_scans_.try_emplace(source, use.scan_sequence());
-    if (!is_first && std::exchange(known->second, use.scan_sequence()) != use.scan_sequence())
+    const auto [known, is_first] = own_scans_.try_emplace(source, use.scan_sequence);
+    if (!is_first && std::exchange(known->second, use.scan_sequence) != use.scan_sequence)
       inputs_.tracker_alive = arrived;
   }
   for (auto entry = tracks_.begin(); entry != tracks_.end();) {
@@ -200,29 +206,40 @@ void LocalPlannerService::cycle() {
 }
 
 void LocalPlannerService::write_command(const Output& output) {
-  aisle::VelocityCommand sample = encode_command(output);
-  sample.agv_id(agv_id_);
-  sample.by(command_stamper_.next());
+  fleet::VelocityCommand command;
+  command.agv_id = agv_id_;
   if (inputs_.plan) {
-    sample.goal_id(inputs_.plan->goal_id);
-    sample.plan_id(inputs_.plan->id);
-    sample.map_revision(inputs_.plan->map_revision);
+    command.goal_id = inputs_.plan->goal_id;
+    command.plan_id = inputs_.plan->id;
+    command.map_revision = inputs_.plan->map_revision;
   }
-  sample.scan_stamp_ns(scan_stamp_ns_);
-  sample.control_ms(control_ms_);
+  command.twist = output.twist;
+  command.scan_stamp_ns = scan_stamp_ns_;
+  command.control_ms = control_ms_;
+  aisle::VelocityCommand sample = wire::encode(command);
+  sample.by(command_stamper_.next());
   commands_.write(sample);
 }
 
 void LocalPlannerService::write_status(const Output& output) {
-  aisle::NavigationStatus sample = encode_status(output);
-  sample.agv_id(agv_id_);
-  sample.by(status_stamper_.next());
+  fleet::NavigationStatus status;
+  status.agv_id = agv_id_;
   if (inputs_.plan) {
-    sample.goal_id(inputs_.plan->goal_id);
-    sample.plan_id(inputs_.plan->id);
+    status.goal_id = inputs_.plan->goal_id;
+    status.plan_id = inputs_.plan->id;
   }
-  sample.map_revision(inputs_.map_revision);
-  sample.control_ms(control_ms_);
+  status.map_revision = inputs_.map_revision;
+  status.phase = output.phase;
+  status.reason = output.reason;
+  status.detail = output.detail;
+  status.distance_left_m = output.distance_left_m;
+  status.time_left_s = output.time_left_s;
+  status.blocked_at_in_map = output.blocked_at_in_map;
+  status.blocked_radius_m = output.blocked_radius_m;
+  status.control_ms = control_ms_;
+  status.intent = output.intent;
+  aisle::NavigationStatus sample = wire::encode(status);
+  sample.by(status_stamper_.next());
   statuses_.write(sample);
 }
 

@@ -48,7 +48,7 @@ class LocalPlannerService {
   void listen_to_tracks();
   void take(const aisle::Plan& sample);
   void take_own_state(const aisle::VehicleState& sample, time::Stamp arrived);
-  void take_status(const aisle::TrackingStatus& sample, time::Stamp arrived);
+  void take_status(const fleet::TrackingStatus& status, const std::string& source, time::Stamp arrived);
   void cycle();
   void write_command(const Output& output);
   void write_status(const Output& output);

@@ -68,10 +68,10 @@ void ObstacleTrackerService::listen() {
     if (info.kind == SampleKind::kData) hear(sample);
   });
   bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) hear(sample, info.arrived.time_since_epoch());
+    if (info.kind == SampleKind::kData) hear(sample, info.arrived);
   });
   bus_.on<topics::Scan>([this](const aisle::Scan& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) hear(sample, info.arrived.time_since_epoch());
+    if (info.kind == SampleKind::kData) hear(sample, info.arrived);
   });
 }
 

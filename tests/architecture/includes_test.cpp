@@ -1,5 +1,5 @@
 // Who may include whom. The DDS headers lie in the system's path, so a slip compiles silently: this says no.
-//   geometry grid kinematics time config <- fleet <- core <- service <- main;  Fast DDS only in common/bus
+//   geometry grid kinematics time config <- fleet <- core <- service <- main;  Fast DDS only in common/bus/dds
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -74,7 +74,7 @@ TEST(Architecture, OnlyTheBusIncludesFastDds) {
   for (const Source& source : all_sources()) {
     for (const std::string& include : source.includes) {
       if (!begins_with_any(include, {"fastdds", "fastrtps", "fastcdr"})) continue;
-      EXPECT_TRUE(begins_with(source.file, "common/bus/")) << source.file << " includes " << include;
+      EXPECT_TRUE(begins_with(source.file, "common/bus/dds/")) << source.file << " includes " << include;
     }
   }
 }
@@ -129,12 +129,7 @@ Strings allowed_rooms(const std::string& file) {
   if (begins_with(file, "tools/referee/core/")) return for_cores;
   if (begins_with(file, "tools/referee/report/")) return {"common/", "tools/draw/"};
   if (begins_with(file, "tools/referee/")) return {"common/"};
-  const std::string core = core_of(file);
-  if (!core.empty()) {
-    Strings rooms = for_cores;
-    if (core != "services/obstacle-tracker/core/") rooms.push_back("services/obstacle-tracker/core/track.hpp");
-    return rooms;
-  }
+  if (!core_of(file).empty()) return for_cores;
   // The laboratory and `aisle drive` run the lock-step simulator and draw its runs as the referee draws real ones.
   Strings for_runs{"common/",     "services/",           "tools/lockstep/",
                    "tools/draw/", "tools/referee/core/", "tools/referee/report/"};
@@ -144,7 +139,7 @@ Strings allowed_rooms(const std::string& file) {
     return for_runs;
   }
   if (begins_with(file, "tools/")) return {"common/", "services/"};
-  return {"common/", "services/obstacle-tracker/core/track.hpp"};  // a service; its own folder comes with it
+  return {"common/"};  // a service; its own folder comes with it
 }
 
 TEST(Architecture, IncludesPointOneWay) {

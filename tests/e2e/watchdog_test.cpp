@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/dds/dds_bus.hpp"
 #include "common/scenario/scenario.hpp"
 #include "tests/support/places.hpp"
 #include "tools/demo/child.hpp"
@@ -60,15 +60,15 @@ class Watchdog : public ::testing::Test {
     site.domain = lock_.domain();
     site.interfaces = {"127.0.0.1"};
     site.participant_name = "watchdog-test";
-    bus_ = std::make_unique<bus::Bus>(site);
+    bus_ = std::make_unique<bus::DdsBus>(site);
     bus_->on<topics::WorldObstacle>([this](const aisle::WorldObstacle& s, const bus::SampleInfo& info) {
       if (info.kind != bus::SampleKind::kData || s.obstacle_id().to_string() != kVehicle) return;
-      way_.push_back({info.arrived, s.base_in_map().x_m(), s.base_in_map().y_m(),
+      way_.push_back({Clock::time_point(info.arrived), s.base_in_map().x_m(), s.base_in_map().y_m(),
                       std::hypot(s.velocity_x_mps(), s.velocity_y_mps())});
     });
     bus_->on<topics::VehicleState>([this](const aisle::VehicleState& s, const bus::SampleInfo& info) {
       if (info.kind != bus::SampleKind::kData || s.agv_id().to_string() != kVehicle || !killed_at_ || held_at_) return;
-      if (s.hold() != HoldReason::HOLD_NONE) held_at_ = info.arrived;
+      if (s.hold() != HoldReason::HOLD_NONE) held_at_ = Clock::time_point(info.arrived);
     });
     bus_->on<topics::VehicleInfo>([this](const aisle::VehicleInfo& s, const bus::SampleInfo& info) {
       if (info.kind == bus::SampleKind::kData && s.agv_id().to_string() == kVehicle)

@@ -4,8 +4,8 @@
 
 namespace aisle::test_support {
 
-using cli::random_between;
-using cli::random_blocks;
-using cli::random_cells;
+using lab::random_between;
+using lab::random_blocks;
+using lab::random_cells;
 
 }  // namespace aisle::test_support

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "common/bus/dds/dds_bus.hpp"
 #include "common/process/clock.hpp"
 #include "common/process/signals.hpp"
 #include "tools/cli/text.hpp"
@@ -68,7 +69,7 @@ std::unique_ptr<bus::Bus> join(const Cli& cli, const std::string& name) {
   bus::Settings settings = cli.settings;
   settings.participant_name = name;
   settings.super_client = !settings.discovery_server.empty();
-  auto bus = std::make_unique<bus::Bus>(settings);
+  auto bus = std::make_unique<bus::DdsBus>(settings);
   bus->on_incident([](const bus::Incident& incident) {
     const bool is_mismatch =
         incident.kind == bus::Incident::Kind::kIncompatibleQos || incident.kind == bus::Incident::Kind::kTypeMismatch;

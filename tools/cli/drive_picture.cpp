@@ -57,7 +57,7 @@ void DrivePicture::look(const lockstep::Snapshot& now) {
   }
 }
 
-void DrivePicture::look_at_plan(double t_s, const local_planner::Plan& plan, referee::VehicleRow& row) {
+void DrivePicture::look_at_plan(double t_s, const fleet::Plan& plan, referee::VehicleRow& row) {
   const auto before = latest_plans_.find(row.agv_id);
   if (before != latest_plans_.end() && before->second == plan.id) return;
   latest_plans_[row.agv_id] = plan.id;

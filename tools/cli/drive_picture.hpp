@@ -19,7 +19,7 @@ class DrivePicture {
 
  private:
   void look(const lockstep::Snapshot& now);
-  void look_at_plan(double t_s, const local_planner::Plan& plan, referee::VehicleRow& row);
+  void look_at_plan(double t_s, const fleet::Plan& plan, referee::VehicleRow& row);
   void add_goals(const lockstep::Result& result, referee::RunReport& report) const;
   void add_edits(referee::RunReport& report) const;
   static void add_contacts(const lockstep::Result& result, referee::RunReport& report);

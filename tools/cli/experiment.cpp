@@ -8,12 +8,12 @@
 
 #include "common/config/reader.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/process/output_file.hpp"
 #include "common/scenario/data_path.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/lab/driving/local_experiment.hpp"
 #include "tools/lab/planning/global_experiment.hpp"
 #include "tools/lab/planning/markdown.hpp"
-#include "tools/lab/planning/output_file.hpp"
 #include "tools/lab/tracking/tracking_experiment.hpp"
 
 namespace aisle::cli {
@@ -47,7 +47,7 @@ void make_place(const fs::path& page, const fs::path& pictures) {
   std::error_code failure;
   fs::create_directories(pictures, failure);
   if (failure) throw config::BadEnvironment(pictures.string() + ": cannot be made: " + failure.message());
-  check_writable(page);
+  process::check_writable(page);
 }
 
 void say(const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); }
@@ -57,13 +57,13 @@ void write_section(const fs::path& page, const std::string& name, const std::str
   std::ifstream in(page);
   const std::string before{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   in.close();
-  write_output_file(page, with_section(before, name, section));
+  process::write_output_file(page, lab::with_section(before, name, section));
   std::printf("%s\n", page.c_str());
 }
 
 int run_global(const ExperimentOrders& orders) {
   const fs::path page(orders.page);
-  GlobalExperiment experiment;
+  lab::GlobalExperiment experiment;
   experiment.maps = orders.maps;
   experiment.pictures = page.parent_path() / "experiments";
   experiment.pictures_from_page = "experiments";
@@ -71,26 +71,26 @@ int run_global(const ExperimentOrders& orders) {
   experiment.random_maps = orders.random_maps;
   experiment.queries = orders.queries;
   make_place(page, experiment.pictures);
-  const std::string section = global_section(experiment, say);
+  const std::string section = lab::global_section(experiment, say);
   write_section(page, "global planning", section);
   return process::kDone;
 }
 
 int run_local(const ExperimentOrders& orders) {
   const fs::path page(orders.page);
-  LocalExperiment experiment;
+  lab::LocalExperiment experiment;
   experiment.maps = orders.maps;
   experiment.pictures = page.parent_path() / "experiments";
   experiment.pictures_from_page = "experiments";
   experiment.seeds = orders.seeds;
   make_place(page, experiment.pictures);
-  write_section(page, "local planning", local_section(experiment, say));
+  write_section(page, "local planning", lab::local_section(experiment, say));
   return process::kDone;
 }
 
 int run_tracking(const ExperimentOrders& orders) {
   const fs::path page(orders.page);
-  TrackingExperiment experiment;
+  lab::TrackingExperiment experiment;
   experiment.people = reference_data(orders.maps) / "pedestrians";
   experiment.empty_place = orders.empty_place;
   experiment.pictures = page.parent_path() / "experiments";
@@ -99,7 +99,7 @@ int run_tracking(const ExperimentOrders& orders) {
   experiment.empty_s = orders.empty_s;
   experiment.detour_seeds = orders.detour_seeds;
   make_place(page, experiment.pictures);
-  write_section(page, "obstacle tracking", tracking_section(experiment, say));
+  write_section(page, "obstacle tracking", lab::tracking_section(experiment, say));
   return process::kDone;
 }
 

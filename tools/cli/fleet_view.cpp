@@ -24,7 +24,7 @@ std::string word(const Json& row, const char* key) {
 void FleetView::watch(bus::Bus& bus) {
   const auto is_data = [](const bus::SampleInfo& info) { return info.kind == bus::SampleKind::kData; };
   bus.on<topics::VehicleState>([this, is_data](const aisle::VehicleState& sample, const bus::SampleInfo& info) {
-    if (is_data(info)) take(sample, info.arrived.time_since_epoch());
+    if (is_data(info)) take(sample, info.arrived);
   });
   bus.on<topics::VehicleInfo>([this, is_data](const aisle::VehicleInfo& sample, const bus::SampleInfo& info) {
     if (is_data(info)) take(sample);

@@ -8,13 +8,13 @@
 #include "common/config/reader.hpp"
 #include "common/grid/formats/map_file.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/process/output_file.hpp"
 #include "services/global-planner/core/nearest_reachable.hpp"
 #include "services/global-planner/core/refusal.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/coordinates.hpp"
 #include "tools/cli/text.hpp"
 #include "tools/lab/planning/chosen_planners.hpp"
-#include "tools/lab/planning/output_file.hpp"
 #include "tools/lab/planning/plan_report.hpp"
 #include "tools/lab/planning/plan_svg.hpp"
 #include "tools/lab/planning/queries.hpp"
@@ -25,6 +25,9 @@ namespace {
 using global_planner::Outcome;
 using global_planner::Problem;
 using global_planner::Variant;
+using lab::Answer;
+using lab::Query;
+using lab::Tally;
 
 struct PlanOrders {
   std::string map, start, goal, scen, svg, footprint;
@@ -46,7 +49,7 @@ std::vector<Query> queries_of(const PlanOrders& orders, const grid::Geometry& ge
       throw config::BadInput("--scen has starts and goals: leave out --start and --goal");
     if (orders.turning_radius_m > 0.0)
       throw config::BadInput("--turning-radius needs headings, which --scen has not: give --start and --goal");
-    return read_queries(orders.scen, geometry, static_cast<std::size_t>(orders.limit));
+    return lab::read_queries(orders.scen, geometry, static_cast<std::size_t>(orders.limit));
   }
   if (orders.start.empty() || orders.goal.empty())
     throw config::BadInput("give --start X,Y and --goal X,Y, or --scen FILE");
@@ -100,8 +103,8 @@ bool is_helped_by_nearest(Outcome outcome) { return outcome == Outcome::kGoalBlo
 
 struct Run {
   std::vector<Tally> tallies;
-  std::vector<DrawnPath> paths;  // of the first query
-  std::string refusal;           // of the first query that was refused
+  std::vector<lab::DrawnPath> paths;  // of the first query
+  std::string refusal;                // of the first query that was refused
 };
 
 Run run(const PlanOrders& orders, const std::vector<const Variant*>& variants, const grid::ClearanceField& clearance,
@@ -113,10 +116,10 @@ Run run(const PlanOrders& orders, const std::vector<const Variant*>& variants, c
     const std::unique_ptr<global_planner::Planner> planner = variant->make();
     for (std::size_t i = 0; i < queries.size() && !is_interrupted(); ++i) {
       Problem problem = problem_of(orders, *variant, clearance, queries[i]);
-      Answer answer = ask(*planner, problem, outline);
+      Answer answer = lab::ask(*planner, problem, outline);
       if (orders.nearest && is_helped_by_nearest(answer.plan.outcome)) {
         problem.goal_in_map = global_planner::nearest_reachable(problem, is_interrupted).value_or(problem.goal_in_map);
-        answer = ask(*planner, problem, outline);
+        answer = lab::ask(*planner, problem, outline);
       }
       tally.add(answer, queries[i].optimum_m > 0.0 ? queries[i].optimum_m
                         : queries.size() == 1      ? optimum_m(problem)
@@ -134,8 +137,8 @@ Run run(const PlanOrders& orders, const std::vector<const Variant*>& variants, c
 }
 
 int plan_offline(const Cli& cli, const PlanOrders& orders) {
-  if (!orders.svg.empty()) check_writable(orders.svg);
-  const std::vector<const Variant*> variants = chosen_planners(orders.planners);
+  if (!orders.svg.empty()) process::check_writable(orders.svg);
+  const std::vector<const Variant*> variants = lab::chosen_planners(orders.planners);
   const grid::OccupancyGrid grid = grid::read_map_file(orders.map);
   const std::vector<Query> queries = queries_of(orders, grid.geometry());
   const double needed_m = std::max(
@@ -143,9 +146,9 @@ int plan_offline(const Cli& cli, const PlanOrders& orders) {
   const grid::ClearanceField clearance(grid, std::max(kFarthestLook_m, needed_m + 1.0));
   const Run result = run(orders, variants, clearance, queries);
 
-  std::printf("%s", cli.json ? (json_of(result.tallies).dump() + "\n").c_str()
-                             : text_of_table(rows_of(result.tallies)).c_str());
-  if (!orders.svg.empty()) write_output_file(orders.svg, plan_svg(grid, result.paths));
+  std::printf("%s", cli.json ? (lab::json_of(result.tallies).dump() + "\n").c_str()
+                             : text_of_table(lab::rows_of(result.tallies)).c_str());
+  if (!orders.svg.empty()) process::write_output_file(orders.svg, lab::plan_svg(grid, result.paths));
   bool is_clean = !is_interrupted();
   for (const Tally& tally : result.tallies) {
     is_clean = is_clean && tally.solved() == tally.asked() && tally.checker_failures() == 0;

@@ -32,7 +32,7 @@ Rates measure(const Cli& cli, const RateOptions& options) {
     const bool is_wanted = options.key.empty() || received.key == options.key;
     if (!is_wanted || received.info.kind != bus::SampleKind::kData) return;
     const bool is_history = begun.insert(received.key).second && begins_with_history;
-    if (!is_history) rates[received.key].add(received.info.arrived.time_since_epoch(), received.bytes);
+    if (!is_history) rates[received.key].add(received.info.arrived, received.bytes);
   });
   run_until(*bus, Seconds(options.seconds), [] { return false; });
   if (rates.empty()) {

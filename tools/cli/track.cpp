@@ -9,9 +9,9 @@
 
 #include "common/config/reader.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/process/output_file.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/json/json.hpp"
-#include "tools/lab/planning/output_file.hpp"
 #include "tools/lab/tracking/picture.hpp"
 #include "tools/lab/tracking/trial.hpp"
 
@@ -99,7 +99,7 @@ std::vector<std::unique_ptr<tracking::Contestant>> contestants_of(const std::str
 }
 
 int track(const Cli& cli, const Options& options) {
-  if (!options.svg.empty()) check_writable(options.svg);
+  if (!options.svg.empty()) process::check_writable(options.svg);
   const std::unique_ptr<tracking::Scene> scene = scene_of(options);
   const std::vector<std::unique_ptr<tracking::Contestant>> contestants = contestants_of(options.tracker);
   tracking::Sensing sensing = options.sensing;
@@ -108,7 +108,7 @@ int track(const Cli& cli, const Options& options) {
   const std::vector<tracking::Row> rows =
       tracking::run_trial(*scene, sensing, static_cast<std::uint64_t>(options.seed), contestants, options.seconds,
                           [&](const tracking::Glance& now) { picture.look(now); });
-  if (!options.svg.empty()) write_output_file(options.svg, picture.svg());
+  if (!options.svg.empty()) process::write_output_file(options.svg, picture.svg());
   print(cli, rows);
   return process::kDone;
 }

@@ -56,7 +56,7 @@ void ScanPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& wo
       sent_.erase(id);
       outbox_.forget(id);
     }
-    for (const obstacle_tracker::Track& track : outbox_.due(tracker_.tracks(now), result.seen, now))
+    for (const fleet::Track& track : outbox_.due(tracker_.tracks(now), result.seen, now))
       sent_[track.id] = {track, now};
   }
   tracks_.clear();
@@ -91,7 +91,7 @@ void TruthPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& w
     }
     if (memory.lost_s > 0.0) memory.position = memory.position + kPeriodS * memory.velocity;
     if (memory.seen_s > 0.25) {
-      obstacle_tracker::Track track;
+      fleet::Track track;
       track.id = memory.id;
       track.is_static = is_static;
       track.position_in_map = memory.position + Point2{0.03 * noise(random_), 0.03 * noise(random_)};

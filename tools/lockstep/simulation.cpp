@@ -166,7 +166,8 @@ class Run {
     const geometry::Footprint footprint = parameters.footprint();
     const double reach_m = geometry::reach_m(footprint);
     const auto rectangle = footprint.is_disc() ? std::nullopt : std::optional(footprint);
-    agv.inputs.vehicle = local_planner::Vehicle{vehicle.id, reach_m, parameters.limits, rectangle};
+    agv.inputs.vehicle = fleet::Vehicle{vehicle.id, footprint, parameters.limits, parameters.lidar.range_max_m,
+                                        parameters.command_timeout_s};
     agv.announced.id = vehicle.id;
     agv.announced.radius_m = reach_m;
     agv.announced.rectangle = rectangle;
@@ -281,12 +282,12 @@ class Run {
     while (const auto made = fleet_.step(now(), [] { return false; })) {
       const bool is_replan = made->trigger != global_planner::Trigger::kNewGoal;
       if (!is_replan) result_.planned_m += length_m(made->waypoints_in_map);
-      local_planner::Plan plan;
+      fleet::Plan plan;
       plan.id = made->plan_id;
       plan.goal_id = made->goal.id;
       plan.map_revision = made->map_revision;
-      plan.outcome = made->outcome == global_planner::FleetOutcome::kFound ? local_planner::Plan::Outcome::kFound
-                                                                           : local_planner::Plan::Outcome::kNotFound;
+      plan.outcome = made->outcome == global_planner::FleetOutcome::kFound ? fleet::PlanOutcome::kFound
+                                                                           : fleet::PlanOutcome::kNoPath;
       plan.detail = made->detail;
       plan.goal_in_map = made->goal.pose_in_map;
       plan.position_tolerance_m = made->goal.position_tolerance_m;
@@ -338,10 +339,10 @@ class Run {
                           : phase == Phase::kArrived                         ? Navigation::Activity::kArrived
                           : phase == Phase::kFailed || phase == Phase::kHeld ? Navigation::Activity::kStopped
                                                                              : Navigation::Activity::kUnderway;
-    navigation.cause = agv.output.reason == local_planner::Reason::kVehicle    ? Navigation::Cause::kVehicle
-                       : agv.output.reason == local_planner::Reason::kObstacle ? Navigation::Cause::kObstacle
-                       : agv.output.reason == local_planner::Reason::kOffPath  ? Navigation::Cause::kOffPath
-                                                                               : Navigation::Cause::kOther;
+    navigation.cause = agv.output.reason == fleet::Reason::kVehicle    ? Navigation::Cause::kVehicle
+                       : agv.output.reason == fleet::Reason::kObstacle ? Navigation::Cause::kObstacle
+                       : agv.output.reason == fleet::Reason::kOffPath  ? Navigation::Cause::kOffPath
+                                                                       : Navigation::Cause::kOther;
     navigation.blocked_at_in_map = agv.output.blocked_at_in_map;
     navigation.blocked_radius_m = agv.output.blocked_radius_m;
     fleet_.set_navigation(agv.id, navigation, now());

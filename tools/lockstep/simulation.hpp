@@ -77,7 +77,7 @@ struct Snapshot {
   std::vector<local_planner::Output> outputs;
   std::vector<geometry::Body> things;
   std::vector<local_planner::SeenTrack> tracks;
-  std::vector<const local_planner::Plan*> plans;  // of each vehicle, valid while it is looked at; null: none yet
+  std::vector<const fleet::Plan*> plans;  // of each vehicle, valid while it is looked at; null: none yet
 };
 using Watch = std::function<void(const Snapshot&)>;
 

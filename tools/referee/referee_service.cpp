@@ -4,7 +4,6 @@
 #include <cmath>
 #include <vector>
 
-#include "common/process/clock.hpp"
 #include "common/wire/geometry.hpp"
 
 namespace aisle::referee {
@@ -83,10 +82,11 @@ bool all_finite(const std::vector<geometry::Point2>& points) {
 
 RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls,
                                const Expectation& expectation)
-    : health_(health),
+    : bus_(bus),
+      health_(health),
       judge_(&walls, expectation),
-      started_(std::chrono::steady_clock::now()),
-      started_wall_ns_(process::wall_clock_ns()) {
+      started_(bus.now()),
+      started_wall_ns_(bus.wall_clock_ns()) {
   listen_to_simulation(bus);
   listen_to_fleet(bus);
   listen_to_map(bus);
@@ -95,13 +95,9 @@ RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Wal
   health_.state = fleet::ServiceState::kReady;
 }
 
-double RefereeService::now_s() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
-}
+double RefereeService::now_s() const { return time::seconds(bus_.now() - started_); }
 
-double RefereeService::arrived_s(const SampleInfo& info) const {
-  return std::chrono::duration<double>(info.arrived - started_).count();
-}
+double RefereeService::arrived_s(const SampleInfo& info) const { return time::seconds(info.arrived - started_); }
 
 bool RefereeService::fit(const char* topic, bool ok) {
   if (!ok) health_.count(std::string("unfit_") + topic);

@@ -1,5 +1,4 @@
 #pragma once
-#include <chrono>
 #include <cstdint>
 #include <string>
 
@@ -37,9 +36,10 @@ class RefereeService {
   bool fit(const char* topic, bool ok);
   double arrived_s(const bus::SampleInfo& info) const;
 
+  bus::Bus& bus_;
   service::Health& health_;
   Judge judge_;
-  std::chrono::steady_clock::time_point started_;
+  time::Stamp started_;
   std::int64_t started_wall_ns_;
 };
 

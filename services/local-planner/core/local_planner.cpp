@@ -61,7 +61,7 @@ struct LocalPlanner::Cycle {
   }
   /// What keeps the way from walls: all of the vehicle where it may turn anywhere; of a tricycle, whose plan knows
   /// headings, its width.
-  double way_radius_m() const { return vehicle.turns_on_the_spot() ? vehicle.radius_m : discs.radius_m; }
+  double way_radius_m() const { return vehicle.turns_on_the_spot() ? vehicle.reach_m() : discs.radius_m; }
   /// Between the outlines, when the next command acts.
   double gap_then_m(const Mover& mover) const {
     double least = 1e18;
@@ -77,7 +77,7 @@ LocalPlanner::LocalPlanner(const Settings& settings, Variant variant)
 
 Output LocalPlanner::step(const Inputs& inputs, Stamp now) {
   static const Vehicle kUnknown;
-  const VehicleState* state = inputs.state.any();
+  const Motion* state = inputs.state.any();
   Cycle cycle{inputs, inputs.vehicle ? *inputs.vehicle : kUnknown, now, {}, {}, {}, 0.0, {}, {}, {}, 1e18, {}, false,
               {}};
   cycle.discs = cycle.vehicle.discs();
@@ -137,7 +137,7 @@ std::optional<std::pair<Phase, Reason>> LocalPlanner::guard(const Inputs& inputs
   if (late_ != Stamp{} && seconds(now - late_) < settings_.late_hold_s) return Held{Phase::kHeld, Reason::kLate};
   if (inputs.clearance == nullptr) return Held{Phase::kWaiting, Reason::kNoMap};
   if (!inputs.plan) return Held{Phase::kWaiting, Reason::kNoGoal};
-  if (inputs.plan->outcome == Plan::Outcome::kCancelled) return Held{Phase::kHeld, Reason::kCancelled};
+  if (inputs.plan->is_cancelled()) return Held{Phase::kHeld, Reason::kCancelled};
   if (inputs.tracker_alive == Stamp{}) return Held{Phase::kWaiting, Reason::kNoTracker};
   if (seconds(now - inputs.tracker_alive) > settings_.stale_tracker_s) return Held{Phase::kHeld, Reason::kStaleTracker};
   return guard_plan(inputs, now);
@@ -146,8 +146,7 @@ std::optional<std::pair<Phase, Reason>> LocalPlanner::guard(const Inputs& inputs
 std::optional<std::pair<Phase, Reason>> LocalPlanner::guard_plan(const Inputs& inputs, Stamp now) {
   using Held = std::pair<Phase, Reason>;
   const Plan& plan = *inputs.plan;
-  if (plan.outcome == Plan::Outcome::kNotFound || plan.waypoints_in_map.empty())
-    return Held{Phase::kFailed, Reason::kUnreachable};
+  if (!plan.is_found() || plan.waypoints_in_map.empty()) return Held{Phase::kFailed, Reason::kUnreachable};
   if (plan.map_revision < inputs.map_revision && seconds(now - revision_changed_) > settings_.plan_update_s &&
       !arrived_)
     return Held{Phase::kHeld, Reason::kPlanOutdated};
@@ -191,7 +190,7 @@ void LocalPlanner::adopt_plan(const Inputs& inputs, Cycle& cycle) {
   Route lane = !variant_.knows_path ? Route(resample({cycle.here(), plan.waypoints_in_map.back()}, 0.2))
                : as_planned
                    ? Route(resample(plan.waypoints_in_map, 0.2))
-                   : make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.radius_m, settings_.lane);
+                   : make_lane(plan.waypoints_in_map, *inputs.clearance, cycle.vehicle.reach_m(), settings_.lane);
   way_.adopt(std::move(lane), cycle.here(), same_plan);
   blocked_.reset();
   searched_ = {};
@@ -277,7 +276,7 @@ void LocalPlanner::advise_traffic(Cycle& cycle) {
                 std::min(settings_.comfort_mps2, limits.max_deceleration_mps2), 0.6, settings_.slows_on_the_way});
   const double speed = std::max(0.0, last_command_.linear_mps);
   const double stopping = kinematics::stopping_distance_m(speed, limits.max_deceleration_mps2) + speed * 0.15;
-  cycle.advice = advise({cycle.vehicle.id, cycle.vehicle.radius_m, way_.s_m(), speed, stopping, cycle.here(),
+  cycle.advice = advise({cycle.vehicle.id, cycle.vehicle.reach_m(), way_.s_m(), speed, stopping, cycle.here(),
                          way_.current(), way_.profile_mps()},
                         cycle.around.peers, settings_.traffic);
   cycle.stop_at_m = cycle.advice.stop_at_m;
@@ -314,7 +313,7 @@ bool LocalPlanner::find_spot(Cycle& cycle, const std::vector<std::string>& for_w
   if (!cycle.vehicle.turns_on_the_spot()) return false;
   std::vector<Disc> discs = cycle.standing;
   for (const PeerView& peer : cycle.around.peers) discs.push_back({peer.base_in_map.position(), peer.radius_m});
-  const Room room{*cycle.inputs.clearance, discs, cycle.vehicle.radius_m, 0.06, 0.10};
+  const Room room{*cycle.inputs.clearance, discs, cycle.vehicle.reach_m(), 0.06, 0.10};
   const Point2 here = cycle.here();
   const auto accepts = [&](Point2 p) {
     if (for_whom.empty() && geometry::distance(p, here) < 0.7) return false;
@@ -322,7 +321,7 @@ bool LocalPlanner::find_spot(Cycle& cycle, const std::vector<std::string>& for_w
       const bool asked = std::find(for_whom.begin(), for_whom.end(), peer.id) != for_whom.end();
       if (!asked && !outranks(peer.id, cycle.vehicle.id)) continue;
       if (!peer.has_goal && !asked) continue;
-      const double least = cycle.vehicle.radius_m + peer.radius_m + settings_.traffic.margin_m + 0.05;
+      const double least = cycle.vehicle.reach_m() + peer.radius_m + settings_.traffic.margin_m + 0.05;
       if (is_claimed(peer.claim, p, least)) return false;
     }
     return true;
@@ -382,7 +381,7 @@ double LocalPlanner::speed_cap(const Cycle& cycle) const {
     for (const double t : {0.0, 0.5, 1.0})
       gap = std::min(gap,
                      geometry::distance(cycle.base_then.position(), mover.position_in_map + t * mover.velocity_in_map));
-    cap = std::min(cap, 0.25 + 0.5 * std::max(0.0, gap - cycle.vehicle.radius_m - mover.radius_m - 0.2));
+    cap = std::min(cap, 0.25 + 0.5 * std::max(0.0, gap - cycle.vehicle.reach_m() - mover.radius_m - 0.2));
   }
   return cap;
 }
@@ -403,7 +402,7 @@ Aim LocalPlanner::aim(const Cycle& cycle) const {
   const Route& route = way_.current();
   const double nearest = route.project(cycle.base_then.position(), way_.s_m(), way_.s_m() + 0.5);
   out.sub_target_in_map = route.at(nearest + kSubTargetM);
-  out.radius_m = cycle.vehicle.radius_m;
+  out.radius_m = cycle.vehicle.reach_m();
   out.step_s = settings_.dwa.step_s;
   if (variant_.knows_path) {
     const double to_target_m = geometry::distance(cycle.base_then.position(), cycle.target);
@@ -431,7 +430,7 @@ void LocalPlanner::drive(Cycle& cycle) {
   cycle.out.phase = way_.is_on_detour() || way_.is_aside() ? Phase::kAvoiding : Phase::kDriving;
   const Scene scene = scene_of(cycle);
   // A disc may always turn; whatever else turns on the spot looks where its corners go.
-  if (turning_ && cycle.vehicle.rectangle &&
+  if (turning_ && !cycle.vehicle.footprint.is_disc() &&
       obstruction(scene, turn_of(cycle, error), settings_.dwa) != Obstruction::kNone)
     turning_ = false;
   if (is_lost(cycle)) {
@@ -454,7 +453,7 @@ void LocalPlanner::drive(Cycle& cycle) {
   const Aim aim = this->aim(cycle);
   WayOut way_out{Grade::kNone, choose(scene, aim, variant_, settings_.dwa)};
   if (scene.speed_cap_mps > 2.0 * kStandingMps && !waits_before_it && is_refused(way_out.choice)) {
-    const bool may_turn = cycle.vehicle.turns_on_the_spot() && !cycle.vehicle.rectangle;
+    const bool may_turn = cycle.vehicle.turns_on_the_spot() && cycle.vehicle.footprint.is_disc();
     way_out =
         local_planner::way_out({scene, aim, way_out.choice, cycle.stands(), may_turn, error}, variant_, settings_.dwa);
   }
@@ -479,7 +478,7 @@ void LocalPlanner::drive(Cycle& cycle) {
     cycle.out.detail = told_avoidance(scene);
   if (cycle.stands())
     tell_why_it_stands({cycle.advice, blocked_, choice, seconds(cycle.now - moved_), settings_.blocked_after_s,
-                        cycle.vehicle.radius_m},
+                        cycle.vehicle.reach_m()},
                        cycle.out);
 }
 

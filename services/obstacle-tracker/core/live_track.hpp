@@ -2,12 +2,14 @@
 #include <cstdint>
 #include <memory>
 
+#include "common/fleet/track.hpp"
 #include "common/time/stamp.hpp"
 #include "services/obstacle-tracker/core/detections.hpp"
 #include "services/obstacle-tracker/core/motion_filter.hpp"
-#include "services/obstacle-tracker/core/track.hpp"
 
 namespace aisle::obstacle_tracker {
+
+using fleet::Track;
 
 /// When a track is born, believed, kept and given up.
 struct Lifecycle {

@@ -4,10 +4,12 @@
 #include <map>
 #include <vector>
 
+#include "common/fleet/track.hpp"
 #include "common/time/stamp.hpp"
-#include "services/obstacle-tracker/core/track.hpp"
 
 namespace aisle::obstacle_tracker {
+
+using fleet::Track;
 
 /// Decides which tracks are worth a sample: a moving one whenever a scan measured it and at least every `moving_every`;
 /// one that stands every `static_every`, and at once when it came to a stand, left it, or changed its place or size.

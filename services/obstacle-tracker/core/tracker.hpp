@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "common/fleet/track.hpp"
 #include "common/grid/clearance.hpp"
 #include "services/obstacle-tracker/core/live_track.hpp"
 #include "services/obstacle-tracker/core/scan.hpp"
-#include "services/obstacle-tracker/core/track.hpp"
 
 namespace aisle::obstacle_tracker {
+
+using fleet::Track;
 
 struct TrackerParams {
   SensorNoise noise;

@@ -1,11 +1,10 @@
-#include "common/bus/bus.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
 #include <string>
 #include <vector>
 
+#include "common/bus/dds/dds_bus.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 
 namespace aisle::bus_test {
@@ -21,7 +20,7 @@ aisle::VehicleState state_of(const std::string& agv) {
 }
 
 TEST(Bus, CarriesASampleWithItsFields) {
-  Bus sender(loopback(200)), receiver(loopback(200));
+  DdsBus sender(loopback(200)), receiver(loopback(200));
   auto goals = sender.writer<topics::Goal>();
   std::vector<aisle::Goal> got;
   receiver.on<topics::Goal>([&](const aisle::Goal& goal, const SampleInfo& info) {
@@ -40,7 +39,7 @@ TEST(Bus, CarriesASampleWithItsFields) {
 
 TEST(Bus, GivesALateJoinerEveryMapTile) {
   constexpr int kTiles = 432;
-  Bus sender(loopback(201));
+  DdsBus sender(loopback(201));
   auto tiles = sender.writer<topics::MapTile>();
   aisle::MapTile tile;
   tile.map_id("site");
@@ -50,7 +49,7 @@ TEST(Bus, GivesALateJoinerEveryMapTile) {
     tile.tile_y(static_cast<std::uint32_t>(i / 24));
     ASSERT_TRUE(tiles.write(tile)) << i;
   }
-  Bus late(loopback(201));
+  DdsBus late(loopback(201));
   std::set<std::pair<std::uint32_t, std::uint32_t>> got;
   late.on<topics::MapTile>(
       [&](const aisle::MapTile& sample, const SampleInfo&) { got.emplace(sample.tile_x(), sample.tile_y()); });
@@ -58,7 +57,7 @@ TEST(Bus, GivesALateJoinerEveryMapTile) {
 }
 
 TEST(Bus, KeepsAHundredVehiclesApart) {
-  Bus sender(loopback(202)), receiver(loopback(202));
+  DdsBus sender(loopback(202)), receiver(loopback(202));
   auto states = sender.writer<topics::VehicleState>();
   std::set<std::string> got;
   receiver.on<topics::VehicleState>(
@@ -70,7 +69,7 @@ TEST(Bus, KeepsAHundredVehiclesApart) {
 }
 
 TEST(Bus, TellsOfADisposalWithTheKey) {
-  Bus sender(loopback(203)), receiver(loopback(203));
+  DdsBus sender(loopback(203)), receiver(loopback(203));
   auto tracks = sender.writer<topics::Track>();
   std::vector<std::uint64_t> seen, gone;
   receiver.on<topics::Track>([&](const aisle::Track& track, const SampleInfo& info) {
@@ -89,7 +88,7 @@ TEST(Bus, TellsOfADisposalWithTheKey) {
 }
 
 TEST(Bus, CarriesSamplesBeyond64Kilobytes) {
-  Bus sender(loopback(204)), receiver(loopback(204));
+  DdsBus sender(loopback(204)), receiver(loopback(204));
   auto infos = sender.writer<topics::MapInfo>();
   aisle::MapInfo info, got;
   info.map_id("site");
@@ -101,7 +100,7 @@ TEST(Bus, CarriesSamplesBeyond64Kilobytes) {
 }
 
 TEST(Bus, RunsTimersAtTheirPeriod) {
-  Bus bus(loopback(205));
+  DdsBus bus(loopback(205));
   int ticks = 0;
   bus.every(10ms, [&] { ++ticks; });
   EXPECT_TRUE(run_until({&bus}, [&] { return ticks >= 20; }));
@@ -114,7 +113,7 @@ TEST(Bus, RunsTimersAtTheirPeriod) {
 
 TEST(Bus, DeliversEachEditOfAQueueOnce) {
   constexpr int kEdits = 3000;
-  Bus sender(loopback(206)), receiver(loopback(206));
+  DdsBus sender(loopback(206)), receiver(loopback(206));
   auto edits = sender.writer<topics::MapEdit>();
   std::vector<std::string> got;
   receiver.on<topics::MapEdit>([&](const aisle::MapEdit& edit, const SampleInfo& info) {

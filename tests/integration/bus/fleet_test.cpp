@@ -27,7 +27,7 @@ double resident_mb(pid_t pid) {
 
 TEST(Fleet, ThirtyParticipantsMeetAndStaySmall) {
   constexpr int kMembers = 30;
-  Bus listener(loopback(212, "listener"));
+  DdsBus listener(loopback(212, "listener"));
   std::set<std::string> heard;
   listener.on<topics::VehicleState>(
       [&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
@@ -46,7 +46,7 @@ TEST(Fleet, ThirtyParticipantsMeetAndStaySmall) {
 TEST(Fleet, PartitionsKeepSitesApart) {
   bus::Settings here = loopback(213, "here");
   here.partition = "site-a";
-  Bus listener(here);
+  DdsBus listener(here);
   std::set<std::string> heard;
   listener.on<topics::VehicleState>(
       [&](const aisle::VehicleState& state, const bus::SampleInfo&) { heard.insert(state.agv_id().to_string()); });
@@ -63,7 +63,7 @@ TEST(Fleet, PartitionsKeepSitesApart) {
 TEST(Fleet, PeersMeetWithoutMulticast) {
   bus::Settings settings = loopback(214, "by-peer");
   settings.peers = {"127.0.0.1"};
-  Bus sender(settings), receiver(settings);
+  DdsBus sender(settings), receiver(settings);
   auto states = sender.writer<topics::VehicleState>();
   int heard = 0;
   receiver.on<topics::VehicleState>([&](const aisle::VehicleState&, const bus::SampleInfo&) { ++heard; });
@@ -74,14 +74,14 @@ TEST(Fleet, PeersMeetWithoutMulticast) {
 TEST(Fleet, RefusesWhatThisHostDoesNotHave) {
   bus::Settings settings = loopback(215);
   settings.interfaces = {"192.0.2.77"};
-  EXPECT_THROW(Bus{settings}, config::BadEnvironment);
+  EXPECT_THROW(DdsBus{settings}, config::BadEnvironment);
   settings.interfaces = {"eth0"};
-  EXPECT_THROW(Bus{settings}, config::BadInput);
+  EXPECT_THROW(DdsBus{settings}, config::BadInput);
   settings = loopback(231);
-  EXPECT_THROW(Bus{settings}, config::BadInput);
+  EXPECT_THROW(DdsBus{settings}, config::BadInput);
   settings = loopback(215);
   settings.discovery_server = "127.0.0.1:99999";
-  EXPECT_THROW(Bus{settings}, config::BadInput);
+  EXPECT_THROW(DdsBus{settings}, config::BadInput);
 }
 
 }  // namespace

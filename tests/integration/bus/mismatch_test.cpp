@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "common/bus/discovery.hpp"
-#include "common/bus/fastdds_compat.hpp"
-#include "common/bus/participant_qos.hpp"
+#include "common/bus/dds/fastdds_compat.hpp"
+#include "common/bus/dds/participant_qos.hpp"
+#include "common/bus/qos_conflict.hpp"
 #include "idl/planning_support.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 
@@ -85,7 +85,7 @@ struct GoalReader {
         },
         5s);
   }
-  Bus bus;
+  DdsBus bus;
   std::vector<std::string> goals;
   std::vector<bus::Incident> incidents;
 };

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/dds/dds_bus.hpp"
 
 namespace {
 
@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
   settings.partition = argv[2];
   settings.interfaces = {"127.0.0.1"};
   settings.participant_name = name;
-  bus::Bus bus(settings);
+  bus::DdsBus bus(settings);
   if (role == "plan" || role == "site") write_plans(bus, name, argc > 5 ? std::atoi(argv[5]) : 0);
   if (role == "site" || role == "member") take_part(bus, name);
   if (role == "site") be_a_site(bus, name);

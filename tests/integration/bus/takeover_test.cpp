@@ -44,7 +44,7 @@ class PlanListener {
   int heard() const { return heard_; }
 
  private:
-  Bus bus_;
+  DdsBus bus_;
   std::string source_;
   Clock::time_point heard_at_;
   std::vector<std::string> orphaned_;

@@ -7,12 +7,13 @@
 #include <initializer_list>
 #include <string>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/dds/dds_bus.hpp"
 
 namespace aisle::bus_test {
 
 using namespace std::chrono_literals;
 using bus::Bus;
+using bus::DdsBus;
 
 /// Domains 200 to 219: one a test of this program; tests of a program run one after another.
 inline bus::Settings loopback(int domain, const std::string& name = "test") {

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/dds/dds_bus.hpp"
 #include "common/grid/formats/map_file.hpp"
 #include "common/grid/tiles.hpp"
 #include "common/process/clock.hpp"
@@ -211,7 +211,7 @@ class CliSite : public ::testing::Test {
   }
 
   int domain_;
-  bus::Bus bus_;
+  bus::DdsBus bus_;
   bus::Writer<topics::VehicleInfo> infos_{bus_.writer<topics::VehicleInfo>()};
   bus::Writer<topics::VehicleState> states_{bus_.writer<topics::VehicleState>()};
   bus::Writer<topics::Plan> plans_{bus_.writer<topics::Plan>()};
@@ -508,7 +508,7 @@ TEST_F(CliSite, DoctorSaysWhatIsWrong) {
 }
 
 TEST_F(CliSite, DoctorNamesTheDomainWhereSomebodyIs) {
-  bus::Bus elsewhere(on_loopback(13));
+  bus::DdsBus elsewhere(on_loopback(13));
   const Outcome outcome = run_alone({"doctor", "--wait", "3", "--domain", "68", "--interface", "127.0.0.1"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out,

@@ -21,7 +21,7 @@ struct PlannerProcess {
     config.standby = standby;
     return config;
   }
-  Bus bus;
+  bus::DdsBus bus;
   service::Health health;
   GlobalPlannerService service;
 };

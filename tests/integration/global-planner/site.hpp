@@ -19,7 +19,6 @@
 namespace aisle::global_planner {
 
 using namespace std::chrono_literals;
-using bus::Bus;
 using bus::SampleInfo;
 using bus::SampleKind;
 
@@ -127,7 +126,7 @@ class Site {
                        plan->waypoints_in_map);
   }
 
-  Bus bus;
+  bus::DdsBus bus;
   grid::OccupancyGrid grid;
   std::uint64_t revision{0};
   std::vector<aisle::Plan> plans;

@@ -21,7 +21,6 @@ namespace aisle::local_planner {
 namespace {
 
 using namespace std::chrono_literals;
-using bus::Bus;
 using bus::SampleInfo;
 using bus::SampleKind;
 
@@ -36,7 +35,7 @@ struct PlannerProcess {
       : bus(site(domain, "local-planner")),
         service(bus, "agv-1", service::OriginStamper("local-planner-agv-1", boot_id), health, "local-planner-agv-1",
                 {}) {}
-  Bus bus;
+  bus::DdsBus bus;
   service::Health health;
   LocalPlannerService service;
 };
@@ -117,7 +116,7 @@ class Site {
     return status() != nullptr && status()->phase() == phase && status()->reason() == reason;
   }
 
-  Bus bus;
+  bus::DdsBus bus;
   geometry::Pose2 base{3.0, 5.0, 0.0};
   geometry::Twist2 twist, wanted;
   std::uint32_t accepted_epoch{4};  // of a planner of before

@@ -32,7 +32,7 @@ struct Service {
   explicit Service(int domain, std::uint64_t revision = 1)
       : bus(local_settings(domain, "map")),
         map(bus, "map", 1, health, MapStore(SiteMap("floor", floor_plan(), revision), nullptr, {})) {}
-  bus::Bus bus;
+  bus::DdsBus bus;
   service::Health health;
   MapService map;
 };
@@ -118,7 +118,7 @@ TEST(MapService, AnswersEveryEditOnceAndRefusesWithAReason) {
 
 TEST(MapService, WritesTilesAgainForWhoMissesThem) {
   Service service(kDomain + 2);
-  bus::Bus other(local_settings(kDomain + 2, "asker"));
+  bus::DdsBus other(local_settings(kDomain + 2, "asker"));
   auto requests = other.writer<topics::MapRequest>();
   int tiles = 0;
   int infos = 0;
@@ -138,7 +138,7 @@ TEST(MapService, WritesTilesAgainForWhoMissesThem) {
 
 TEST(MapClient, AsksForTilesThatDoNotComeAndIgnoresOtherMaps) {
   // A map_info whose tiles nobody wrote: only the client's asking brings them.
-  bus::Bus server(local_settings(kDomain + 3, "half-a-map"));
+  bus::DdsBus server(local_settings(kDomain + 3, "half-a-map"));
   const SiteMap truth("floor", floor_plan());
   const SiteMap annex("annex", floor_plan());
   auto info = server.writer<topics::MapInfo>();
@@ -151,7 +151,7 @@ TEST(MapClient, AsksForTilesThatDoNotComeAndIgnoresOtherMaps) {
     asked = request->tiles;
     for (const std::uint32_t tile : request->tiles) tiles.write(wire::encode(truth.tile(static_cast<int>(tile))));
   });
-  bus::Bus bus(local_settings(kDomain + 3, "mirror"));
+  bus::DdsBus bus(local_settings(kDomain + 3, "mirror"));
   service::MapClient::Options options;
   options.map_id = "floor";
   options.with_clearance = false;

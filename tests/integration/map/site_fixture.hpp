@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/dds/dds_bus.hpp"
 #include "common/service/map_client.hpp"
 #include "common/wire/map.hpp"
 
@@ -45,7 +45,7 @@ class Site {
     if (!edits_.write(sample)) std::fprintf(stderr, "write failed\n");
   }
 
-  bus::Bus bus;
+  bus::DdsBus bus;
   service::MapClient map;
   std::map<std::string, fleet::MapEditResult> results;
 

@@ -22,7 +22,6 @@ namespace aisle::obstacle_tracker {
 namespace {
 
 using namespace std::chrono_literals;
-using bus::Bus;
 using bus::SampleInfo;
 using bus::SampleKind;
 
@@ -36,7 +35,7 @@ bus::Settings site(int domain, const std::string& name) {
 struct TrackerProcess {
   TrackerProcess(int domain, std::uint64_t boot_id, const ServiceParams& params = {})
       : bus(site(domain, "tracker")), service(bus, "tracker", boot_id, health, params) {}
-  Bus bus;
+  bus::DdsBus bus;
   service::Health health;
   ObstacleTrackerService service;
 };
@@ -98,7 +97,7 @@ class Site {
     vehicle_infos_.write(info);
   }
 
-  Bus bus;
+  bus::DdsBus bus;
   test::World world;
   std::vector<test::Vehicle> fleet;
   std::string broken_scans_of;  // get a pose that is no number

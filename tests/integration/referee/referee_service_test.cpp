@@ -103,9 +103,9 @@ class Refereed : public ::testing::Test {
 
   Walls walls_{grid::OccupancyGrid({100, 100, 0.1, {0.0, 0.0}})};
   service::Health health_;
-  bus::Bus ear_{site("referee")};
+  bus::DdsBus ear_{site("referee")};
   RefereeService referee_{ear_, health_, walls_, Expectation{{{"agv-1", 1}}}};
-  bus::Bus fleet_{site("fleet")};
+  bus::DdsBus fleet_{site("fleet")};
   bus::Writer<topics::WorldObstacle> truths_{fleet_.writer<topics::WorldObstacle>()};
   bus::Writer<topics::VehicleState> states_{fleet_.writer<topics::VehicleState>()};
   bus::Writer<topics::Plan> plans_{fleet_.writer<topics::Plan>()};

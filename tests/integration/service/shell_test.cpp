@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/bus.hpp"
+#include "common/bus/dds/dds_bus.hpp"
 #include "common/service/health_file.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/places.hpp"
@@ -64,7 +64,7 @@ struct Observer {
   bool heard_state(ServiceState state) {
     return until([&] { return !heard.empty() && heard.back().state() == state; });
   }
-  bus::Bus bus;
+  bus::DdsBus bus;
   std::vector<ServiceHealth> heard;
   bool lost{false};
 };

@@ -40,7 +40,7 @@ ServiceConfig two_goals() {
 struct DispatcherProcess {
   DispatcherProcess(int domain, std::uint64_t boot_id, const ServiceConfig& config)
       : bus(site(domain, "dispatcher")), service(bus, "dispatcher", boot_id, health, config) {}
-  bus::Bus bus;
+  bus::DdsBus bus;
   service::Health health;
   DispatcherService service;
 };
@@ -94,7 +94,7 @@ class Fleet {
   }
   bool got(const std::string& goal) const { return !goals.empty() && goals.back() == goal; }
 
-  bus::Bus bus;
+  bus::DdsBus bus;
   std::vector<std::string> goals;
   std::vector<std::string> edits;
 

@@ -52,7 +52,7 @@ struct VehicleProcess {
     sample.state(ServiceState::SERVICE_READY);
     hello.write(sample);
   }
-  bus::Bus bus;
+  bus::DdsBus bus;
   service::Health health;
   FakeVehicleService service;
   bus::Writer<topics::ServiceHealth> hello;
@@ -112,7 +112,7 @@ class Site {
 
   bool drives() const { return state && state->twist().linear_mps() > 0.5; }
 
-  bus::Bus bus;
+  bus::DdsBus bus;
   std::optional<double> speed_mps;  // commanded 50 times a second
   double turn_radps{0.0};
   double sideways_mps{0.0};

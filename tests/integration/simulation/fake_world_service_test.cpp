@@ -40,7 +40,7 @@ scenario::Scenario yard() {
 struct WorldProcess {
   WorldProcess(int domain, std::uint64_t boot_id, const ServiceConfig& config)
       : bus(site(domain, "world")), service(bus, "fake-world", boot_id, health, config) {}
-  bus::Bus bus;
+  bus::DdsBus bus;
   service::Health health;
   FakeWorldService service;
 };
@@ -67,7 +67,7 @@ class Watcher {
     sample.by(wire::encode(fleet::Origin{"fake-vehicle-agv-1", 1, 1, 1, 0}));
     vehicles_.write(sample);
   }
-  bus::Bus bus;
+  bus::DdsBus bus;
   bool shows_vehicle{false};
   std::map<std::string, double> x_of;
   std::set<std::string> gone;

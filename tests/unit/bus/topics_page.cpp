@@ -2,8 +2,8 @@
 
 #include <sstream>
 
+#include "common/bus/dds/type_table.hpp"
 #include "common/bus/topics.hpp"
-#include "common/bus/type_table.hpp"
 
 namespace aisle::bus_test {
 namespace {

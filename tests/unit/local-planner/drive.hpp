@@ -20,7 +20,7 @@ class Drive {
       : planner({}, variant), base(start), clearance_(grid) {
     inputs.clearance = &clearance_;
     inputs.map_revision = 1;
-    inputs.vehicle = Vehicle{"agv-1", 0.35, {}};
+    inputs.vehicle = Vehicle{"agv-1", geometry::disc(0.35), {}, 10.0, 0.2};
   }
 
   void give_plan(std::vector<geometry::Point2> waypoints, const std::string& goal_id = "goal-1") {

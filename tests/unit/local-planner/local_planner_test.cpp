@@ -128,7 +128,7 @@ TEST(LocalPlannerGuard, SaysWhatItWaitsFor) {
   drive.give_plan({{3.0, 5.0}, {9.0, 5.0}});
   expect(Phase::kWaiting, Reason::kNoTracker);
   drive.tracker_lives = true;
-  drive.inputs.plan->outcome = Plan::Outcome::kNotFound;
+  drive.inputs.plan->outcome = fleet::PlanOutcome::kNoPath;
   drive.inputs.plan->waypoints_in_map.clear();
   drive.inputs.plan->detail = "the goal is in a wall";
   expect(Phase::kFailed, Reason::kUnreachable);
@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"StaleState", [](Drive& d) { d.state_comes = false; }, Phase::kHeld, Reason::kStaleState, 0.22},
         Fault{"StaleTracker", [](Drive& d) { d.tracker_lives = false; }, Phase::kHeld, Reason::kStaleTracker, 0.52},
         Fault{"BlindOnThisVehicle", [](Drive& d) { d.lidar_lives = false; }, Phase::kHeld, Reason::kStaleTracker, 0.52},
-        Fault{"Cancelled", [](Drive& d) { d.inputs.plan->outcome = Plan::Outcome::kCancelled; }, Phase::kHeld,
+        Fault{"Cancelled", [](Drive& d) { d.inputs.plan->outcome = fleet::PlanOutcome::kCancelled; }, Phase::kHeld,
               Reason::kCancelled, 0.02},
         Fault{"Authority", [](Drive& d) { d.inputs.authority_lost = true; }, Phase::kHeld, Reason::kAuthority, 0.02},
         Fault{"PlanOutdated", [](Drive& d) { d.inputs.map_revision = 2; }, Phase::kHeld, Reason::kPlanOutdated, 0.54}),
@@ -383,8 +383,7 @@ TEST(LocalPlanner, CreepsBesideWhoeverHasWalkedThere) {
 
 TEST(LocalPlanner, ALongVehicleCreepsOnlyBesidePeopleWhoAreNearItsOutline) {
   Drive drive(hall(20.0, 10.0));
-  drive.inputs.vehicle->rectangle = geometry::rectangle(2.4, 1.1, 0.4);
-  drive.inputs.vehicle->radius_m = geometry::reach_m(*drive.inputs.vehicle->rectangle);
+  drive.inputs.vehicle->footprint = geometry::rectangle(2.4, 1.1, 0.4);
   const Point2 there{10.0, 6.6};
   drive.inputs.tracks = {drive.track({10.0, 8.0}, {}, true)};
   drive.cycle();

@@ -8,7 +8,7 @@
 #include "tools/draw/legend.hpp"
 #include "tools/draw/svg.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 constexpr int kWidthPx = 900;
@@ -75,4 +75,4 @@ std::string curves_svg(const std::string& title, const std::vector<NamedDrive>& 
   return draw::document({kWidthPx, turn.bottom_px() + 46, std::string(draw::kSansSerif) + " font-size=\"12\""}, body);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -4,7 +4,7 @@
 
 #include "tools/lab/driving/fused_drive.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 struct NamedDrive {
   std::string name;
@@ -14,4 +14,4 @@ struct NamedDrive {
 /// Speed above, turn rate below, over time; one colour a drive, with a legend. As an SVG file's text.
 std::string curves_svg(const std::string& title, const std::vector<NamedDrive>& drives);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

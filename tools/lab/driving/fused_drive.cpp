@@ -8,7 +8,7 @@
 #include "services/local-planner/core/route.hpp"
 #include "tools/lab/planning/drawn_map.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using geometry::Point2;
@@ -149,4 +149,4 @@ DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& m
   return figures;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

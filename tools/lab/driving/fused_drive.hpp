@@ -6,7 +6,7 @@
 #include "services/local-planner/core/critic.hpp"
 #include "tools/lockstep/simulation.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// What the papers meet on the way, beside their map.
 struct Surprises {
@@ -61,4 +61,4 @@ local_planner::Variant paper_variant(const std::string& name);
 /// @throws config::BadInput when the map cannot be read
 DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& maps);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -4,12 +4,12 @@
 #include <utility>
 #include <vector>
 
+#include "common/process/output_file.hpp"
 #include "tools/lab/driving/curves_svg.hpp"
 #include "tools/lab/driving/fused_drive.hpp"
 #include "tools/lab/planning/markdown.hpp"
-#include "tools/lab/planning/output_file.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 constexpr double kNearM = 0.6;
@@ -227,9 +227,10 @@ std::string curves(const std::vector<Driven>& all, const std::filesystem::path& 
   for (const Driven& d : all) {
     if (std::string(d.of->curves).empty()) continue;
     const std::string file = std::string(d.of->curves) + ".svg";
-    write_output_file(pictures / file, curves_svg(std::string(d.of->title) + " (compare " + d.of->figure + ")",
-                                                  {{"A* + traditional DWA", &d.astar_dwa},
-                                                   {std::string("improved A* + ") + d.of->paper, &d.improved}}));
+    process::write_output_file(pictures / file,
+                               curves_svg(std::string(d.of->title) + " (compare " + d.of->figure + ")",
+                                          {{"A* + traditional DWA", &d.astar_dwa},
+                                           {std::string("improved A* + ") + d.of->paper, &d.improved}}));
     text += std::string("![") + d.of->title + "](" + from_page + "/" + file + ")\n\n";
   }
   return text;
@@ -256,4 +257,4 @@ std::string fusion_tables(const std::filesystem::path& maps, const std::filesyst
          curves_table(all) + curves(all, pictures, pictures_from_page);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

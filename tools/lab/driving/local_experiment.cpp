@@ -5,7 +5,7 @@
 #include "tools/lab/driving/window_cases.hpp"
 #include "tools/lockstep/suite.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 std::string local_section(const LocalExperiment& orders, const Progress& progress) {
   std::string text =
@@ -47,4 +47,4 @@ std::string local_section(const LocalExperiment& orders, const Progress& progres
   return text + window_section(orders.pictures, orders.pictures_from_page, progress);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

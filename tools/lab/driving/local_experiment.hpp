@@ -4,7 +4,7 @@
 
 #include "tools/lab/planning/progress.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 struct LocalExperiment {
   std::filesystem::path maps;      // folder of the papers' maps
@@ -17,4 +17,4 @@ struct LocalExperiment {
 /// the machine.
 std::string local_section(const LocalExperiment& orders, const Progress& progress);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

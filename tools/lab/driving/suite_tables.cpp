@@ -9,7 +9,7 @@
 #include "tools/lab/planning/markdown.hpp"
 #include "tools/lockstep/suite.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using lockstep::SuiteRow;
@@ -68,4 +68,4 @@ std::string suite_tables(int seeds, const Progress& progress) {
   return markdown_table(planners) + left_out + families;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

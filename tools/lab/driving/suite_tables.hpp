@@ -3,9 +3,9 @@
 
 #include "tools/lab/planning/progress.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// The suite with every local planner: one table of planners, one of each planner's families. `seeds` a family.
 std::string suite_tables(int seeds, const Progress& progress);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

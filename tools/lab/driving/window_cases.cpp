@@ -4,12 +4,12 @@
 #include <cmath>
 #include <utility>
 
+#include "common/process/output_file.hpp"
 #include "tools/lab/driving/window_svg.hpp"
 #include "tools/lab/planning/markdown.hpp"
-#include "tools/lab/planning/output_file.hpp"
 #include "tools/lockstep/building.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using geometry::Point2;
@@ -114,10 +114,10 @@ std::string window_section(const std::filesystem::path& pictures, const std::str
     rows.push_back({of.title, d.result.goals_reached == 1 ? "reached" : "not reached",
                     std::to_string(d.result.contacts), digits(d.farthest_off_m, 2), digits(d.back_on_it_m, 2),
                     digits(d.slowest_mps, 2), digits(d.sub_target_s, 1), d.asked_for_a_plan ? "yes" : "no"});
-    write_output_file(pictures / (of.name + ".svg"), window_svg(of.setup.grid, scene_of(of, d)));
+    process::write_output_file(pictures / (of.name + ".svg"), window_svg(of.setup.grid, scene_of(of, d)));
     shown += "![" + of.title + "](" + pictures_from_page + "/" + of.name + ".svg)\n\n";
   }
   return markdown_table(rows) + shown;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -8,7 +8,7 @@
 #include "tools/lab/planning/progress.hpp"
 #include "tools/lockstep/simulation.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// One of the situations of WU's rolling window, in a hall of 20 x 10 m, planner `wu`.
 struct WindowCase {
@@ -37,4 +37,4 @@ WindowDrive drive_window_case(const WindowCase& of);
 std::string window_section(const std::filesystem::path& pictures, const std::string& pictures_from_page,
                            const Progress& progress);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -12,7 +12,7 @@
 #include "tools/draw/map_frame.hpp"
 #include "tools/draw/walls.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using geometry::Point2;
@@ -159,4 +159,4 @@ std::string window_svg(const grid::OccupancyGrid& grid, const WindowScene& scene
                             end_mark(frame, scene.goal_in_map, "goal") + legend(frame, scene));
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

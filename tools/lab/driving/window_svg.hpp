@@ -5,7 +5,7 @@
 #include "common/geometry/pose.hpp"
 #include "common/grid/occupancy_grid.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// A drive past one mover, or past boxes, as a picture shows it. Ways have a point each tenth of a second, from the
 /// start on.
@@ -30,4 +30,4 @@ struct WindowScene {
 /// was aimed at from; where they came nearest; a scale in metres; as an SVG file's text.
 std::string window_svg(const grid::OccupancyGrid& grid, const WindowScene& scene);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -3,7 +3,7 @@
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 std::vector<const global_planner::Variant*> chosen_planners(const std::vector<std::string>& names) {
   std::vector<const global_planner::Variant*> chosen;
@@ -26,4 +26,4 @@ std::vector<const global_planner::Variant*> chosen_planners(const std::vector<st
   return chosen;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

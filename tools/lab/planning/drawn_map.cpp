@@ -7,7 +7,7 @@
 
 #include "common/config/reader.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 DrawnMap read_drawn_map(const std::filesystem::path& file, double cell_m) {
   std::ifstream in(file);
@@ -38,4 +38,4 @@ DrawnMap read_drawn_map(const std::filesystem::path& file, double cell_m) {
   return map;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -3,7 +3,7 @@
 
 #include "common/grid/occupancy_grid.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// A map drawn as text with its start and goal.
 struct DrawnMap {
@@ -17,4 +17,4 @@ struct DrawnMap {
 /// @throws config::BadInput with file and line
 DrawnMap read_drawn_map(const std::filesystem::path& file, double cell_m);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -5,7 +5,7 @@
 #include "tools/lab/planning/random_tables.hpp"
 #include "tools/lab/planning/real_map_tables.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 std::string global_section(const GlobalExperiment& orders, const Progress& progress) {
   std::string text =
@@ -73,4 +73,4 @@ std::string global_section(const GlobalExperiment& orders, const Progress& progr
          real_map_tables(orders.data, orders.queries, progress);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -4,7 +4,7 @@
 
 #include "tools/lab/planning/progress.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 struct GlobalExperiment {
   std::filesystem::path maps;      // folder of the papers' maps
@@ -19,4 +19,4 @@ struct GlobalExperiment {
 /// the machine.
 std::string global_section(const GlobalExperiment& orders, const Progress& progress);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 std::string markdown_table(const std::vector<std::vector<std::string>>& rows) {
   std::string text;
@@ -33,4 +33,4 @@ std::string with_section(const std::string& page, const std::string& name, const
   return page.substr(0, from) + begin + text + page.substr(to);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// A table: the first row is the heading, all but the first column are aligned to the right.
 std::string markdown_table(const std::vector<std::vector<std::string>>& rows);
@@ -15,4 +15,4 @@ std::string digits(double value, int after_point);
 /// section that is not there yet is added at the end, so that several experiments share a page.
 std::string with_section(const std::string& page, const std::string& name, const std::string& text);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

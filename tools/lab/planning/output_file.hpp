@@ -1,12 +1,9 @@
 #pragma once
-#include <string>
+#include "common/process/output_file.hpp"
 
 namespace aisle::cli {
 
-/// Before what may take minutes: can `file` be made or written anew? @throws config::BadEnvironment
-void check_writable(const std::string& file);
-
-/// @throws config::BadEnvironment
-void write_output_file(const std::string& file, const std::string& text);
+using process::check_writable;
+using process::write_output_file;
 
 }  // namespace aisle::cli

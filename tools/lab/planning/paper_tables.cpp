@@ -4,15 +4,15 @@
 #include <vector>
 
 #include "common/config/reader.hpp"
+#include "common/process/output_file.hpp"
 #include "services/global-planner/core/traditional_astar.hpp"
 #include "services/global-planner/core/variant.hpp"
 #include "tools/lab/planning/drawn_map.hpp"
 #include "tools/lab/planning/markdown.hpp"
-#include "tools/lab/planning/output_file.hpp"
 #include "tools/lab/planning/plan_svg.hpp"
 #include "tools/lab/planning/tally.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using global_planner::Heuristic;
@@ -220,11 +220,11 @@ std::string paper_tables(const std::filesystem::path& maps, const std::filesyste
     progress(std::string("papers: ") + of.title);
     const PaperCase paper_case(of, maps);
     for (auto& line : paper_case.compared()) compared.push_back(std::move(line));
-    write_output_file(pictures / (std::string(of.map) + ".svg"), paper_case.picture());
+    process::write_output_file(pictures / (std::string(of.map) + ".svg"), paper_case.picture());
     details += std::string("#### ") + of.title + "\n\n![" + of.title + "](" + pictures_from_page + "/" + of.map +
                ".svg)\n\n" + paper_case.all_planners();
   }
   return markdown_table(compared) + details;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

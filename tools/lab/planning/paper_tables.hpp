@@ -4,7 +4,7 @@
 
 #include "tools/lab/planning/progress.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// The papers' tables of global planning: published figures beside ours, on maps of their sizes
 /// (deploy/experiments/*.txt), as Markdown. Writes one picture a map into `pictures`, which the page finds under
@@ -13,4 +13,4 @@ namespace aisle::cli {
 std::string paper_tables(const std::filesystem::path& maps, const std::filesystem::path& pictures,
                          const std::string& pictures_from_page, const Progress& progress);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -50,4 +50,4 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<Tally>& tallies)
   return rows;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -10,7 +10,7 @@
 #include "tools/draw/map_frame.hpp"
 #include "tools/draw/walls.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 constexpr int kMostBlocks = 400;  // along the longer edge of the map
@@ -55,4 +55,4 @@ std::string plan_svg(const grid::OccupancyGrid& grid, const std::vector<DrawnPat
                         body + legend);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

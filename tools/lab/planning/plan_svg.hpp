@@ -4,7 +4,7 @@
 
 #include "common/grid/occupancy_grid.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 struct DrawnPath {
   std::string name;
@@ -14,4 +14,4 @@ struct DrawnPath {
 /// The map and the paths over it, one colour each, with a legend; as an SVG file's text. Large maps are drawn coarser.
 std::string plan_svg(const grid::OccupancyGrid& grid, const std::vector<DrawnPath>& paths);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

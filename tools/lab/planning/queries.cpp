@@ -6,7 +6,7 @@
 
 #include "common/config/reader.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 struct Line {
@@ -77,4 +77,4 @@ std::vector<Query> read_queries(const std::filesystem::path& file, const grid::G
   return thinned(queries, limit);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

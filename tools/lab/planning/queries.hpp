@@ -5,7 +5,7 @@
 
 #include "common/grid/occupancy_grid.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// One question to a planner, with the answer's optimal length where the file knows it.
 struct Query {
@@ -21,4 +21,4 @@ struct Query {
 /// @throws config::BadInput with file and line: not such a file, a map of another size, a cell outside it
 std::vector<Query> read_queries(const std::filesystem::path& file, const grid::Geometry& geometry, std::size_t limit);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -5,7 +5,7 @@
 
 #include "common/grid/occupancy_grid.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// A whole number in [low, high].
 inline int random_between(std::mt19937& random, int low, int high) {
@@ -43,4 +43,4 @@ inline grid::OccupancyGrid random_blocks(std::mt19937& random, int edge, int blo
   return grid;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -10,7 +10,7 @@
 #include "tools/lab/planning/random_maps.hpp"
 #include "tools/lab/planning/tally.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using global_planner::Outcome;
@@ -159,4 +159,4 @@ std::string random_map_table(int occupied_percent, int maps, const Progress& pro
          ".\n\n" + markdown_table(table);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -3,7 +3,7 @@
 
 #include "tools/lab/planning/progress.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// On 200 random block maps of 20x20, 8 to 19 blocks, corner to corner: in how many of them each paper's planner is
 /// better than its baseline as drawn, and than an A* that cuts no corner.
@@ -17,4 +17,4 @@ std::string block_map_table(const Progress& progress);
 /// and in how many of them it is better than an A* that cuts no corner.
 std::string random_map_table(int occupied_percent, int maps, const Progress& progress);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

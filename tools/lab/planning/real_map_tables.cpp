@@ -8,7 +8,7 @@
 #include "tools/lab/planning/queries.hpp"
 #include "tools/lab/planning/tally.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 struct RealMap {
@@ -83,4 +83,4 @@ std::string real_map_tables(const std::filesystem::path& data, int queries, cons
   return text;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

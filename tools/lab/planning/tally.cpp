@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 }
@@ -56,4 +56,4 @@ double Tally::quantile(std::vector<double> of, double part) {
   return of[rank];
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

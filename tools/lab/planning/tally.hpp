@@ -6,7 +6,7 @@
 #include "services/global-planner/core/path_figures.hpp"
 #include "services/global-planner/core/planner.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// One answer of one planner.
 struct Answer {
@@ -56,4 +56,4 @@ class Tally {
   double least_clearance_m_{0.0};
 };
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

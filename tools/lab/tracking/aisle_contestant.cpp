@@ -11,7 +11,7 @@ class Aisle final : public Contestant {
             const grid::ClearanceField& clearance, time::Stamp now) override {
     static_cast<void>(tracker_.take(scan, vehicles, &clearance, now));
   }
-  std::vector<obstacle_tracker::Track> tracks(time::Stamp now) const override { return tracker_.tracks(now); }
+  std::vector<fleet::Track> tracks(time::Stamp now) const override { return tracker_.tracks(now); }
 
  private:
   std::string name_;

@@ -17,7 +17,7 @@ class Contestant {
   virtual void take(const obstacle_tracker::Scan& scan, const std::vector<obstacle_tracker::KnownVehicle>& vehicles,
                     const grid::ClearanceField& clearance, time::Stamp now) = 0;
   /// As of the last ray of the newest scan, by id.
-  virtual std::vector<obstacle_tracker::Track> tracks(time::Stamp now) const = 0;
+  virtual std::vector<fleet::Track> tracks(time::Stamp now) const = 0;
 };
 
 /// The tracker of aisle-obstacle-tracker, named after its filter.

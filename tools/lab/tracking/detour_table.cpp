@@ -9,7 +9,7 @@
 #include "tools/lockstep/families.hpp"
 #include "tools/lockstep/suite.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using lockstep::Perception;
@@ -81,4 +81,4 @@ std::string detour_table(int seeds, const Progress& progress) {
   return markdown_table(table);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -3,10 +3,10 @@
 
 #include "tools/lab/planning/progress.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 /// What prediction is worth: the suite's drives among people with the tracks' velocities, and with every track held
 /// still, `seeds` of each family. A Markdown table; the same for the same seeds.
 std::string detour_table(int seeds, const Progress& progress);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

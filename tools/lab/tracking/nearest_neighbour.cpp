@@ -50,11 +50,11 @@ class NearestNeighbour final : public Contestant {
     entries_.erase(std::remove_if(entries_.begin(), entries_.end(), is_old), entries_.end());
   }
 
-  std::vector<obstacle_tracker::Track> tracks(time::Stamp) const override {
-    std::vector<obstacle_tracker::Track> tracks;
+  std::vector<fleet::Track> tracks(time::Stamp) const override {
+    std::vector<fleet::Track> tracks;
     for (const Entry& entry : entries_) {
       if (entry.scans < kConfirming) continue;
-      obstacle_tracker::Track track;
+      fleet::Track track;
       track.id = entry.id;
       track.position_in_map = entry.position;
       track.velocity_in_map = entry.velocity;

@@ -41,7 +41,7 @@ void Picture::look(const Glance& now) {
     go_on(people_[static_cast<std::uint64_t>(person.id)], person.position_in_map);
   for (std::size_t v = 0; v < now.truth.vehicles.size(); ++v)
     go_on(vehicles_[v], now.truth.vehicles[v].base_in_map.position());
-  for (const obstacle_tracker::Track& track : now.tracks[contestant_]) go_on(tracks_[track.id], track.position_in_map);
+  for (const fleet::Track& track : now.tracks[contestant_]) go_on(tracks_[track.id], track.position_in_map);
 }
 
 std::string Picture::svg() const {

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "common/config/reader.hpp"
+#include "common/process/output_file.hpp"
 #include "tools/lab/planning/markdown.hpp"
-#include "tools/lab/planning/output_file.hpp"
 #include "tools/lab/tracking/detour_table.hpp"
 #include "tools/lab/tracking/picture.hpp"
 #include "tools/lab/tracking/trial.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
@@ -112,7 +112,7 @@ std::string recorded_tables(const TrackingExperiment& orders, const Progress& pr
       }
       if (!drive || !played.remark.empty()) continue;
       const std::string file = "tracking-" + played.name + ".svg";
-      write_output_file(orders.pictures / file, picture.svg());
+      process::write_output_file(orders.pictures / file, picture.svg());
       pictures += "![" + title + "](" + orders.pictures_from_page + "/" + file + ")\n\n";
     }
   }
@@ -216,4 +216,4 @@ std::string tracking_section(const TrackingExperiment& orders, const Progress& p
          detour_table(orders.detour_seeds, progress);
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

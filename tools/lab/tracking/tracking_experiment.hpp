@@ -4,7 +4,7 @@
 
 #include "tools/lab/planning/progress.hpp"
 
-namespace aisle::cli {
+namespace aisle::lab {
 
 struct TrackingExperiment {
   std::filesystem::path people;       // folder of the recordings; what is not there is left out
@@ -21,4 +21,4 @@ struct TrackingExperiment {
 /// @throws config::BadInput when a file that is there cannot be used
 std::string tracking_section(const TrackingExperiment& orders, const Progress& progress);
 
-}  // namespace aisle::cli
+}  // namespace aisle::lab

@@ -154,11 +154,11 @@ class Trial {
   void judge(const std::function<void(const Glance&)>& watch) {
     constexpr double kBlockMargin_m = 0.5;  // discs that cover a block are no claims of people
     const std::vector<Person> there = people();
-    std::vector<std::vector<obstacle_tracker::Track>> tracks;
+    std::vector<std::vector<fleet::Track>> tracks;
     for (std::size_t c = 0; c < contestants_.size(); ++c) {
       tracks.push_back(contestants_[c]->tracks(stamp(t_s_)));
       std::vector<Claim> claims;
-      for (const obstacle_tracker::Track& track : tracks.back()) {
+      for (const fleet::Track& track : tracks.back()) {
         const bool is_block = std::any_of(truth_.blocks.begin(), truth_.blocks.end(), [&](const Body& block) {
           return geometry::distance_m(block, track.position_in_map) < kBlockMargin_m;
         });

@@ -33,7 +33,7 @@ struct Row {
 struct Glance {
   double t_s{0.0};
   const Moment& truth;
-  const std::vector<std::vector<obstacle_tracker::Track>>& tracks;  // of each contestant
+  const std::vector<std::vector<fleet::Track>>& tracks;  // of each contestant
 };
 
 /// The same scans for all contestants, judged together ten times a second; ends with the scene or after `longest_s`.

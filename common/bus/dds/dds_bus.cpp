@@ -1,0 +1,184 @@
+#include "common/bus/dds/dds_bus.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "common/bus/dds/site.hpp"
+#include "common/bus/dds/topic_reader.hpp"
+
+namespace aisle::bus {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+}  // namespace
+
+struct DdsBus::State {
+  struct Timer {
+    std::chrono::nanoseconds period;
+    Clock::time_point next;
+    std::function<void()> handler;
+  };
+
+  explicit State(const Settings& given) : settings(given), site(std::make_shared<Site>(given)) {
+    wait_set.attach_condition(site->guard());
+  }
+  ~State() {
+    for (auto& [name, reader] : readers) wait_set.detach_condition(reader->condition());
+    wait_set.detach_condition(site->guard());
+  }
+
+  bool handle_posted();
+  bool handle_incidents();
+  bool handle_readers();
+  bool handle_timers();
+  bool handle_all();
+  void wait_until(Clock::time_point limit);
+  void report(const Incident& incident) const {
+    for (const auto& handler : incident_handlers) handler(incident);
+  }
+
+  Settings settings;
+  std::shared_ptr<Site> site;
+  fast::dds::WaitSet wait_set;
+  std::map<std::string, std::unique_ptr<TopicReader>> readers;  // by topic
+  std::deque<Timer> timers;                                     // references stay good while handlers add more
+  std::deque<std::function<void(const Incident&)>> incident_handlers;
+  std::vector<Endpoint> own;
+  std::mutex post_mutex;
+  std::vector<std::function<void()>> posted;
+};
+
+bool DdsBus::State::handle_posted() {
+  std::vector<std::function<void()>> work;
+  {
+    const std::lock_guard<std::mutex> lock(post_mutex);
+    work.swap(posted);
+  }
+  for (const auto& one : work) one();
+  return !work.empty();
+}
+
+bool DdsBus::State::handle_incidents() {
+  const std::vector<Incident> conflicts = site->discovery().new_conflicts();
+  for (const Incident& incident : conflicts) report(incident);
+  return !conflicts.empty();
+}
+
+bool DdsBus::State::handle_readers() {
+  bool handled = false;
+  for (auto& [name, reader] : readers) {  // a map: readers that a handler adds do not disturb
+    handled |= reader->drain([this](const Incident& incident) { report(incident); });
+  }
+  return handled;
+}
+
+bool DdsBus::State::handle_timers() {
+  bool handled = false;
+  const Clock::time_point now = Clock::now();
+  for (std::size_t i = 0; i < timers.size(); ++i) {
+    Timer& timer = timers[i];
+    if (timer.next > now) continue;
+    const auto missed = (now - timer.next) / timer.period;
+    timer.next += (missed + 1) * timer.period;
+    timer.handler();
+    handled = true;
+  }
+  return handled;
+}
+
+bool DdsBus::State::handle_all() {
+  site->guard().set_trigger_value(false);  // first: what comes from now on wakes the next wait
+  const bool posted_work = handle_posted();
+  const bool incidents = handle_incidents();
+  const bool samples = handle_readers();
+  const bool ticks = handle_timers();
+  return posted_work || incidents || samples || ticks;
+}
+
+void DdsBus::State::wait_until(Clock::time_point limit) {
+  for (const auto& [name, reader] : readers) {
+    if (reader->has_more()) return;
+  }
+  for (const Timer& timer : timers) limit = std::min(limit, timer.next);
+  const auto left = limit - Clock::now();
+  if (left <= std::chrono::nanoseconds(0)) return;
+  fast::dds::ConditionSeq active;
+  wait_set.wait(active, fast::duration(left));
+}
+
+DdsBus::DdsBus(const Settings& settings) : state_(std::make_unique<State>(settings)) {}
+DdsBus::~DdsBus() = default;
+
+std::shared_ptr<detail::RawWriter> DdsBus::raw_writer(const char* topic, int strength) {
+  const Site::Channel& channel = state_->site->channel(topic);
+  auto writer = std::make_shared<DdsWriter>(state_->site, channel, strength);
+  state_->own.push_back(
+      {topic, channel.support.get_type_name(), state_->settings.participant_name, "", true, channel.type->qos, {}});
+  return writer;
+}
+
+void DdsBus::raw_on(const char* topic, detail::RawHandler handler) {
+  auto found = state_->readers.find(topic);
+  if (found == state_->readers.end()) {
+    const Site::Channel& channel = state_->site->channel(topic);
+    found = state_->readers.emplace(topic, std::make_unique<TopicReader>(*state_->site, channel)).first;
+    state_->wait_set.attach_condition(found->second->condition());
+    state_->own.push_back(
+        {topic, channel.support.get_type_name(), state_->settings.participant_name, "", false, channel.type->qos, {}});
+  }
+  found->second->add(std::move(handler));
+}
+
+void DdsBus::every(std::chrono::nanoseconds period, std::function<void()> handler) {
+  const std::chrono::nanoseconds bounded = std::max(period, std::chrono::nanoseconds(1000));
+  state_->timers.push_back({bounded, Clock::now() + bounded, std::move(handler)});
+}
+
+void DdsBus::on_incident(std::function<void(const Incident&)> handler) {
+  state_->incident_handlers.push_back(std::move(handler));
+}
+
+void DdsBus::post(std::function<void()> work) {
+  {
+    const std::lock_guard<std::mutex> lock(state_->post_mutex);
+    state_->posted.push_back(std::move(work));
+  }
+  state_->site->wake();
+}
+
+bool DdsBus::run_once(std::chrono::nanoseconds limit) {
+  const Clock::time_point end = Clock::now() + limit;
+  while (!state_->handle_all()) {
+    if (Clock::now() >= end) return false;
+    state_->wait_until(end);
+  }
+  return true;
+}
+
+time::Stamp DdsBus::now() const { return std::chrono::duration_cast<time::Stamp>(Clock::now().time_since_epoch()); }
+
+std::int64_t DdsBus::wall_clock_ns() const {
+  const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(since_epoch).count();
+}
+
+int DdsBus::matched_writers(const std::string& topic) const {
+  const auto found = state_->readers.find(topic);
+  return found == state_->readers.end() ? 0 : found->second->matched_writers();
+}
+
+std::vector<Endpoint> DdsBus::endpoints() const {
+  std::vector<Endpoint> all = state_->own;
+  for (Endpoint& endpoint : state_->site->discovery().endpoints()) all.push_back(std::move(endpoint));
+  return all;
+}
+
+std::vector<Participant> DdsBus::peers() const { return state_->site->discovery().participants(); }
+
+const Settings& DdsBus::settings() const { return state_->settings; }
+
+}  // namespace aisle::bus

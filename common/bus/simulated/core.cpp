@@ -1,0 +1,90 @@
+#include "common/bus/simulated/core.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace aisle::bus::simulated {
+
+Core::Core(std::uint64_t seed, const Options& options)
+    : options_(options), now_(options.start), links_(seed, options.link) {}
+
+bool Core::step() {
+  if (events_.empty()) return false;
+  now_ = std::max(now_, events_.next_time());
+  while (!events_.empty() && events_.next_time() <= now_) events_.pop()();
+  give_turns();
+  return true;
+}
+
+void Core::advance_to(time::Stamp time) {
+  while (!events_.empty() && events_.next_time() <= time) step();
+  now_ = std::max(now_, time);
+}
+
+bool Core::wait(time::Stamp limit, const std::function<bool()>& done) {
+  while (!done()) {
+    if (events_.empty() || events_.next_time() > limit) {
+      now_ = std::max(now_, limit);
+      return done();
+    }
+    step();
+  }
+  return true;
+}
+
+/// In this moment still, after what else is due; an event, so that time stops here.
+void Core::give_turn(Process& process) {
+  if (!process.driven || process.gone) return;
+  const bool is_new = ready_.insert(process.id).second;
+  if (is_new) at(now_, [] {});
+}
+
+void Core::give_turns() {
+  const std::set<int> ready = std::exchange(ready_, {});
+  for (const int id : ready) {
+    const std::shared_ptr<Process> process = processes_[static_cast<std::size_t>(id)];
+    process->take_turn();
+  }
+}
+
+bool Core::passes(const Process& from, const Process& to) const {
+  return !from.frozen_since && !to.frozen_since && !links_.link(from.host, to.host).cut;
+}
+
+void Core::send(const Process& from, Process& to, std::function<void()> arrival) {
+  const Links::Fate fate = links_.send(from.host, to.host);
+  for (int i = 0; i < fate.copies; ++i) {
+    after(fate.after[i], [&to, arrival] {
+      if (to.gone) return;
+      if (to.frozen_since) {
+        to.held.push_back(arrival);
+      } else {
+        arrival();
+      }
+    });
+  }
+}
+
+void Core::tell(Process& from, Process& to, std::function<void()> arrival) {
+  if (to.gone) return;
+  if (!passes(from, to)) {
+    after(options_.heartbeat, [this, &from, &to, arrival = std::move(arrival)] { tell(from, to, arrival); });
+    return;
+  }
+  after(links_.link(from.host, to.host).latency, [&to, arrival = std::move(arrival)] {
+    if (!to.gone) arrival();
+  });
+}
+
+Topic& Core::topic(const char* name) {
+  const auto found = topics_.find(name);
+  return found != topics_.end() ? found->second : topics_.try_emplace(name, sample_codec(name)).first->second;
+}
+
+std::int64_t Core::wall_clock_ns(int host) const {
+  const auto offset = wall_offsets_.find(host);
+  return options_.wall_clock_start_ns + (now_ - options_.start).count() +
+         (offset == wall_offsets_.end() ? 0 : offset->second.count());
+}
+
+}  // namespace aisle::bus::simulated

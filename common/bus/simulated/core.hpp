@@ -1,0 +1,86 @@
+#pragma once
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/bus/simulated/endpoints.hpp"
+#include "common/bus/simulated/event_queue.hpp"
+#include "common/bus/simulated/links.hpp"
+#include "common/bus/simulated/network.hpp"
+#include "common/bus/simulated/process.hpp"
+
+namespace aisle::bus::simulated {
+
+/// What Network and its buses share: virtual time, the turns of processes, packets.
+class Core : public std::enable_shared_from_this<Core> {
+ public:
+  Core(std::uint64_t seed, const Options& options);
+
+  // Time.
+  time::Stamp now() const { return now_; }
+  void at(time::Stamp time, std::function<void()> action) { events_.push(std::max(time, now_), std::move(action)); }
+  void after(time::Stamp delay, std::function<void()> action) { at(now_ + delay, std::move(action)); }
+  /// The next moment: all events of it, then the turns of the processes that have work, by their ids.
+  bool step();
+  void advance_to(time::Stamp time);
+  /// Lets time pass until `done`; false when `limit` came first.
+  bool wait(time::Stamp limit, const std::function<bool()>& done);
+  void give_turn(Process& process);
+
+  // Packets.
+  /// Calls `arrival` when the packet arrives, as often as it does.
+  void send(const Process& from, Process& to, std::function<void()> arrival);
+  /// As send(), but sent again until it arrives: what discovery's reliable endpoints say. Once.
+  void tell(Process& from, Process& to, std::function<void()> arrival);
+  bool passes(const Process& from, const Process& to) const;
+  Links& links() { return links_; }
+
+  // Discovery.
+  std::shared_ptr<Process> join(const Settings& settings, const std::string& host);
+  /// A new writer or reader meets those of all participants that its own knows.
+  void introduce(WriterEnd& writer);
+  void introduce(ReaderEnd& reader);
+  void leave(Process& process);
+  void crash(Process& process);
+  void freeze(Process& process, bool frozen);
+  void set_link(const std::string& from, const std::string& to, const Link& link);
+  void set_all_links(const Link& link);
+
+  Topic& topic(const char* name);
+  const Process& process(int id) const { return *processes_[static_cast<std::size_t>(id)]; }
+  std::int64_t wall_clock_ns(int host) const;
+  void set_wall_clock_offset(int host, time::Stamp offset) { wall_offsets_[host] = offset; }
+  const Options& options() const { return options_; }
+
+ private:
+  void give_turns();
+  void meet_soon(Process& a, Process& b, time::Stamp delay);
+  void meet(Process& a, Process& b);
+  void match_all(Process& writers, Process& readers);
+  void match_soon(WriterEnd& writer, ReaderEnd& reader);
+  void match(WriterEnd& writer, ReaderEnd& reader);
+  bool fit(WriterEnd& writer, ReaderEnd& reader);
+  void establish(Match& match);
+  void forget(Process& forgetful, Process& other);
+  void watch_cuts();
+  void forget_when_still(Process& forgetful, Process& other, time::Stamp silent_since);
+  std::optional<time::Stamp> silent_since(const Process& speaker, const Process& listener) const;
+
+  Options options_;
+  time::Stamp now_;
+  EventQueue events_;
+  Links links_;
+  std::map<std::string, Topic> topics_;
+  std::vector<std::shared_ptr<Process>> processes_;  // by id
+  std::set<int> ready_;                              // processes with work
+  std::set<std::pair<int, int>> meeting_;            // pairs with a try to come
+  std::vector<std::unique_ptr<Match>> matches_;
+  std::set<std::pair<const WriterEnd*, const ReaderEnd*>> refused_;  // told of already; never iterated
+  std::map<int, time::Stamp> wall_offsets_;                          // by host
+};
+
+}  // namespace aisle::bus::simulated

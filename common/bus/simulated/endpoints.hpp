@@ -1,0 +1,184 @@
+#pragma once
+// Writers, readers and what stands between a pair of them. None of these is ever deleted while the network lives, since
+// events hold references; `gone` says that the process let go of it.
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/bus/bus.hpp"
+#include "common/bus/heard_instances.hpp"
+#include "common/bus/qos_conflict.hpp"
+#include "common/bus/reader_incidents.hpp"
+#include "common/bus/sample_codec.hpp"
+#include "common/bus/simulated/change.hpp"
+
+namespace aisle::bus::simulated {
+
+class Core;
+class Process;
+class ReaderEnd;
+class WriterEnd;
+
+/// A topic of the network: its codec, and small numbers for its keys.
+class Topic {
+ public:
+  explicit Topic(const SampleCodec& topic_codec) : codec(topic_codec) {}
+  /// The number of the instance that `sample` belongs to, a new one for a new key; -1 on queues.
+  int instance_of(const void* sample);
+  const SampleCodec& codec;
+
+ private:
+  std::map<std::string, int> instances_;  // by key
+  std::string key_;                       // scratch
+};
+
+/// A writer and a reader that found each other. Each side forgets the other by itself.
+struct Match {
+  Match(WriterEnd& its_writer, ReaderEnd& its_reader) : writer(its_writer), reader(its_reader) {}
+  WriterEnd& writer;
+  ReaderEnd& reader;
+  bool reliable{false}, transient_local{false};
+
+  // The writer's side. Each match has a stream of numbered messages; a new stream begins when one side forgot the
+  // other.
+  struct Message {
+    ChangePtr change;  // null: of no interest any more, the reader is told to go on
+    time::Stamp sent{};
+  };
+  bool at_writer{false};
+  std::uint64_t stream{0}, next{1};
+  std::map<std::uint64_t, Message> unacknowledged;
+  bool heartbeats{false};
+
+  // The reader's side.
+  bool at_reader{false};
+  std::uint64_t heard_stream{0}, expected{1}, announced{0};
+  std::map<std::uint64_t, ChangePtr> early;  // messages behind a missing one
+  std::uint64_t newest{0};                   // sequence of the writer's newest change that was taken
+  bool alive{true}, lease_watched{false};
+  time::Stamp asserted{};
+};
+
+class WriterEnd {
+ public:
+  WriterEnd(Core& core, Process& process, Topic& topic, Announced announced, int strength, std::string guid);
+
+  bool write(const void* sample);
+  bool dispose(const void* sample);
+  void assert_liveliness();
+  int matched_readers() const;
+  bool is_acknowledged() const;
+
+  /// The writer's side of `match` begins (anew): late joiners get what is kept, or what is still owed to them.
+  void begin_stream(Match& match);
+  /// The reader is forgotten.
+  void forget(Match& match);
+  /// Let go by its process: readers are told.
+  void close();
+  /// Its process is gone; nobody is told.
+  void stop();
+
+  Process& process;
+  Topic& topic;
+  const Announced announced;
+  const int strength;  // 0 on topics with shared ownership
+  const std::string guid;
+  std::vector<Match*> matches;
+  bool gone{false};
+
+ private:
+  bool say(const void* sample, int instance, bool disposed);
+  bool is_full() const;
+  void keep(const ChangePtr& change);
+  void send(Match& match, const ChangePtr& change);
+  void transmit(Match& match, std::uint64_t number);
+  void begin_heartbeats(Match& match);
+  void heartbeat(Match& match);
+  void answer(Match& match);
+  void acknowledged(Match& match, std::uint64_t stream, std::uint64_t expected,
+                    const std::vector<std::uint64_t>& missing);
+
+  Core& core_;
+  std::uint64_t sequence_{0};
+  std::map<int, std::deque<ChangePtr>> kept_;  // of a transient-local writer, by instance, the newest `depth`
+  std::set<int> written_;                      // instances that were not disposed
+};
+
+class ReaderEnd {
+ public:
+  ReaderEnd(Core& core, Process& process, Topic& topic, Announced announced);
+
+  void add(detail::RawHandler handler) { handlers_.push_back(std::move(handler)); }
+  int matched_writers() const;
+
+  // The middleware's part: runs whether or not the process's loop does.
+  /// A best-effort sample, or the next one of a reliable stream.
+  void accept(Match& match, const ChangePtr& change);
+  void assert_liveliness(Match& match);
+  /// The reader's side of `match` begins (anew).
+  void begin(Match& match);
+  /// The writer is gone, or forgotten.
+  void forget(Match& match);
+  /// Its process is gone; nobody is told.
+  void stop();
+
+  // The loop's part.
+  using Report = std::function<void(const Incident&)>;
+  /// Hands what has arrived to the handlers. False when there was nothing.
+  bool drain(const Report& report);
+  bool has_work() const { return !cache_.empty() || !events_.empty() || missed_ > 0; }
+
+  Process& process;
+  Topic& topic;
+  const Announced announced;
+  std::vector<Match*> matches;
+  bool gone{false};
+
+ private:
+  struct Cached {
+    ChangePtr change;  // null: replaced by a newer one before it was taken
+    WriterEnd* writer;
+  };
+  struct WriterEvent {
+    WriterEnd* writer;
+    bool gone;
+    bool silent;  // beyond its lease, rather than closed
+  };
+  /// Decides by strength and id among the writers of an instance that are alive.
+  bool is_owner(const WriterEnd& writer, int instance);
+  void lose_ownership(const WriterEnd& writer);
+  void note(const WriterEvent& event);
+  void watch_lease(Match& match);
+  void watch_deadlines();
+  void check_deadlines();
+  void put(const ChangePtr& change, WriterEnd& writer);
+
+  bool drain_samples(const Report& report);
+  void take(const Cached& cached, const Report& report);
+  void end(int instance, const WriterEnd& writer, bool disposed);
+  void lose(const WriterEvent& event, const Report& report);
+  void hand_over(const void* sample, SampleKind kind, const WriterEnd& writer);
+
+  Core& core_;
+  const Qos& qos_;
+  std::deque<Cached> cache_;
+  std::size_t cache_begin_{0};                        // number of the first in the cache, since the reader was made
+  std::map<int, std::vector<std::size_t>> in_cache_;  // numbers by instance
+  std::vector<WriterEvent> events_;
+  std::map<int, std::vector<const WriterEnd*>> claims_;  // by instance: alive writers, of exclusive ownership
+  std::map<int, time::Stamp> deadlines_;                 // by instance
+  bool deadlines_watched_{false};
+  std::int64_t missed_{0}, missed_total_{0};
+
+  std::vector<detail::RawHandler> handlers_;
+  AnySample sample_;  // decoded into, again and again
+  HeardInstances<int, const WriterEnd*, AnySample> instances_;
+  QuietTime quiet_;
+};
+
+}  // namespace aisle::bus::simulated

@@ -1,0 +1,224 @@
+#include <algorithm>
+
+#include "common/bus/simulated/core.hpp"
+
+namespace aisle::bus::simulated {
+namespace {
+
+/// A message is not sent again sooner, however often it is asked for.
+constexpr time::Stamp kResendAfter = std::chrono::milliseconds(10);
+
+}  // namespace
+
+int Topic::instance_of(const void* sample) {
+  if (codec.qos().depth == 0) return -1;
+  codec.key(sample, key_);
+  return instances_.try_emplace(key_, static_cast<int>(instances_.size())).first->second;
+}
+
+WriterEnd::WriterEnd(Core& core, Process& its_process, Topic& its_topic, Announced its_announced, int its_strength,
+                     std::string its_guid)
+    : process(its_process),
+      topic(its_topic),
+      announced(std::move(its_announced)),
+      strength(announced.qos.ownership == Ownership::kExclusive ? std::max(0, its_strength) : 0),
+      guid(std::move(its_guid)),
+      core_(core) {}
+
+bool WriterEnd::write(const void* sample) {
+  const int instance = topic.instance_of(sample);
+  if (gone || !say(sample, instance, false)) return false;
+  if (instance >= 0) written_.insert(instance);
+  return true;
+}
+
+bool WriterEnd::dispose(const void* sample) {
+  const int instance = topic.instance_of(sample);
+  if (gone || written_.erase(instance) == 0) return false;
+  return say(sample, instance, true);
+}
+
+bool WriterEnd::say(const void* sample, int instance, bool disposed) {
+  if (is_full()) return false;
+  auto change = std::make_shared<Change>(Change{sequence_ + 1, instance, disposed, {}});
+  if (!topic.codec.encode(sample, change->bytes)) return false;
+  ++sequence_;
+  keep(change);
+  for (Match* match : matches) {
+    if (match->at_writer) send(*match, change);
+  }
+  return true;
+}
+
+/// Queues are bounded by what the slowest reader has not acknowledged.
+bool WriterEnd::is_full() const {
+  if (announced.qos.depth > 0 || announced.qos.reliability != Reliability::kReliable) return false;
+  const auto room = static_cast<std::size_t>(announced.qos.max_kept);
+  return std::any_of(matches.begin(), matches.end(),
+                     [&](const Match* match) { return match->unacknowledged.size() >= room; });
+}
+
+void WriterEnd::keep(const ChangePtr& change) {
+  if (announced.qos.durability != Durability::kTransientLocal) return;
+  if (change->disposed) {
+    kept_.erase(change->instance);
+    return;
+  }
+  std::deque<ChangePtr>& kept = kept_[change->instance];
+  kept.push_back(change);
+  if (kept.size() > static_cast<std::size_t>(std::max(1, announced.qos.depth))) kept.pop_front();
+}
+
+void WriterEnd::send(Match& match, const ChangePtr& change) {
+  if (!match.reliable) {
+    core_.send(process, match.reader.process, [&match, change] {
+      if (match.at_reader) match.reader.accept(match, change);
+    });
+    return;
+  }
+  // Keep last 1: what nobody has acknowledged of this instance is replaced. (All our topics keep 1, or everything.)
+  if (announced.qos.depth > 0) {
+    for (auto& [number, message] : match.unacknowledged) {
+      if (message.change && message.change->instance == change->instance) message.change = nullptr;
+    }
+  }
+  const std::uint64_t number = match.next++;
+  match.unacknowledged[number].change = change;
+  transmit(match, number);
+  begin_heartbeats(match);
+}
+
+void WriterEnd::transmit(Match& match, std::uint64_t number) {
+  Match::Message& message = match.unacknowledged.at(number);
+  message.sent = core_.now();
+  const auto arrival = [this, &match, stream = match.stream, number, last = match.next - 1, change = message.change] {
+    ReaderEnd& reader = match.reader;
+    if (!match.at_reader || stream < match.heard_stream) return;
+    if (stream > match.heard_stream) {
+      match.heard_stream = stream;
+      match.expected = 1;
+      match.announced = 0;
+      match.early.clear();
+    }
+    match.announced = std::max(match.announced, last);
+    if (number >= match.expected) match.early.emplace(number, change);
+    while (!match.early.empty() && match.early.begin()->first == match.expected) {
+      const ChangePtr next = match.early.begin()->second;
+      match.early.erase(match.early.begin());
+      ++match.expected;
+      if (next) reader.accept(match, next);
+    }
+    answer(match);
+  };
+  core_.send(process, match.reader.process, arrival);
+}
+
+/// The reader says what it has, and what it misses of what it knows to be there.
+void WriterEnd::answer(Match& match) {
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t number = match.expected; number <= match.announced; ++number) {
+    if (match.early.count(number) == 0) missing.push_back(number);
+  }
+  core_.send(match.reader.process, process,
+             [this, &match, stream = match.heard_stream, expected = match.expected, missing = std::move(missing)] {
+               acknowledged(match, stream, expected, missing);
+             });
+}
+
+void WriterEnd::acknowledged(Match& match, std::uint64_t stream, std::uint64_t expected,
+                             const std::vector<std::uint64_t>& missing) {
+  if (gone || !match.at_writer || stream != match.stream) return;
+  match.unacknowledged.erase(match.unacknowledged.begin(), match.unacknowledged.lower_bound(expected));
+  for (const std::uint64_t number : missing) {
+    const auto found = match.unacknowledged.find(number);
+    if (found == match.unacknowledged.end() || core_.now() - found->second.sent < kResendAfter) continue;
+    ++core_.links().tally().resent;
+    transmit(match, number);
+  }
+}
+
+void WriterEnd::begin_heartbeats(Match& match) {
+  if (match.heartbeats) return;
+  match.heartbeats = true;
+  core_.after(core_.options().heartbeat, [this, &match] { heartbeat(match); });
+}
+
+void WriterEnd::heartbeat(Match& match) {
+  match.heartbeats = false;
+  if (gone || !match.at_writer || match.unacknowledged.empty()) return;
+  if (!process.frozen_since) {
+    core_.send(process, match.reader.process, [this, &match, stream = match.stream, last = match.next - 1] {
+      if (!match.at_reader || stream < match.heard_stream) return;
+      if (stream == match.heard_stream) {
+        match.announced = std::max(match.announced, last);
+      } else {
+        match.heard_stream = stream;
+        match.expected = 1;
+        match.announced = last;
+        match.early.clear();
+      }
+      answer(match);
+    });
+  }
+  begin_heartbeats(match);
+}
+
+/// With a heartbeat, which best-effort writers have none of.
+void WriterEnd::assert_liveliness() {
+  if (gone || announced.qos.liveliness_lease.count() == 0) return;
+  for (Match* match : matches) {
+    if (!match->at_writer || !match->reliable) continue;
+    core_.send(process, match->reader.process, [match] {
+      if (match->at_reader) match->reader.assert_liveliness(*match);
+    });
+  }
+}
+
+int WriterEnd::matched_readers() const {
+  if (gone) return 0;
+  return static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const Match* m) { return m->at_writer; }));
+}
+
+bool WriterEnd::is_acknowledged() const {
+  return !gone && std::all_of(matches.begin(), matches.end(), [](const Match* m) { return m->unacknowledged.empty(); });
+}
+
+void WriterEnd::begin_stream(Match& match) {
+  std::map<std::uint64_t, ChangePtr> owed;  // by the writer's sequence
+  for (const auto& [number, message] : match.unacknowledged) {
+    if (message.change) owed.emplace(message.change->sequence, message.change);
+  }
+  if (match.transient_local) {
+    for (const auto& [instance, kept] : kept_) {
+      for (const ChangePtr& change : kept) owed.emplace(change->sequence, change);
+    }
+  }
+  match.at_writer = true;
+  ++match.stream;
+  match.next = 1;
+  match.unacknowledged.clear();
+  for (const auto& [sequence, change] : owed) send(match, change);
+}
+
+void WriterEnd::forget(Match& match) {
+  match.at_writer = false;
+  match.unacknowledged.clear();
+}
+
+void WriterEnd::close() {
+  if (gone) return;
+  gone = true;
+  for (Match* match : matches) {
+    forget(*match);
+    if (!match->at_reader) continue;
+    core_.tell(process, match->reader.process, [match] { match->reader.forget(*match); });
+  }
+  kept_.clear();
+}
+
+void WriterEnd::stop() {
+  gone = true;
+  kept_.clear();
+}
+
+}  // namespace aisle::bus::simulated

@@ -1,0 +1,100 @@
+#include "tools/lab/driving/fused_drive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "common/config/reader.hpp"
+#include "tests/support/places.hpp"
+#include "tools/lab/driving/curves_svg.hpp"
+
+namespace aisle::lab {
+namespace {
+
+const std::filesystem::path kMaps = test_support::source_folder() / "deploy/experiments";
+
+FusedDrive wang_drive(const Surprises& surprises) {
+  const local_planner::Variant wang = paper_variant("wang");
+  return {"wang-1", "wang", wang, wang.paper, surprises};
+}
+
+TEST(FusedDrive, IsHardlyLongerThanItsPlan) {
+  const DriveFigures figures = drive_fused(wang_drive({}), kMaps);
+  EXPECT_TRUE(figures.arrived());
+  EXPECT_EQ(figures.result.contacts, 0);
+  EXPECT_GT(figures.result.planned_m, 25.0);
+  EXPECT_LE(figures.result.distance_m, 1.03 * figures.result.planned_m);
+  EXPECT_GT(figures.changes_of_v(), 1.0) << "it sped up and braked";
+}
+
+TEST(FusedDrive, AvoidsWhatThePaperPutsInTheWay) {
+  const DriveFigures figures = drive_fused(wang_drive({1, 1}), kMaps);
+  EXPECT_TRUE(figures.arrived());
+  EXPECT_EQ(figures.movers, 1);
+  EXPECT_TRUE(figures.met_a_mover()) << "nothing to avoid: " << figures.nearest_mover_m;
+  EXPECT_EQ(figures.result.contacts_moving_vehicle, 0);
+}
+
+FusedDrive own_drive(const std::string& map, const std::string& paper, const Surprises& surprises) {
+  const local_planner::Variant variant = paper_variant(paper);
+  return {map, paper, variant, variant.paper, surprises};
+}
+
+TEST(FusedDrive, TurnsSharplyFromOneNarrowAisleIntoAnother) {
+  const DriveFigures figures = drive_fused(own_drive("li-complex", "li", {}), kMaps);
+  EXPECT_TRUE(figures.arrived());
+  EXPECT_EQ(figures.result.contacts, 0);
+  EXPECT_LE(figures.result.distance_m, 1.03 * figures.result.planned_m);
+  EXPECT_LT(figures.result.time_s, 60.0) << "it stood at the corner";
+}
+
+TEST(FusedDrive, GoesThroughADoorThatItSeesFromAfar) {
+  const DriveFigures figures = drive_fused(own_drive("yu-1", "yu", {0, 1}), kMaps);
+  EXPECT_TRUE(figures.arrived());
+  EXPECT_EQ(figures.result.contacts, 0);
+  EXPECT_LE(figures.result.distance_m, 1.05 * figures.result.planned_m);
+  EXPECT_LT(figures.result.time_s, 50.0) << "it was driven off its way before the door";
+}
+
+TEST(FusedDrive, GoesOnWhenWhoCrossedHasPassed) {
+  const DriveFigures figures = drive_fused(own_drive("wang-map-2", "wang", {1, 1}), kMaps);
+  EXPECT_TRUE(figures.met_a_mover());
+  EXPECT_TRUE(figures.arrived());
+  EXPECT_EQ(figures.result.contacts_moving_vehicle, 0);
+  EXPECT_LE(figures.result.distance_m, 1.03 * figures.result.planned_m) << "it backed off in vain";
+}
+
+TEST(FusedDrive, IsSlowerNearThingsWithWusCriticsThanWithTheTraditional) {
+  const local_planner::PaperLimits limits = paper_variant("wu").paper;
+  const DriveFigures own = drive_fused({"wu", "wu", paper_variant("wu"), limits, {0, 1}, false}, kMaps);
+  const DriveFigures traditional = drive_fused({"wu", "wu", traditional_with_path(), limits, {0, 1}, false}, kMaps);
+  ASSERT_TRUE(own.arrived() && traditional.arrived());
+  EXPECT_LT(own.mean_speed_near(0.6), traditional.mean_speed_near(0.6));
+  EXPECT_EQ(own.mean_speed_near(-1.0), 0.0);
+}
+
+TEST(FusedDrive, KeepsToThePapersLimits) {
+  const DriveFigures figures = drive_fused(wang_drive({}), kMaps);
+  for (const DrivePoint& p : figures.points) {
+    EXPECT_LE(p.linear_mps, 1.5 + 1e-9);
+    EXPECT_LE(std::abs(p.angular_radps), local_planner::from_degrees(40.0) + 1e-9);
+  }
+}
+
+TEST(FusedDrive, NeedsItsMap) {
+  FusedDrive drive = wang_drive({});
+  drive.map = "no-such-map";
+  EXPECT_THROW(drive_fused(drive, kMaps), config::BadInput);
+}
+
+TEST(CurvesSvg, ShowsEveryDrive) {
+  DriveFigures figures;
+  figures.points = {{0.0, {}, 0.0, 0.0}, {1.0, {}, 1.0, 0.5}};
+  const std::string svg = curves_svg("speeds", {{"one", &figures}, {"two", &figures}});
+  EXPECT_NE(svg.find(">one<"), std::string::npos);
+  EXPECT_NE(svg.find(">two<"), std::string::npos);
+  EXPECT_EQ(svg.rfind("<svg", 0), 0U);
+}
+
+}  // namespace
+}  // namespace aisle::lab
