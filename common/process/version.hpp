@@ -2,7 +2,7 @@
 
 namespace aisle::process {
 
-/// "0.1.0": of the whole project, from CMakeLists.txt.
+/// E.g. "0.2.0": of the whole project, from CMakeLists.txt.
 const char* software_version();
 
 }  // namespace aisle::process
