@@ -37,7 +37,7 @@ TEST(Fleet, ThirtyParticipantsMeetAndStaySmall) {
         test_support::test_program("bus_test_peer"), "212", "", "member-" + std::to_string(i), "member"}));
   }
   EXPECT_TRUE(run_until(
-      {&listener}, [&] { return heard.size() == kMembers; }, 60s))
+      {&listener}, [&] { return heard.size() == kMembers; }, test_support::kSanitized ? 240s : 60s))
       << heard.size();
   EXPECT_EQ(listener.participants().size(), static_cast<std::size_t>(kMembers));
   for (const auto& member : members) EXPECT_LT(resident_mb(member->pid()), test_support::kSanitized ? 100.0 : 25.0);
