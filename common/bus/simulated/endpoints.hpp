@@ -28,8 +28,8 @@ class WriterEnd;
 class Topic {
  public:
   explicit Topic(const SampleCodec& topic_codec) : codec(topic_codec) {}
-  /// The number of the instance that `sample` belongs to, a new one for a new key; -1 on queues.
-  int instance_of(const void* sample);
+  /// The instance that `sample` belongs to, a new one for a new key.
+  InstanceId instance_of(const void* sample);
   const SampleCodec& codec;
 
  private:
@@ -92,7 +92,7 @@ class WriterEnd {
   bool gone{false};
 
  private:
-  bool say(const void* sample, int instance, bool disposed);
+  bool say(const void* sample, const InstanceId& instance, bool disposed);
   bool is_full() const;
   void keep(const ChangePtr& change);
   void send(Match& match, const ChangePtr& change);
@@ -105,8 +105,8 @@ class WriterEnd {
 
   Core& core_;
   std::uint64_t sequence_{0};
-  std::map<int, std::deque<ChangePtr>> kept_;  // of a transient-local writer, by instance, the newest `depth`
-  std::set<int> written_;                      // instances that were not disposed
+  std::map<InstanceId, std::deque<ChangePtr>> kept_;  // of a transient-local writer, by instance, the newest `depth`
+  std::set<InstanceId> written_;                      // instances that were not disposed
 };
 
 class ReaderEnd {
@@ -141,7 +141,7 @@ class ReaderEnd {
 
  private:
   struct Cached {
-    ChangePtr change;  // null: replaced by a newer one before it was taken
+    ChangePtr change;
     WriterEnd* writer;
   };
   struct WriterEvent {
@@ -150,7 +150,7 @@ class ReaderEnd {
     bool silent;  // beyond its lease, rather than closed
   };
   /// Decides by strength and id among the writers of an instance that are alive.
-  bool is_owner(const WriterEnd& writer, int instance);
+  bool is_owner(const WriterEnd& writer, const InstanceId& instance);
   void lose_ownership(const WriterEnd& writer);
   void note(const WriterEvent& event);
   void watch_lease(Match& match);
@@ -160,24 +160,22 @@ class ReaderEnd {
 
   bool drain_samples(const Report& report);
   void take(const Cached& cached, const Report& report);
-  void end(int instance, const WriterEnd& writer, bool disposed);
+  void end(const InstanceId& instance, const WriterEnd& writer, bool disposed);
   void lose(const WriterEvent& event, const Report& report);
   void hand_over(const void* sample, SampleKind kind, const WriterEnd& writer);
 
   Core& core_;
   const Qos& qos_;
-  std::deque<Cached> cache_;
-  std::size_t cache_begin_{0};                        // number of the first in the cache, since the reader was made
-  std::map<int, std::vector<std::size_t>> in_cache_;  // numbers by instance
+  std::map<InstanceId, std::deque<Cached>> cache_;  // not yet taken
   std::vector<WriterEvent> events_;
-  std::map<int, std::vector<const WriterEnd*>> claims_;  // by instance: alive writers, of exclusive ownership
-  std::map<int, time::Stamp> deadlines_;                 // by instance
+  std::map<InstanceId, std::vector<const WriterEnd*>> claims_;  // by instance: alive writers, of exclusive ownership
+  std::map<InstanceId, time::Stamp> deadlines_;                 // by instance
   bool deadlines_watched_{false};
   std::int64_t missed_{0}, missed_total_{0};
 
   std::vector<detail::RawHandler> handlers_;
   AnySample sample_;  // decoded into, again and again
-  HeardInstances<int, const WriterEnd*, AnySample> instances_;
+  HeardInstances<InstanceId, const WriterEnd*, AnySample> instances_;
   QuietTime quiet_;
 };
 

@@ -63,19 +63,13 @@ void ReaderEnd::accept(Match& match, const ChangePtr& change) {
 }
 
 void ReaderEnd::put(const ChangePtr& change, WriterEnd& writer) {
-  if (qos_.depth > 0) {
-    std::vector<std::size_t>& waiting = in_cache_[change->instance];
-    if (waiting.size() >= static_cast<std::size_t>(qos_.depth)) {
-      cache_[waiting.front() - cache_begin_].change = nullptr;
-      waiting.erase(waiting.begin());
-    }
-    waiting.push_back(cache_begin_ + cache_.size());
-  }
-  cache_.push_back({change, &writer});
+  std::deque<Cached>& waiting = cache_[change->instance];
+  if (qos_.depth > 0 && waiting.size() >= static_cast<std::size_t>(qos_.depth)) waiting.pop_front();
+  waiting.push_back({change, &writer});
   core_.give_turn(process);
 }
 
-bool ReaderEnd::is_owner(const WriterEnd& writer, int instance) {
+bool ReaderEnd::is_owner(const WriterEnd& writer, const InstanceId& instance) {
   std::vector<const WriterEnd*>& claims = claims_[instance];
   if (std::find(claims.begin(), claims.end(), &writer) == claims.end()) claims.push_back(&writer);
   return std::none_of(claims.begin(), claims.end(), [&](const WriterEnd* other) {
@@ -154,14 +148,10 @@ bool ReaderEnd::drain(const Report& report) {
 bool ReaderEnd::drain_samples(const Report& report) {
   int taken = 0;
   while (taken < kSamplesPerTurn && !cache_.empty()) {
-    const Cached cached = std::move(cache_.front());
-    cache_.pop_front();
-    ++cache_begin_;
-    if (!cached.change) continue;
-    if (qos_.depth > 0) {
-      std::vector<std::size_t>& waiting = in_cache_[cached.change->instance];
-      waiting.erase(waiting.begin());
-    }
+    const auto first = cache_.begin();
+    const Cached cached = std::move(first->second.front());
+    first->second.pop_front();
+    if (first->second.empty()) cache_.erase(first);
     take(cached, report);
     ++taken;
   }
@@ -188,7 +178,7 @@ void ReaderEnd::take(const Cached& cached, const Report& report) {
   hand_over(sample_.get(), SampleKind::kData, *cached.writer);
 }
 
-void ReaderEnd::end(int instance, const WriterEnd& writer, bool disposed) {
+void ReaderEnd::end(const InstanceId& instance, const WriterEnd& writer, bool disposed) {
   const auto key = instances_.end(instance, &writer, disposed);
   if (!key) return;
   deadlines_.erase(instance);
@@ -197,7 +187,7 @@ void ReaderEnd::end(int instance, const WriterEnd& writer, bool disposed) {
 
 void ReaderEnd::lose(const WriterEvent& event, const Report& report) {
   if (event.silent) report(liveliness_lost(topic.codec.topic(), qos_, event.writer->process.described()));
-  for (const int instance : instances_.heard_from(event.writer)) end(instance, *event.writer, false);
+  for (const InstanceId& instance : instances_.heard_from(event.writer)) end(instance, *event.writer, false);
 }
 
 void ReaderEnd::hand_over(const void* sample, SampleKind kind, const WriterEnd& writer) {

@@ -10,10 +10,14 @@ constexpr time::Stamp kResendAfter = std::chrono::milliseconds(10);
 
 }  // namespace
 
-int Topic::instance_of(const void* sample) {
-  if (codec.qos().depth == 0) return -1;
+/// FNV-1a, 64 bit.
+InstanceId Topic::instance_of(const void* sample) {
   codec.key(sample, key_);
-  return instances_.try_emplace(key_, static_cast<int>(instances_.size())).first->second;
+  InstanceId instance{14695981039346656037U, -1};
+  for (const char c : key_) instance.hash = (instance.hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  if (codec.qos().depth == 0) return instance;
+  instance.number = instances_.try_emplace(key_, static_cast<int>(instances_.size())).first->second;
+  return instance;
 }
 
 WriterEnd::WriterEnd(Core& core, Process& its_process, Topic& its_topic, Announced its_announced, int its_strength,
@@ -26,19 +30,19 @@ WriterEnd::WriterEnd(Core& core, Process& its_process, Topic& its_topic, Announc
       core_(core) {}
 
 bool WriterEnd::write(const void* sample) {
-  const int instance = topic.instance_of(sample);
+  const InstanceId instance = topic.instance_of(sample);
   if (gone || !say(sample, instance, false)) return false;
-  if (instance >= 0) written_.insert(instance);
+  if (instance.number >= 0) written_.insert(instance);
   return true;
 }
 
 bool WriterEnd::dispose(const void* sample) {
-  const int instance = topic.instance_of(sample);
+  const InstanceId instance = topic.instance_of(sample);
   if (gone || written_.erase(instance) == 0) return false;
   return say(sample, instance, true);
 }
 
-bool WriterEnd::say(const void* sample, int instance, bool disposed) {
+bool WriterEnd::say(const void* sample, const InstanceId& instance, bool disposed) {
   if (is_full()) return false;
   auto change = std::make_shared<Change>(Change{sequence_ + 1, instance, disposed, {}});
   if (!topic.codec.encode(sample, change->bytes)) return false;

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "common/bus/dds/fastdds_compat.hpp"
-#include "common/bus/dds/participant_qos.hpp"
 #include "common/bus/qos_conflict.hpp"
 #include "idl/planning_support.hpp"
+#include "tests/integration/bus/stranger.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 
 namespace aisle::bus_test {
@@ -44,27 +44,6 @@ class Truncated final : public aisle::GoalPubSubType {
     payload.length = 40;
     return true;
   }
-};
-
-/// A participant of somebody else, with whatever QoS.
-class Stranger {
- public:
-  explicit Stranger(int domain) {
-    participant_ = dds::DomainParticipantFactory::get_instance()->create_participant(
-        static_cast<dds::DomainId_t>(domain), bus::participant_qos(loopback(domain, "stranger")));
-  }
-  ~Stranger() {
-    participant_->delete_contained_entities();
-    dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
-  }
-  dds::DataWriter* writer(const char* topic, dds::TypeSupport type, const bus::Qos& qos) {
-    type.register_type(participant_);
-    auto* made = participant_->create_topic(topic, type.get_type_name(), dds::TOPIC_QOS_DEFAULT);
-    return participant_->create_publisher(dds::PUBLISHER_QOS_DEFAULT)->create_datawriter(made, bus::writer_qos(qos, 0));
-  }
-
- private:
-  dds::DomainParticipant* participant_{nullptr};
 };
 
 /// A bus that reads goals and keeps its incidents.
