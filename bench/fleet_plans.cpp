@@ -63,7 +63,7 @@ struct Box {
 };
 
 /// Does a vehicle on this path come so near that the box blocks it?
-bool passes(const FleetPlan& plan, const Box& box) {
+bool passes(const Plan& plan, const Box& box) {
   const double half_m = 0.5 * kBox_m + kRadius_m;
   for (std::size_t i = 1; i < plan.waypoints_in_map.size(); ++i) {
     if (geometry::distance_to_segment(box.center_in_map, plan.waypoints_in_map[i - 1], plan.waypoints_in_map[i]) <
@@ -86,9 +86,10 @@ class Fleet {
       fleet_.set_vehicle(id, kRadius_m);
       fleet_.set_pose(id, {points[i].x, points[i].y, 0.0}, kNow);
       Goal goal;
+      goal.agv_id = id;
       goal.id = "goal-" + std::to_string(i);
       goal.pose_in_map = {points[i + kVehicles].x, points[i + kVehicles].y, 0.0};
-      fleet_.set_goal(id, goal);
+      fleet_.set_goal(goal);
     }
   }
 
@@ -96,8 +97,8 @@ class Fleet {
   /// `begun_ms`.
   std::vector<double> work(double begun_ms) {
     std::vector<double> new_plans_ms;
-    while (const std::optional<FleetPlan> plan = fleet_.step(kNow, nullptr)) {
-      if (ids_.insert(plan->plan_id).second) new_plans_ms.push_back(cpu_ms() - begun_ms);
+    while (const std::optional<Plan> plan = fleet_.step(kNow, nullptr)) {
+      if (ids_.insert(plan->id).second) new_plans_ms.push_back(cpu_ms() - begun_ms);
       plans_[plan->agv_id] = *plan;
     }
     return new_plans_ms;
@@ -120,7 +121,7 @@ class Fleet {
     const grid::Geometry& geometry = grid_.geometry();
     const int half = static_cast<int>(0.5 * kBox_m / geometry.resolution_m);
     for (int tries = 0; tries < 1000; ++tries) {
-      const FleetPlan& plan = std::next(plans_.begin(), static_cast<std::ptrdiff_t>(random_() % plans_.size()))->second;
+      const Plan& plan = std::next(plans_.begin(), static_cast<std::ptrdiff_t>(random_() % plans_.size()))->second;
       if (plan.waypoints_in_map.size() < 2) continue;
       const std::size_t piece = random_() % (plan.waypoints_in_map.size() - 1);
       const double along = 0.001 * static_cast<double>(random_() % 1000);
@@ -138,7 +139,7 @@ class Fleet {
 
   std::size_t found() const {
     return static_cast<std::size_t>(std::count_if(
-        plans_.begin(), plans_.end(), [](const auto& plan) { return plan.second.outcome == FleetOutcome::kFound; }));
+        plans_.begin(), plans_.end(), [](const auto& plan) { return plan.second.outcome == PlanOutcome::kFound; }));
   }
 
  private:
@@ -154,7 +155,7 @@ class Fleet {
   FleetPlanner fleet_;
   std::mt19937 random_;
   std::uint64_t revision_{1};
-  std::map<std::string, FleetPlan> plans_;
+  std::map<std::string, Plan> plans_;
   std::set<std::uint64_t> ids_;
 };
 

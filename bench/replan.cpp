@@ -137,7 +137,7 @@ void edit_and_plan(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, c
   const auto jps = find_variant("jps")->make();
   const grid::Geometry& geometry = grid.geometry();
   const Problem problem{clearance, query.start_in_map, query.goal_in_map};
-  const Plan before = astar->plan(problem, nullptr);
+  const PlannedPath before = astar->plan(problem, nullptr);
   if (jps->plan(problem, nullptr).outcome != Outcome::kFound || before.waypoints_in_map.size() < 20) return;
   const Drivable drivable(problem);
   LifelongPlanning lifelong(drivable, geometry.cell_at(query.start_in_map), geometry.cell_at(query.goal_in_map));
@@ -156,7 +156,7 @@ void edit_and_plan(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, c
   for (const bool block : {true, false}) {
     for (const grid::Cell c : blocked) grid.set(c, block ? grid::Occupancy::kOccupied : grid::Occupancy::kFree);
     clearance.update(grid, low, high);
-    Plan fresh, jumped;
+    PlannedPath fresh, jumped;
     std::uint32_t repaired = kNever;
     const Drivable edited(problem);
     times.astar.push_back(microseconds([&] { fresh = astar->plan(problem, nullptr); }));

@@ -56,7 +56,7 @@ void search(benchmark::State& state, const global_planner::Variant& variant) {
   double expanded = 0.0;
   for (auto _ : state) {
     const Query& query = queries().list[next++ % queries().list.size()];
-    const global_planner::Plan plan = planner->plan(
+    const global_planner::PlannedPath plan = planner->plan(
         {queries().clearance, geometry.center_in_map(query.start), geometry.center_in_map(query.goal), 0.0}, never);
     if (plan.outcome != global_planner::Outcome::kFound)
       throw std::runtime_error(variant.name + ": no path where the textbook finds one");

@@ -21,7 +21,7 @@ using Pass = void (*)(const planning::Drivable&, std::vector<geometry::Point2>&)
 
 struct Ours {
   std::unique_ptr<planning::Planner> planner;
-  planning::Plan plan;
+  planning::PlannedPath plan;
 };
 
 Contestant ours(const Site& site, const planning::Variant& variant, const std::string& name, std::vector<Pass> then) {

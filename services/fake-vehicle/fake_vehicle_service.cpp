@@ -7,8 +7,8 @@
 
 #include "common/process/clock.hpp"
 #include "common/scenario/variation.hpp"
-#include "common/wire/geometry.hpp"
 #include "common/wire/origin.hpp"
+#include "common/wire/service.hpp"
 #include "common/wire/vehicle.hpp"
 #include "services/fake-vehicle/core/lidar.hpp"
 
@@ -71,41 +71,46 @@ void FakeVehicleService::listen() {
   bus_.on<topics::WorldObstacle>(
       [this](const aisle::WorldObstacle& sample, const SampleInfo& info) { take(sample, info); });
   bus_.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData && is_this_vehicle(sample))
-      duplicates_.heard(sample.by().boot_id(), monotonic_now());
+    if (info.kind != SampleKind::kData) return;
+    const auto health = accepted("service_health", wire::decode(sample));
+    if (health && is_this_vehicle(*health)) duplicates_.heard(wire::origin_of(sample).boot_id, monotonic_now());
   });
 }
 
-bool FakeVehicleService::is_this_vehicle(const aisle::ServiceHealth& sample) const {
-  return sample.service().to_string() == "fake-vehicle" && sample.agv_id().to_string() == agv_id_ &&
-         sample.state() != ServiceState::SERVICE_STOPPING;
+bool FakeVehicleService::is_this_vehicle(const fleet::ServiceHealth& health) const {
+  return health.service == "fake-vehicle" && health.agv_id == agv_id_ && health.state != fleet::ServiceState::kStopping;
+}
+
+template <class T>
+std::optional<T> FakeVehicleService::accepted(const char* topic, wire::Decoded<T> decoded) {
+  if (decoded) return *std::move(decoded);
+  health_.count(std::string("dropped_") + topic);
+  warnings_.warn(topic, std::string(topic) + ": a sample was dropped: " + decoded.reason());
+  return std::nullopt;
 }
 
 void FakeVehicleService::take(const aisle::VelocityCommand& sample, const SampleInfo& info) {
   if (info.kind != SampleKind::kData || sample.agv_id().to_string() != agv_id_ || yields_) return;
-  const Command command = decode(sample);
-  const Verdict verdict = authority_.judge(command);
-  if (verdict != Verdict::kAccepted) {
+  const auto command = accepted("velocity_command", wire::decode(sample));
+  if (!command) return;
+  const fleet::Origin by = wire::origin_of(sample);
+  const fleet::CommandVerdict verdict = authority_.judge(*command, by);
+  if (verdict != fleet::CommandVerdict::kAccepted) {
     health_.count(std::string("refused_") + name(verdict));
-    warnings_.warn(name(verdict),
-                   fmt::format("velocity_command refused: {} (source {}, epoch {}, accepted epoch {})", name(verdict),
-                               command.source_id, command.epoch, authority_.accepted_epoch()));
+    warnings_.warn(name(verdict), fmt::format("velocity_command refused: {} (source {}, epoch {}, accepted epoch {})",
+                                              name(verdict), by.source_id, by.epoch, authority_.accepted_epoch()));
     return;
   }
   if (!map_.has_map()) return;  // cannot tell where its walls are
-  command_ = command;
-  vehicle_.command(command.twist, info.arrived);
+  command_ = fleet::CommandInForce{command->agv_id, by, command->plan_id};
+  vehicle_.command(command->twist, info.arrived);
 }
 
 void FakeVehicleService::take(const aisle::WorldObstacle& sample, const SampleInfo& info) {
   if (info.kind == SampleKind::kDisposed) bodies_.gone(sample.obstacle_id().to_string());
   if (info.kind != SampleKind::kData) return;
-  const auto obstacle = wire::decode(sample);
-  if (!obstacle) {
-    health_.count("dropped_world_obstacle");
-    warnings_.warn("world_obstacle", "world_obstacle: a sample was dropped: " + obstacle.reason());
-    return;
-  }
+  const auto obstacle = accepted("world_obstacle", wire::decode(sample));
+  if (!obstacle) return;
   bodies_.seen(obstacle->id, obstacle->body(), obstacle->kind == fleet::Obstacle::Kind::kVehicle,
                wire::origin_of(sample).boot_id, monotonic_now());
 }
@@ -150,21 +155,23 @@ void FakeVehicleService::tick() {
   publish_scan();
 }
 
-Report FakeVehicleService::report() {
-  return {agv_id_,
-          with_noise(vehicle_.base_in_map(), config_.vehicle, random_),
-          vehicle_.twist(),
-          vehicle_.steering_rad(),
-          vehicle_.hold(),
-          command_,
-          authority_.accepted_epoch(),
-          authority_.refused()};
+/// As the vehicle believes it: each call draws a new error of its pose.
+fleet::VehicleState FakeVehicleService::state() {
+  fleet::VehicleState state;
+  state.agv_id = agv_id_;
+  state.motion = {with_noise(vehicle_.base_in_map(), config_.vehicle, random_), vehicle_.twist(),
+                  vehicle_.steering_rad()};
+  state.hold = vehicle_.hold();
+  state.command = command_;
+  state.accepted_epoch = authority_.accepted_epoch();
+  state.refused_commands = authority_.refused();
+  return state;
 }
 
 void FakeVehicleService::publish() {
-  aisle::VehicleState state = encode(report());
-  state.by(state_stamper_.next());
-  states_.write(state);
+  aisle::VehicleState state_sample = wire::encode(state());
+  state_sample.by(state_stamper_.next());
+  states_.write(state_sample);
 
   const geometry::Pose2& base = vehicle_.base_in_map();
   const geometry::Twist2& twist = vehicle_.twist();
@@ -180,9 +187,19 @@ void FakeVehicleService::publish() {
 }
 
 void FakeVehicleService::publish_scan() {
-  const std::vector<float> ranges_m =
-      scan({map_.grid(), bodies_.bodies()}, vehicle_.base_in_map(), config_.vehicle.lidar, random_);
-  aisle::Scan sample = encode_scan(report(), config_.vehicle, ranges_m);
+  const LidarParameters& lidar = config_.vehicle.lidar;
+  fleet::Scan turn;
+  turn.ranges_m = scan({map_.grid(), bodies_.bodies()}, vehicle_.base_in_map(), lidar, random_);
+  const fleet::Motion motion = state().motion;
+  turn.agv_id = agv_id_;
+  turn.base_in_map = motion.base_in_map;
+  turn.position_sigma_m = config_.vehicle.pose_noise_m;
+  turn.yaw_sigma_rad = config_.vehicle.yaw_noise_rad;
+  turn.twist = motion.twist;
+  turn.angle_step_rad = 2.0 * geometry::kPi / static_cast<double>(turn.ranges_m.size());
+  turn.range_min_m = lidar.range_min_m;
+  turn.range_max_m = lidar.range_max_m;
+  aisle::Scan sample = wire::encode(turn);
   sample.by(scan_stamper_.next());
   scans_.write(sample);
 }

@@ -6,13 +6,13 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
+#include "common/fleet/command_authority.hpp"
 #include "common/process/log.hpp"
 #include "common/service/map_client.hpp"
 #include "common/service/origin_stamper.hpp"
 #include "common/service/shell.hpp"
-#include "services/fake-vehicle/codec.hpp"
+#include "common/wire/checks.hpp"
 #include "services/fake-vehicle/core/body_book.hpp"
-#include "services/fake-vehicle/core/command_authority.hpp"
 #include "services/fake-vehicle/core/duplicate_watch.hpp"
 #include "services/fake-vehicle/core/simulated_vehicle.hpp"
 #include "services/fake-vehicle/vehicle_memory.hpp"
@@ -45,13 +45,15 @@ class FakeVehicleService {
 
  private:
   void listen();
-  bool is_this_vehicle(const aisle::ServiceHealth& sample) const;
+  bool is_this_vehicle(const fleet::ServiceHealth& health) const;
   void take(const aisle::VelocityCommand& sample, const bus::SampleInfo& info);
   void take(const aisle::WorldObstacle& sample, const bus::SampleInfo& info);
   void tick();
   void publish();
   void publish_scan();
-  Report report();
+  fleet::VehicleState state();
+  template <class T>
+  std::optional<T> accepted(const char* topic, wire::Decoded<T> decoded);
   bool may_act(time::Stamp now);
   void keep_memory();
   void tell_health(time::Stamp now);
@@ -62,8 +64,8 @@ class FakeVehicleService {
   ServiceConfig config_;
   service::MapClient map_;
   VehicleMemory memory_;  // of before a restart, or the start
-  CommandAuthority authority_;
-  std::optional<Command> command_;
+  fleet::CommandAuthority authority_;
+  std::optional<fleet::CommandInForce> command_;
   SimulatedVehicle vehicle_;
   BodyBook bodies_;
   DuplicateWatch duplicates_;

@@ -7,7 +7,11 @@
 
 #include "common/config/reader.hpp"
 #include "common/process/clock.hpp"
-#include "services/global-planner/codec.hpp"
+#include "common/wire/origin.hpp"
+#include "common/wire/planning.hpp"
+#include "common/wire/service.hpp"
+#include "common/wire/tracking.hpp"
+#include "common/wire/vehicle.hpp"
 #include "services/global-planner/core/variant.hpp"
 
 namespace aisle::global_planner {
@@ -69,67 +73,68 @@ void GlobalPlannerService::listen() {
   });
   bus_.on<topics::VehicleInfo>([this](const aisle::VehicleInfo& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;  // a vehicle that is gone still stands where it was
-    if (const auto shape = accepted("vehicle_info", decode(sample)))
-      fleet_.set_vehicle(sample.agv_id().to_string(), *shape);
+    if (const auto vehicle = accepted("vehicle_info", wire::decode(sample)))
+      fleet_.set_vehicle(vehicle->id, shape_of(vehicle->footprint, vehicle->limits));
   });
   bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
-    if (const auto pose = accepted("vehicle_state", decode(sample)))
-      fleet_.set_pose(sample.agv_id().to_string(), *pose, monotonic_now());
+    if (const auto state = accepted("vehicle_state", wire::decode(sample)))
+      fleet_.set_pose(state->agv_id, state->motion.base_in_map, monotonic_now());
   });
   bus_.on<topics::Goal>([this](const aisle::Goal& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;  // goals outlive whoever gave them
-    if (const auto goal = accepted("goal", decode(sample))) fleet_.set_goal(sample.agv_id().to_string(), *goal);
+    if (const auto goal = accepted("goal", wire::decode(sample))) fleet_.set_goal(*goal);
     work_soon();
   });
   bus_.on<topics::NavigationStatus>([this](const aisle::NavigationStatus& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
-    if (const auto navigation = accepted("navigation_status", decode(sample))) {
-      fleet_.set_navigation(sample.agv_id().to_string(), *navigation, monotonic_now());
-    }
+    if (const auto navigation = accepted("navigation_status", wire::decode(sample)))
+      fleet_.set_navigation(*navigation, monotonic_now());
   });
   bus_.on<topics::Track>([this](const aisle::Track& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return fleet_.drop_track(sample.track_id());
-    const auto disc = accepted("track", decode(sample));
-    if (!disc) return;
-    if (*disc) {
-      fleet_.set_static_track(sample.track_id(), **disc);
+    const auto track = accepted("track", wire::decode(sample));
+    if (!track) return;
+    if (track->is_static) {
+      fleet_.set_static_track(track->id, {track->position_in_map, track->radius_m});
     } else {
-      fleet_.drop_track(sample.track_id());
+      fleet_.drop_track(track->id);
     }
   });
   bus_.on<topics::Plan>([this](const aisle::Plan& sample, const SampleInfo& info) { hear(sample, info); });
   bus_.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData || sample.by().boot_id() == boot_id_) return;
-    for (const aisle::Counter& counter : sample.counters()) {
-      if (counter.name().to_string() != kPlanEpoch) continue;
-      leadership_.hear_of(static_cast<std::uint32_t>(std::min<std::uint64_t>(counter.value(), kMostEpochs)));
-    }
+    if (info.kind != SampleKind::kData || wire::origin_of(sample).boot_id == boot_id_) return;
+    const auto health = accepted("service_health", wire::decode(sample));
+    if (!health) return;
+    const auto epoch = health->counters.find(kPlanEpoch);
+    if (epoch != health->counters.end())
+      leadership_.hear_of(static_cast<std::uint32_t>(std::min<std::uint64_t>(epoch->second, kMostEpochs)));
   });
 }
 
 void GlobalPlannerService::hear(const aisle::Plan& sample, const SampleInfo& info) {
   if (info.kind != SampleKind::kData) {
-    if (leadership_.role() != Leadership::Role::kLeading) leadership_.lose_leader();
+    if (leadership_.role() != fleet::Leadership::Role::kLeading) leadership_.lose_leader();
     return keep_lead();
   }
-  if (sample.by().boot_id() == boot_id_) return;  // our own
-  const auto plan = accepted("plan", decode(sample));
+  const fleet::Origin by = wire::origin_of(sample);
+  if (by.boot_id == boot_id_) return;  // our own
+  const auto plan = accepted("plan", wire::decode(sample));
   if (!plan) return;
   health_.count("heard_plans");
-  leadership_.hear(sample.by().epoch(), sample.by().boot_id());
+  leadership_.hear(by.epoch, by.boot_id);
   keep_lead();
-  if (leadership_.role() == Leadership::Role::kLeading) return;
+  if (leadership_.role() == fleet::Leadership::Role::kLeading) return;
   fleet_.adopt(*plan);
-  const std::string leader = sample.by().source_id().to_string() + ", epoch " + std::to_string(sample.by().epoch());
+  const std::string leader = by.source_id + ", epoch " + std::to_string(by.epoch);
   if (leader != std::exchange(followed_, leader)) spdlog::info("follows {}", leader);
 }
 
 void GlobalPlannerService::keep_lead() {
   const time::Stamp now = monotonic_now();
-  const bool was_leading = leadership_.role() == Leadership::Role::kLeading;
+  const bool was_leading = leadership_.role() == fleet::Leadership::Role::kLeading;
   const bool changed = leadership_.step(now, bus_.matched_writers(topics::Plan::kName) - (was_leading ? 1 : 0));
-  if (leadership_.role() == Leadership::Role::kLeading) {
+  if (leadership_.role() == fleet::Leadership::Role::kLeading) {
     if (changed) {
       stamper_.set_epoch(leadership_.epoch());
       plans_ = bus_.writer<topics::Plan>(ownership_strength(leadership_.epoch(), config_.strength));
@@ -152,17 +157,19 @@ void GlobalPlannerService::work_soon() {
 
 void GlobalPlannerService::work() {
   is_work_posted_ = false;
-  if (leadership_.role() != Leadership::Role::kLeading) return;
+  if (leadership_.role() != fleet::Leadership::Role::kLeading) return;
   const time::Stamp begun = monotonic_now();
-  const std::optional<FleetPlan> plan = fleet_.step(begun, [&] { return is_too_late(begun); });
+  std::optional<Plan> plan = fleet_.step(begun, [&] { return is_too_late(begun); });
   for (const std::string& event : fleet_.take_events()) spdlog::info("{}", event);
   if (!plan) return rest_after_searches();
-  aisle::Plan sample = encode(*plan, config_.planner, 1e3 * time::seconds(monotonic_now() - begun));
+  plan->planner = config_.planner;
+  plan->planning_ms = 1e3 * time::seconds(monotonic_now() - begun);
+  aisle::Plan sample = wire::encode(*plan);
   sample.by(stamper_.next());
   if (!plans_.write(sample)) health_.count("plans_not_written");
   asserted_ = monotonic_now();
-  health_.count(plan->outcome == FleetOutcome::kFound ? "plans_published" : "plans_without_path");
-  if (plan->trigger != Trigger::kNewGoal) health_.count("plans_replaced_or_checked");
+  health_.count(plan->is_found() ? "plans_published" : "plans_without_path");
+  if (plan->trigger != PlanTrigger::kNewGoal) health_.count("plans_replaced_or_checked");
   work_soon();
 }
 
@@ -185,7 +192,7 @@ void GlobalPlannerService::report() {
   health_.map_id = map_.map_id();
   health_.map_revision = map_.revision();
   health_.map_hash = map_.hash();
-  health_.counters["leads"] = leadership_.role() == Leadership::Role::kLeading ? 1 : 0;
+  health_.counters["leads"] = leadership_.role() == fleet::Leadership::Role::kLeading ? 1 : 0;
   health_.counters["epoch"] = leadership_.epoch();
   health_.counters[kPlanEpoch] = leadership_.highest_epoch();
   health_.counters["searches"] = fleet_.searches();

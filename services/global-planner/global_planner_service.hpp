@@ -4,13 +4,13 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
+#include "common/fleet/leadership.hpp"
 #include "common/process/log.hpp"
 #include "common/service/map_client.hpp"
 #include "common/service/origin_stamper.hpp"
 #include "common/service/shell.hpp"
 #include "common/wire/checks.hpp"
 #include "services/global-planner/core/fleet_planner.hpp"
-#include "services/global-planner/core/leadership.hpp"
 
 namespace aisle::global_planner {
 
@@ -62,7 +62,7 @@ class GlobalPlannerService {
   service::OriginStamper stamper_;
   service::MapClient map_;
   FleetPlanner fleet_;
-  Leadership leadership_;
+  fleet::Leadership leadership_;
   bus::Writer<topics::Plan> plans_;
   std::string followed_;  // the leader whose plans were heard last
   time::Stamp asserted_{};

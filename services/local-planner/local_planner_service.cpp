@@ -132,8 +132,8 @@ void LocalPlannerService::take(const aisle::Plan& sample) {
   auto plan = accepted("plan", wire::decode(sample));
   if (!plan) return;
   const fleet::Origin by = wire::origin_of(sample);
-  const PlanVerdict verdict = plan_authority_.judge(by.epoch, by.boot_id, by.sequence_number);
-  if (verdict == PlanVerdict::kAccepted) {
+  const fleet::PlanVerdict verdict = plan_authority_.judge(by.epoch, by.boot_id, by.sequence_number);
+  if (verdict == fleet::PlanVerdict::kAccepted) {
     plan->position_tolerance_m = std::max(kLeastTolerance_m, plan->position_tolerance_m);
     inputs_.plan = *std::move(plan);
     return;

@@ -5,13 +5,13 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
+#include "common/fleet/plan_authority.hpp"
 #include "common/process/log.hpp"
 #include "common/service/map_client.hpp"
 #include "common/service/origin_stamper.hpp"
 #include "common/service/shell.hpp"
 #include "common/wire/checks.hpp"
 #include "services/local-planner/core/local_planner.hpp"
-#include "services/local-planner/core/plan_authority.hpp"
 
 namespace aisle::local_planner {
 
@@ -64,7 +64,7 @@ class LocalPlannerService {
   service::MapClient map_;
   LocalPlanner planner_;
   Inputs inputs_;
-  PlanAuthority plan_authority_;
+  fleet::PlanAuthority plan_authority_;
   std::map<std::string, Peer> peers_;
   std::map<std::uint64_t, TrackEntry> tracks_;
   bus::Writer<topics::VelocityCommand> commands_;

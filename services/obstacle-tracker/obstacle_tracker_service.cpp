@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "common/process/clock.hpp"
-#include "services/obstacle-tracker/codec.hpp"
+#include "common/wire/origin.hpp"
+#include "common/wire/tracking.hpp"
+#include "common/wire/vehicle.hpp"
 
 namespace aisle::obstacle_tracker {
 namespace {
@@ -76,50 +78,53 @@ void ObstacleTrackerService::listen() {
 }
 
 void ObstacleTrackerService::hear(const aisle::VehicleInfo& sample) {
-  const auto body = accepted("vehicle_info", decode(sample));
-  if (!body) return;
-  if (vehicles_.count(body->agv_id) == 0 && vehicles_.size() >= kMostVehicles) {
-    warnings_.warn("vehicles", "vehicle_info of " + body->agv_id + " is not used: there are " +
+  const auto vehicle = accepted("vehicle_info", wire::decode(sample));
+  if (!vehicle) return;
+  if (vehicles_.count(vehicle->id) == 0 && vehicles_.size() >= kMostVehicles) {
+    warnings_.warn("vehicles", "vehicle_info of " + vehicle->id + " is not used: there are " +
                                    std::to_string(kMostVehicles) + " vehicles already");
     return;
   }
-  KnownVehicle& known = vehicles_[body->agv_id].known;
-  KnownVehicle updated = *body;
-  updated.base_in_map = known.base_in_map;
-  updated.twist = known.twist;
-  updated.stamp = known.stamp;
-  known = updated;
+  KnownVehicle& known = vehicles_[vehicle->id].known;
+  known.agv_id = vehicle->id;
+  known.is_rectangle = !vehicle->footprint.is_disc();
+  known.radius_m = vehicle->reach_m();
+  known.length_m = vehicle->footprint.length_m;
+  known.width_m = vehicle->footprint.width_m;
+  known.ahead_m = vehicle->footprint.ahead_m;
 }
 
 void ObstacleTrackerService::hear(const aisle::VehicleState& sample, time::Stamp arrived) {
-  const auto motion = accepted("vehicle_state", decode(sample));
-  if (!motion) return;
-  const auto found = vehicles_.find(sample.agv_id().to_string());
+  const auto state = accepted("vehicle_state", wire::decode(sample));
+  if (!state) return;
+  const auto found = vehicles_.find(state->agv_id);
   if (found == vehicles_.end()) return;
-  found->second.known.base_in_map = motion->base_in_map;
-  found->second.known.twist = motion->twist;
+  found->second.known.base_in_map = state->motion.base_in_map;
+  found->second.known.twist = state->motion.twist;
   found->second.known.stamp = arrived;
   found->second.has_state = true;
 }
 
 void ObstacleTrackerService::hear(const aisle::Scan& sample, time::Stamp arrived) {
   const time::Stamp begun = monotonic_now();
-  auto scan = accepted("scan", decode(sample));
-  if (!scan || (!only_scans_of_.empty() && scan->agv_id != only_scans_of_)) return;
-  const auto found = vehicles_.find(scan->agv_id);
-  if (found == vehicles_.end()) return refuse(DropReason::kUnknownVehicle, scan->agv_id);
-  Vehicle& vehicle = found->second;
-  const auto placed = vehicle.scan_clock.place(sample.by().stamp_ns(), arrived);
-  if (const auto* reason = std::get_if<DropReason>(&placed)) return refuse(*reason, scan->agv_id);
-  scan->stamp = std::get<time::Stamp>(placed);
-  const TakeResult result = tracker_.take(*scan, known_vehicles(), map_.has_map() ? &map_.clearance() : nullptr, begun);
-  if (result.dropped) return tell_dropped(*result.dropped, scan->agv_id);
+  auto decoded = accepted("scan", wire::decode(sample));
+  if (!decoded || (!only_scans_of_.empty() && decoded->agv_id != only_scans_of_)) return;
+  const fleet::Origin by = wire::origin_of(sample);
+  Scan scan{*std::move(decoded), {}};
+  const auto found = vehicles_.find(scan.agv_id);
+  if (found == vehicles_.end()) return refuse(DropReason::kUnknownVehicle, scan.agv_id);
+  VehicleEntry& vehicle = found->second;
+  const auto placed = vehicle.scan_clock.place(by.stamp_ns, arrived);
+  if (const auto* reason = std::get_if<DropReason>(&placed)) return refuse(*reason, scan.agv_id);
+  scan.stamp = std::get<time::Stamp>(placed);
+  const TakeResult result = tracker_.take(scan, known_vehicles(), map_.has_map() ? &map_.clearance() : nullptr, begun);
+  if (result.dropped) return tell_dropped(*result.dropped, scan.agv_id);
 
-  vehicle.scan_sequence = sample.by().sequence_number();
-  vehicle.scan_stamp_ns = sample.by().stamp_ns();
-  newest_scan_stamp_ns_ = sample.by().stamp_ns();
+  vehicle.scan_sequence = by.sequence_number;
+  vehicle.scan_stamp_ns = by.stamp_ns;
+  newest_scan_stamp_ns_ = by.stamp_ns;
   newest_scan_used_ = begun;
-  coverage_.take(*scan);
+  coverage_.take(scan);
   dispose(result.lost);
   write_tracks(result.seen, begun);
   write_status(begun, monotonic_now() - begun);
@@ -148,10 +153,10 @@ std::vector<KnownVehicle> ObstacleTrackerService::known_vehicles() const {
 }
 
 void ObstacleTrackerService::write_tracks(const std::vector<std::uint64_t>& seen, time::Stamp now) {
-  for (const Track& track : outbox_.due(tracker_.tracks(now), seen, now)) {
-    aisle::Track sample = encode(track);
+  for (Track track : outbox_.due(tracker_.tracks(now), seen, now)) {
+    track.scan_stamp_ns = newest_scan_stamp_ns_;
+    aisle::Track sample = wire::encode(track);
     sample.by(track_stamper_.next());
-    sample.scan_stamp_ns(newest_scan_stamp_ns_);
     if (!tracks_.write(sample)) health_.count("tracks_not_written");
   }
 }
@@ -166,32 +171,29 @@ void ObstacleTrackerService::dispose(const std::vector<std::uint64_t>& lost) {
 }
 
 void ObstacleTrackerService::write_status(time::Stamp now, time::Stamp took) {
-  aisle::TrackingStatus sample;
-  sample.source_id(instance_id_);
-  sample.by(status_stamper_.next());
+  fleet::TrackingStatus status;
+  status.source_id = instance_id_;
   for (const auto& [id, vehicle] : vehicles_) {
     if (vehicle.scan_sequence == 0) continue;
-    aisle::ScanUse use;
-    use.agv_id(id);
-    use.scan_sequence(vehicle.scan_sequence);
-    use.scan_stamp_ns(vehicle.scan_stamp_ns);
-    sample.newest_scans().push_back(use);
+    status.newest_scans.push_back({id, vehicle.scan_sequence, vehicle.scan_stamp_ns});
   }
   for (const Track& track : tracker_.tracks(now)) {
-    if (sample.live_track_ids().size() < kMostTracks) sample.live_track_ids().push_back(track.id);
+    if (status.live_track_ids.size() < kMostTracks) status.live_track_ids.push_back(track.id);
   }
-  sample.scans_used(tracker_.scans_used());
-  sample.scans_dropped(tracker_.scans_dropped());
-  sample.processing_ms(1e3 * time::seconds(took));
+  status.scans_used = tracker_.scans_used();
+  status.scans_dropped = tracker_.scans_dropped();
+  status.processing_ms = 1e3 * time::seconds(took);
+  aisle::TrackingStatus sample = wire::encode(status);
+  sample.by(status_stamper_.next());
   statuses_.write(sample);
 }
 
 void ObstacleTrackerService::write_coverage() {
-  for (const CoverageTile& tile : coverage_.due(monotonic_now())) {
-    aisle::Coverage sample = encode(tile);
-    sample.source_id(instance_id_);
+  for (CoverageTile tile : coverage_.due(monotonic_now())) {
+    tile.source_id = instance_id_;
+    tile.map_id = map_.map_id();
+    aisle::Coverage sample = wire::encode(tile);
     sample.by(coverage_stamper_.next());
-    sample.map_id(map_.map_id());
     if (!coverages_.write(sample)) health_.count("coverage_not_written");
   }
 }

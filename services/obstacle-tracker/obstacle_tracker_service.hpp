@@ -41,7 +41,7 @@ class ObstacleTrackerService {
 
  private:
   /// A vehicle that vehicle_info made known.
-  struct Vehicle {
+  struct VehicleEntry {
     KnownVehicle known;
     bool has_state{false};
     ScanClock scan_clock;
@@ -78,7 +78,7 @@ class ObstacleTrackerService {
   Tracker tracker_;
   Outbox outbox_;
   Coverage coverage_;
-  std::map<std::string, Vehicle> vehicles_;
+  std::map<std::string, VehicleEntry> vehicles_;
   bus::Writer<topics::Track> tracks_;
   bus::Writer<topics::TrackingStatus> statuses_;
   bus::Writer<topics::Coverage> coverages_;

@@ -95,7 +95,7 @@ global_planner::Outline outline_of(const PlanOrders& orders) {
 
 /// The grid's optimum for this vehicle, which the file does not know.
 double optimum_m(const Problem& problem) {
-  const global_planner::Plan plan = global_planner::find_variant("jps")->make()->plan(problem, is_interrupted);
+  const global_planner::PlannedPath plan = global_planner::find_variant("jps")->make()->plan(problem, is_interrupted);
   return plan.outcome == Outcome::kFound ? plan.length_m : 0.0;
 }
 

@@ -180,12 +180,13 @@ class Run {
 
   /// The goal that the dispatcher would give now.
   void give_goal(const Agv& agv) {
-    global_planner::Goal goal;
+    fleet::Goal goal;
+    goal.agv_id = agv.id;
     goal.id = agv.id + "-" + std::to_string(agv.goal + 1);
     goal.pose_in_map = agv.goals_in_map[agv.goal];
     goal.position_tolerance_m = 0.15;
     goal.yaw_tolerance_rad = agv.heading_matters[agv.goal] ? 0.1 : 0.0;
-    fleet_.set_goal(agv.id, goal);
+    fleet_.set_goal(goal);
   }
 
   void step() {
@@ -280,21 +281,10 @@ class Run {
   void plan() {
     for (const Agv& agv : agvs_) fleet_.set_pose(agv.id, agv.inputs.state.any()->base_in_map, now());
     while (const auto made = fleet_.step(now(), [] { return false; })) {
-      const bool is_replan = made->trigger != global_planner::Trigger::kNewGoal;
+      const bool is_replan = made->trigger != fleet::PlanTrigger::kNewGoal;
       if (!is_replan) result_.planned_m += length_m(made->waypoints_in_map);
-      fleet::Plan plan;
-      plan.id = made->plan_id;
-      plan.goal_id = made->goal.id;
-      plan.map_revision = made->map_revision;
-      plan.outcome = made->outcome == global_planner::FleetOutcome::kFound ? fleet::PlanOutcome::kFound
-                                                                           : fleet::PlanOutcome::kNoPath;
-      plan.detail = made->detail;
-      plan.goal_in_map = made->goal.pose_in_map;
-      plan.position_tolerance_m = made->goal.position_tolerance_m;
-      plan.yaw_tolerance_rad = made->goal.yaw_tolerance_rad;
-      plan.waypoints_in_map = made->waypoints_in_map;
       for (Agv& agv : agvs_)
-        if (agv.id == made->agv_id) agv.inputs.plan = plan, agv.replans += is_replan ? 1 : 0;
+        if (agv.id == made->agv_id) agv.inputs.plan = *made, agv.replans += is_replan ? 1 : 0;
     }
     for (const std::string& event : fleet_.take_events()) note("global: " + event);
   }
@@ -326,26 +316,19 @@ class Run {
 
   /// What everybody hears as `navigation_status`.
   void announce(Agv& agv) {
-    using Navigation = global_planner::Navigation;
     agv.announced.phase = agv.output.phase;
     agv.announced.reason = agv.output.reason;
     agv.announced.intent = agv.output.intent;
     agv.announced.intent_arrived = now();
-    Navigation navigation;
-    navigation.goal_id = agv.inputs.plan ? agv.inputs.plan->goal_id : "";
-    navigation.plan_id = agv.inputs.plan ? agv.inputs.plan->id : 0;
-    const Phase phase = agv.output.phase;
-    navigation.activity = phase == Phase::kBlocked                           ? Navigation::Activity::kBlocked
-                          : phase == Phase::kArrived                         ? Navigation::Activity::kArrived
-                          : phase == Phase::kFailed || phase == Phase::kHeld ? Navigation::Activity::kStopped
-                                                                             : Navigation::Activity::kUnderway;
-    navigation.cause = agv.output.reason == fleet::Reason::kVehicle    ? Navigation::Cause::kVehicle
-                       : agv.output.reason == fleet::Reason::kObstacle ? Navigation::Cause::kObstacle
-                       : agv.output.reason == fleet::Reason::kOffPath  ? Navigation::Cause::kOffPath
-                                                                       : Navigation::Cause::kOther;
-    navigation.blocked_at_in_map = agv.output.blocked_at_in_map;
-    navigation.blocked_radius_m = agv.output.blocked_radius_m;
-    fleet_.set_navigation(agv.id, navigation, now());
+    fleet::NavigationStatus status;
+    status.agv_id = agv.id;
+    status.goal_id = agv.inputs.plan ? agv.inputs.plan->goal_id : "";
+    status.plan_id = agv.inputs.plan ? agv.inputs.plan->id : 0;
+    status.phase = agv.output.phase;
+    status.reason = agv.output.reason;
+    status.blocked_at_in_map = agv.output.blocked_at_in_map;
+    status.blocked_radius_m = agv.output.blocked_radius_m;
+    fleet_.set_navigation(status, now());
   }
 
   /// Any point of it: a corner swings while a rectangle turns on the spot.

@@ -32,7 +32,7 @@ std::vector<double> ways_m(const Setup& setup, const grid::OccupancyGrid& grid, 
     global_planner::Problem problem{clearance, vehicle.start_in_map.position(),
                                     setup.scenario.missions[i].goals_in_map.front().position()};
     problem.radius_m = vehicle.radius_m + spare_m;
-    const global_planner::Plan plan = planner->plan(problem, [] { return false; });
+    const global_planner::PlannedPath plan = planner->plan(problem, [] { return false; });
     lengths.push_back(plan.outcome == global_planner::Outcome::kFound ? plan.length_m
                                                                       : std::numeric_limits<double>::infinity());
   }

@@ -3,6 +3,7 @@
 #include <deque>
 #include <random>
 
+#include "common/fleet/vehicle_state.hpp"
 #include "common/kinematics/vehicle_model.hpp"
 #include "common/time/stamp.hpp"
 #include "services/fake-vehicle/core/parameters.hpp"
@@ -10,7 +11,7 @@
 
 namespace aisle::fake_vehicle {
 
-enum class Hold { kNone, kNoCommand, kLateCommand, kContact };
+using fleet::Hold;
 
 /// A vehicle of any model: follows commands after a dead time and with a first-order lag, within its limits, and brakes
 /// by itself, with its full deceleration and without lag, when no command came for command_timeout_s. It cannot pass

@@ -54,10 +54,10 @@ class BestFirst final : public Planner {
   }
 
  private:
-  Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
+  PlannedPath search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
     const grid::Geometry& geometry = drivable.geometry();
     const Ends ends{geometry, geometry.cell_at(problem.start_in_map), geometry.cell_at(problem.goal_in_map), drivable};
-    Plan plan = blank();
+    PlannedPath plan = blank();
     plan.outcome = run(drivable, ends, out_of_time, plan.expanded);
     if (plan.outcome != Outcome::kFound) return plan;
     trace(ends, plan.waypoints_in_map);

@@ -17,31 +17,30 @@ constexpr double kNearBlock_m = 2.0;  // a vehicle within this of the reported b
 
 }  // namespace
 
-bool FleetPlanner::is_parked(const Vehicle& v, Stamp now) const {
+bool FleetPlanner::is_parked(const VehicleEntry& v, Stamp now) const {
   if (!v.pose.seen() || !v.radius_m) return false;
   if (v.pose.fresh(now, from_seconds(settings_.state_life_s)) == nullptr)
     return true;  // silent: where it was, it may still be
   if (now - v.stands_since < from_seconds(settings_.parked_after_s)) return false;
   const bool has_nothing_to_do =
-      !v.goal || v.goal->is_cancelled || (v.plan && v.plan->goal == *v.goal && v.plan->outcome != FleetOutcome::kFound);
+      !v.goal || v.goal->is_cancelled || (v.plan && v.planned_for == *v.goal && !v.plan->is_found());
   const bool stays =
-      v.navigation &&
-      (v.navigation->activity == Navigation::Activity::kStopped ||
-       (v.navigation->activity == Navigation::Activity::kArrived && v.goal && v.navigation->goal_id == v.goal->id));
+      v.navigation && (v.navigation->phase == Phase::kFailed || v.navigation->phase == Phase::kHeld ||
+                       (v.navigation->phase == Phase::kArrived && v.goal && v.navigation->goal_id == v.goal->id));
   return has_nothing_to_do || stays;
 }
 
-bool FleetPlanner::is_blocked_on_its_plan(const Vehicle& v, Stamp now) const {
-  return v.navigation && v.plan && v.navigation->activity == Navigation::Activity::kBlocked &&
-         v.navigation->plan_id == v.plan->plan_id && now - v.navigation_arrived <= from_seconds(settings_.state_life_s);
+bool FleetPlanner::is_blocked_on_its_plan(const VehicleEntry& v, Stamp now) const {
+  return v.navigation && v.plan && v.navigation->phase == Phase::kBlocked && v.navigation->plan_id == v.plan->id &&
+         now - v.navigation_arrived <= from_seconds(settings_.state_life_s);
 }
 
-std::vector<FleetPlanner::Obstacle> FleetPlanner::obstacles_for(const Vehicle& v, Stamp now) const {
+std::vector<FleetPlanner::Obstacle> FleetPlanner::obstacles_for(const VehicleEntry& v, Stamp now) const {
   const Point2 here = v.pose.any()->position();
   const Point2 goal = v.goal->pose_in_map.position();
   const double slack_m = 1.5 * clearance_.geometry().resolution_m;  // stamping a disc into cells makes it larger
   std::vector<Obstacle> obstacles;
-  const auto add = [&](Disc disc, Trigger trigger, const std::string& name) {
+  const auto add = [&](Disc disc, PlanTrigger trigger, const std::string& name) {
     // The vehicle stands where it stands, so the obstacle cannot reach there; and what stands on the goal is left to
     // the local planner.
     disc.radius_m = std::min(disc.radius_m, geometry::distance(here, disc.center_in_map) - *v.radius_m - slack_m);
@@ -51,30 +50,30 @@ std::vector<FleetPlanner::Obstacle> FleetPlanner::obstacles_for(const Vehicle& v
     if (is_in_map(clearance_.geometry(), disc.center_in_map)) obstacles.push_back({disc, trigger, name});
   };
 
-  for (const auto& [id, disc] : static_tracks_) add(disc, Trigger::kTrack, "track " + std::to_string(id));
+  for (const auto& [id, disc] : static_tracks_) add(disc, PlanTrigger::kTrack, "track " + std::to_string(id));
   for (const Report& report : v.reports) {
     if (now - report.newest <= from_seconds(settings_.report_life_s))
-      add(report.disc, Trigger::kVehicleBlocked, "the reported block");
+      add(report.disc, PlanTrigger::kVehicleBlocked, "the reported block");
   }
-  const Vehicle* blocker = nullptr;
+  const VehicleEntry* blocker = nullptr;
   double blocker_m = kNearBlock_m;
-  const bool asks = is_blocked_on_its_plan(v, now) && v.navigation->cause == Navigation::Cause::kVehicle;
+  const bool asks = is_blocked_on_its_plan(v, now) && v.navigation->reason == Reason::kVehicle;
   for (const auto& [id, other] : vehicles_) {
     if (&other == &v || !other.pose.seen() || !other.radius_m) continue;
     const Point2 there = other.pose.any()->position();
     if (is_parked(other, now)) {
-      add({there, other.shape.reach_m}, Trigger::kTrack, id);
+      add({there, other.shape.reach_m}, PlanTrigger::kTrack, id);
     } else if (asks && geometry::distance(there, v.navigation->blocked_at_in_map) < blocker_m) {
       blocker = &other;
       blocker_m = geometry::distance(there, v.navigation->blocked_at_in_map);
     }
   }
   if (blocker != nullptr)
-    add({blocker->pose.any()->position(), blocker->shape.reach_m}, Trigger::kVehicleBlocked, blocker->id);
+    add({blocker->pose.any()->position(), blocker->shape.reach_m}, PlanTrigger::kVehicleBlocked, blocker->id);
   return obstacles;
 }
 
-const FleetPlanner::Obstacle* FleetPlanner::first_on_the_way(const Vehicle& v,
+const FleetPlanner::Obstacle* FleetPlanner::first_on_the_way(const VehicleEntry& v,
                                                              const std::vector<Obstacle>& obstacles) const {
   if (obstacles.empty()) return nullptr;
   const std::vector<Point2> rest = v.progress.remaining();

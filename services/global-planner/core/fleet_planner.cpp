@@ -31,9 +31,26 @@ std::string shortened(std::string text) {
   return text.size() <= kLongestDetail ? text : text.substr(0, kLongestDetail);
 }
 
-bool is_arrived(const std::optional<Navigation>& navigation, const std::optional<Goal>& goal) {
-  return navigation && goal && navigation->activity == Navigation::Activity::kArrived &&
-         navigation->goal_id == goal->id;
+bool is_arrived(const std::optional<NavigationStatus>& navigation, const std::optional<Goal>& goal) {
+  return navigation && goal && navigation->phase == Phase::kArrived && navigation->goal_id == goal->id;
+}
+
+PlanOutcome outcome_of(Outcome searched) {
+  switch (searched) {
+    case Outcome::kFound:
+      return PlanOutcome::kFound;
+    case Outcome::kNoPath:
+      return PlanOutcome::kNoPath;
+    case Outcome::kStartBlocked:
+      return PlanOutcome::kStartBlocked;
+    case Outcome::kGoalBlocked:
+      return PlanOutcome::kGoalBlocked;
+    case Outcome::kOutOfMap:
+      return PlanOutcome::kOutOfMap;
+    case Outcome::kOutOfTime:
+      return PlanOutcome::kOutOfTime;
+  }
+  return PlanOutcome::kNoPath;
 }
 
 }  // namespace
@@ -66,7 +83,7 @@ void FleetPlanner::set_map(const std::string& map_id, std::uint64_t revision, co
 void FleetPlanner::rebuild_clearance() { clearance_ = grid::ClearanceField(*grid_, reach_m_); }
 
 void FleetPlanner::set_vehicle(const std::string& agv_id, const VehicleShape& shape) {
-  Vehicle* v = vehicle(agv_id);
+  VehicleEntry* v = vehicle(agv_id);
   if (v == nullptr) return;
   v->radius_m = shape.radius_m;
   v->shape = shape;
@@ -78,9 +95,9 @@ void FleetPlanner::set_vehicle(const std::string& agv_id, const VehicleShape& sh
 }
 
 void FleetPlanner::set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, Stamp now) {
-  Vehicle* const known = vehicle(agv_id);
+  VehicleEntry* const known = vehicle(agv_id);
   if (known == nullptr) return;
-  Vehicle& v = *known;
+  VehicleEntry& v = *known;
   if (!v.pose.seen() || geometry::distance(v.stands_at, base_in_map.position()) > kStandsWithin_m) {
     v.stands_at = base_in_map.position();
     v.stands_since = now;
@@ -88,23 +105,23 @@ void FleetPlanner::set_pose(const std::string& agv_id, const geometry::Pose2& ba
   v.pose.set(base_in_map, now);
 }
 
-void FleetPlanner::set_goal(const std::string& agv_id, const Goal& goal) {
-  Vehicle* const known = vehicle(agv_id);
+void FleetPlanner::set_goal(const Goal& goal) {
+  VehicleEntry* const known = vehicle(goal.agv_id);
   if (known == nullptr) return;
-  Vehicle& v = *known;
+  VehicleEntry& v = *known;
   if (v.goal && *v.goal == goal) return;
   v.goal = goal;
   v.next_attempt = Stamp{};
   v.wait_s = 0.0;
 }
 
-void FleetPlanner::set_navigation(const std::string& agv_id, const Navigation& navigation, Stamp now) {
-  Vehicle* const known = vehicle(agv_id);
+void FleetPlanner::set_navigation(const NavigationStatus& navigation, Stamp now) {
+  VehicleEntry* const known = vehicle(navigation.agv_id);
   if (known == nullptr) return;
-  Vehicle& v = *known;
+  VehicleEntry& v = *known;
   v.navigation = navigation;
   v.navigation_arrived = now;
-  if (navigation.activity != Navigation::Activity::kBlocked || navigation.cause != Navigation::Cause::kObstacle) return;
+  if (navigation.phase != Phase::kBlocked || navigation.reason != Reason::kObstacle) return;
   const Disc disc{navigation.blocked_at_in_map, navigation.blocked_radius_m > 0.0 ? navigation.blocked_radius_m : 0.3};
   const auto same = std::find_if(v.reports.begin(), v.reports.end(), [&](const Report& report) {
     return geometry::distance(report.disc.center_in_map, disc.center_in_map) < 0.3;
@@ -119,11 +136,15 @@ void FleetPlanner::set_navigation(const std::string& agv_id, const Navigation& n
 
 void FleetPlanner::forget_vehicle(const std::string& agv_id) { vehicles_.erase(agv_id); }
 
-void FleetPlanner::adopt(const FleetPlan& plan) {
-  Vehicle* const known = vehicle(plan.agv_id);
+void FleetPlanner::adopt(const Plan& plan) {
+  VehicleEntry* const known = vehicle(plan.agv_id);
   if (known == nullptr) return;
-  Vehicle& v = *known;
+  VehicleEntry& v = *known;
   v.plan = plan;
+  v.planned_for = {
+      plan.agv_id,        plan.goal_id, plan.goal_in_map, plan.position_tolerance_m, plan.yaw_tolerance_rad,
+      plan.is_cancelled()};
+  v.leads_to_nearest = false;  // not said: a plan to another place than the goal is none for that goal
   v.is_adopted = true;
   v.progress = PathProgress(plan.waypoints_in_map);
 }
@@ -136,21 +157,21 @@ void FleetPlanner::set_static_track(std::uint64_t track_id, const Disc& disc) {
   if (static_tracks_.size() < kMost || static_tracks_.count(track_id) > 0) static_tracks_[track_id] = disc;
 }
 
-FleetPlanner::Vehicle* FleetPlanner::vehicle(const std::string& agv_id) {
+FleetPlanner::VehicleEntry* FleetPlanner::vehicle(const std::string& agv_id) {
   const auto known = vehicles_.find(agv_id);
   if (known != vehicles_.end()) return &known->second;
   if (vehicles_.size() >= kMost) return nullptr;
-  Vehicle& v = vehicles_[agv_id];
+  VehicleEntry& v = vehicles_[agv_id];
   v.id = agv_id;
   return &v;
 }
 
-std::optional<FleetPlan> FleetPlanner::step(Stamp now, const OutOfTime& out_of_time) {
+std::optional<Plan> FleetPlanner::step(Stamp now, const OutOfTime& out_of_time) {
   auto turn = vehicles_.upper_bound(last_attended_);
   for (std::size_t i = 0; i < vehicles_.size(); ++i, ++turn) {
     if (turn == vehicles_.end()) turn = vehicles_.begin();
     const std::uint64_t before = searches_;
-    std::optional<FleetPlan> plan = attend(turn->second, now, out_of_time);
+    std::optional<Plan> plan = attend(turn->second, now, out_of_time);
     if (!plan && searches_ == before) continue;
     last_attended_ = turn->first;
     return plan;
@@ -158,82 +179,97 @@ std::optional<FleetPlan> FleetPlanner::step(Stamp now, const OutOfTime& out_of_t
   return {};
 }
 
-std::optional<FleetPlan> FleetPlanner::attend(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
+std::optional<Plan> FleetPlanner::attend(VehicleEntry& v, Stamp now, const OutOfTime& out_of_time) {
   if (!v.goal) return {};
   if (v.goal->is_cancelled) return cancel(v);
   const geometry::Pose2* pose = v.pose.fresh(now, from_seconds(settings_.state_life_s));
   if (map_revision_ == 0 || !v.radius_m || pose == nullptr) return {};
   if (!v.plan && is_arrived(v.navigation, v.goal)) return {};  // reached in a former life of this planner
-  if (!v.plan || v.plan->goal != *v.goal) return publish(v, plan_anew(v, Trigger::kNewGoal, now, out_of_time), now);
+  if (!v.plan || v.planned_for != *v.goal)
+    return publish(v, plan_anew(v, PlanTrigger::kNewGoal, now, out_of_time), now);
   v.progress.advance(pose->position());
   if (v.is_adopted || v.plan->map_revision != map_revision_ || v.plan->map_id != map_id_)
     return check_map(v, now, out_of_time);
   if (is_arrived(v.navigation, v.goal)) return {};
-  return v.plan->outcome == FleetOutcome::kFound ? check_obstacles(v, now, out_of_time) : retry(v, now, out_of_time);
+  return v.plan->outcome == PlanOutcome::kFound ? check_obstacles(v, now, out_of_time) : retry(v, now, out_of_time);
 }
 
-std::optional<FleetPlan> FleetPlanner::cancel(Vehicle& v) {
-  if (v.plan && v.plan->goal == *v.goal && !v.is_adopted) return {};
-  FleetPlan plan;
-  plan.outcome = FleetOutcome::kCancelled;
+std::optional<Plan> FleetPlanner::cancel(VehicleEntry& v) {
+  if (v.plan && v.planned_for == *v.goal && !v.is_adopted) return {};
+  Plan plan = blank_plan(v);
+  plan.outcome = PlanOutcome::kCancelled;
   plan.detail = fmt::format("goal {} was cancelled", v.goal->id);
   return publish(v, std::move(plan), Stamp{});
 }
 
-std::optional<FleetPlan> FleetPlanner::check_map(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
+std::optional<Plan> FleetPlanner::check_map(VehicleEntry& v, Stamp now, const OutOfTime& out_of_time) {
   const bool is_kept = is_arrived(v.navigation, v.goal) ||
-                       (v.plan->outcome == FleetOutcome::kFound && !v.plan->is_to_nearest && is_rest_free(v));
+                       (v.plan->outcome == PlanOutcome::kFound && !v.leads_to_nearest && is_rest_free(v));
   if (!is_kept)
-    return publish(v, plan_anew(v, v.is_adopted ? Trigger::kTakeover : Trigger::kMapChanged, now, out_of_time), now);
+    return publish(v, plan_anew(v, v.is_adopted ? PlanTrigger::kTakeover : PlanTrigger::kMapChanged, now, out_of_time),
+                   now);
   v.plan->map_id = map_id_;
   v.plan->map_revision = map_revision_;
   if (v.is_adopted) {
     v.is_adopted = false;
-    v.plan->plan_id = next_plan_id_++;
-    v.plan->trigger = Trigger::kTakeover;
+    v.plan->id = next_plan_id_++;
+    v.plan->trigger = PlanTrigger::kTakeover;
   }
   return v.plan;
 }
 
-std::optional<FleetPlan> FleetPlanner::retry(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
+std::optional<Plan> FleetPlanner::retry(VehicleEntry& v, Stamp now, const OutOfTime& out_of_time) {
   if (now < v.next_attempt) return {};
-  FleetPlan plan = plan_anew(v, v.plan->trigger, now, out_of_time);
+  Plan plan = plan_anew(v, v.plan->trigger, now, out_of_time);
   if (plan.outcome != v.plan->outcome) return publish(v, std::move(plan), now);
   put_off(v, now);
   return {};
 }
 
-std::optional<FleetPlan> FleetPlanner::check_obstacles(Vehicle& v, Stamp now, const OutOfTime& out_of_time) {
+std::optional<Plan> FleetPlanner::check_obstacles(VehicleEntry& v, Stamp now, const OutOfTime& out_of_time) {
   if (now < v.next_attempt) return {};
   const std::vector<Obstacle> around = obstacles_for(v, now);
   const Obstacle* on_the_way = first_on_the_way(v, around);
   const bool is_off_path =
-      v.progress.off_path_m() > kOffPath_m || (v.navigation && v.navigation->cause == Navigation::Cause::kOffPath);
+      v.progress.off_path_m() > kOffPath_m || (v.navigation && v.navigation->reason == Reason::kOffPath);
   const bool is_stuck = is_blocked_on_its_plan(v, now) && is_off_path;
   if (on_the_way == nullptr && !is_stuck) return {};
 
-  const Plan found = search(v, around, out_of_time);
+  const PlannedPath found = search(v, around, out_of_time);
   if (found.outcome != Outcome::kFound) {
     if (v.wait_s == 0.0) {
       events_.push_back(fmt::format("{}: no way around {}; plan {} is kept", v.id,
-                                    on_the_way ? on_the_way->name : "what blocks it", v.plan->plan_id));
+                                    on_the_way ? on_the_way->name : "what blocks it", v.plan->id));
     }
     put_off(v, now);
     return {};
   }
-  FleetPlan plan;
-  plan.trigger = on_the_way != nullptr ? on_the_way->trigger : Trigger::kVehicleBlocked;
+  Plan plan = blank_plan(v);
+  plan.trigger = on_the_way != nullptr ? on_the_way->trigger : PlanTrigger::kVehicleBlocked;
   plan.waypoints_in_map = found.waypoints_in_map;
   plan.length_m = found.length_m;
   if (on_the_way != nullptr) plan.detail = shortened("around " + on_the_way->name);
   return publish(v, std::move(plan), now);
 }
 
-FleetPlan FleetPlanner::plan_anew(const Vehicle& v, Trigger trigger, Stamp now, const OutOfTime& out_of_time) {
-  FleetPlan plan;
+/// For the vehicle's goal, checked against the newest map, without a way yet.
+Plan FleetPlanner::blank_plan(const VehicleEntry& v) const {
+  Plan plan;
+  plan.agv_id = v.id;
+  plan.goal_id = v.goal->id;
+  plan.goal_in_map = v.goal->pose_in_map;
+  plan.position_tolerance_m = v.goal->position_tolerance_m;
+  plan.yaw_tolerance_rad = v.goal->yaw_tolerance_rad;
+  plan.map_id = map_id_;
+  plan.map_revision = map_revision_;
+  return plan;
+}
+
+Plan FleetPlanner::plan_anew(const VehicleEntry& v, PlanTrigger trigger, Stamp now, const OutOfTime& out_of_time) {
+  Plan plan = blank_plan(v);
   plan.trigger = trigger;
   const std::vector<Obstacle> around = obstacles_for(v, now);
-  Plan found = search(v, around, out_of_time);
+  PlannedPath found = search(v, around, out_of_time);
   if (found.outcome != Outcome::kFound && !around.empty()) {
     found = search(v, {}, out_of_time);
     if (found.outcome == Outcome::kFound)
@@ -241,42 +277,43 @@ FleetPlan FleetPlanner::plan_anew(const Vehicle& v, Trigger trigger, Stamp now, 
   }
   if (found.outcome != Outcome::kFound) plan.detail = shortened(why(v, found.outcome, out_of_time));
   if (settings_.to_nearest && (found.outcome == Outcome::kNoPath || found.outcome == Outcome::kGoalBlocked)) {
-    Plan nearest = search_nearest(v, out_of_time);
-    plan.is_to_nearest = nearest.outcome == Outcome::kFound;
-    if (plan.is_to_nearest) found = std::move(nearest);
+    PlannedPath nearest = search_nearest(v, out_of_time);
+    if (nearest.outcome == Outcome::kFound) {
+      found = std::move(nearest);
+      const Point2 end = found.waypoints_in_map.back();
+      plan.goal_in_map = {end.x, end.y, plan.goal_in_map.yaw};
+    }
   }
-  plan.outcome = static_cast<FleetOutcome>(found.outcome);
+  plan.outcome = outcome_of(found.outcome);
   plan.waypoints_in_map = std::move(found.waypoints_in_map);
   plan.length_m = found.length_m;
   return plan;
 }
 
-std::optional<FleetPlan> FleetPlanner::publish(Vehicle& v, FleetPlan plan, Stamp now) {
-  plan.agv_id = v.id;
-  plan.plan_id = next_plan_id_++;
-  plan.goal = *v.goal;
-  plan.map_id = map_id_;
-  plan.map_revision = map_revision_;
+std::optional<Plan> FleetPlanner::publish(VehicleEntry& v, Plan plan, Stamp now) {
+  plan.id = next_plan_id_++;
+  v.planned_for = *v.goal;
+  v.leads_to_nearest = plan.goal_in_map.position() != v.goal->pose_in_map.position();
   v.progress = PathProgress(plan.waypoints_in_map);
   v.is_adopted = false;
   v.wait_s = 0.0;
   v.next_attempt = now + from_seconds(settings_.replan_s);
-  events_.push_back(plan.outcome == FleetOutcome::kFound
-                        ? fmt::format("{}: plan {} to {} ({}): {:.2f} m, {} points{}{}", v.id, plan.plan_id,
-                                      plan.goal.id, name(plan.trigger), plan.length_m, plan.waypoints_in_map.size(),
+  events_.push_back(plan.outcome == PlanOutcome::kFound
+                        ? fmt::format("{}: plan {} to {} ({}): {:.2f} m, {} points{}{}", v.id, plan.id, plan.goal_id,
+                                      name(plan.trigger), plan.length_m, plan.waypoints_in_map.size(),
                                       plan.detail.empty() ? "" : ", ", plan.detail)
-                        : fmt::format("{}: plan {} to {} ({}): {}: {}", v.id, plan.plan_id, plan.goal.id,
-                                      name(plan.trigger), name(plan.outcome), plan.detail));
+                        : fmt::format("{}: plan {} to {} ({}): {}: {}", v.id, plan.id, plan.goal_id, name(plan.trigger),
+                                      name(plan.outcome), plan.detail));
   v.plan = std::move(plan);
   return v.plan;
 }
 
-void FleetPlanner::put_off(Vehicle& v, Stamp now) {
+void FleetPlanner::put_off(VehicleEntry& v, Stamp now) {
   v.wait_s = std::clamp(2.0 * v.wait_s, settings_.replan_s, std::max(settings_.replan_s, settings_.longest_wait_s));
   v.next_attempt = now + from_seconds(v.wait_s);
 }
 
-Problem FleetPlanner::problem_of(const Vehicle& v, Point2 start_in_map, Point2 goal_in_map) const {
+Problem FleetPlanner::problem_of(const VehicleEntry& v, Point2 start_in_map, Point2 goal_in_map) const {
   Problem problem{clearance_,  start_in_map,           goal_in_map, *v.radius_m + settings_.margin_m,
                   *v.radius_m, settings_.tight_range_m};
   problem.preferred_clearance_m = settings_.preferred_clearance_m;
@@ -286,7 +323,8 @@ Problem FleetPlanner::problem_of(const Vehicle& v, Point2 start_in_map, Point2 g
   return problem;
 }
 
-Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around, const OutOfTime& out_of_time) {
+PlannedPath FleetPlanner::search(const VehicleEntry& v, const std::vector<Obstacle>& around,
+                                 const OutOfTime& out_of_time) {
   ++searches_;
   std::vector<Disc> discs;
   for (const Obstacle& obstacle : around) discs.push_back(obstacle.disc);
@@ -294,7 +332,7 @@ Plan FleetPlanner::search(const Vehicle& v, const std::vector<Obstacle>& around,
   const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
   const bool is_steered = v.shape.turning_radius_m > 0.0;
   if (!is_steered && is_known_unreachable(problem)) return {};
-  Plan plan = (is_steered ? *steered_ : *planner_).plan(problem, out_of_time);
+  PlannedPath plan = (is_steered ? *steered_ : *planner_).plan(problem, out_of_time);
   if (plan.outcome != Outcome::kFound) return plan;
   passes::collinear(Drivable(problem), plan.waypoints_in_map);
   if (plan.waypoints_in_map.size() > kMostWaypoints)
@@ -312,14 +350,14 @@ bool FleetPlanner::is_known_unreachable(const Problem& problem) const {
          parts_.are_apart(geometry.cell_at(problem.start_in_map), geometry.cell_at(problem.goal_in_map));
 }
 
-Plan FleetPlanner::search_nearest(const Vehicle& v, const OutOfTime& out_of_time) {
+PlannedPath FleetPlanner::search_nearest(const VehicleEntry& v, const OutOfTime& out_of_time) {
   const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
   const std::optional<Point2> point = nearest_reachable(problem, parts_, out_of_time);
   if (!point) return {};
   return planner_->plan(problem_of(v, problem.start_in_map, *point), out_of_time);
 }
 
-bool FleetPlanner::is_rest_free(const Vehicle& v) const {
+bool FleetPlanner::is_rest_free(const VehicleEntry& v) const {
   const std::vector<Point2> rest = v.progress.remaining();
   if (rest.empty()) return false;
   Problem problem = problem_of(v, v.plan->waypoints_in_map.front(), v.plan->waypoints_in_map.back());
@@ -334,7 +372,7 @@ bool FleetPlanner::is_rest_free(const Vehicle& v) const {
   return drivable.is_free(rest.back());
 }
 
-std::string FleetPlanner::why(const Vehicle& v, Outcome outcome, const OutOfTime& out_of_time) {
+std::string FleetPlanner::why(const VehicleEntry& v, Outcome outcome, const OutOfTime& out_of_time) {
   const Point2 start = v.pose.any()->position();
   const Point2 goal = v.goal->pose_in_map.position();
   const grid::Geometry& geometry = clearance_.geometry();
@@ -380,42 +418,6 @@ std::string FleetPlanner::waits_for(Stamp now) const {
     if (v.pose.fresh(now, from_seconds(settings_.state_life_s)) == nullptr) add("vehicle_state of " + id);
   }
   return shortened(text);
-}
-
-const char* name(FleetOutcome outcome) {
-  switch (outcome) {
-    case FleetOutcome::kFound:
-      return "found";
-    case FleetOutcome::kNoPath:
-      return "no path";
-    case FleetOutcome::kStartBlocked:
-      return "start blocked";
-    case FleetOutcome::kGoalBlocked:
-      return "goal blocked";
-    case FleetOutcome::kOutOfMap:
-      return "out of map";
-    case FleetOutcome::kOutOfTime:
-      return "out of time";
-    case FleetOutcome::kCancelled:
-      return "cancelled";
-  }
-  return "?";
-}
-
-const char* name(Trigger trigger) {
-  switch (trigger) {
-    case Trigger::kNewGoal:
-      return "new goal";
-    case Trigger::kMapChanged:
-      return "map changed";
-    case Trigger::kTrack:
-      return "track";
-    case Trigger::kVehicleBlocked:
-      return "vehicle blocked";
-    case Trigger::kTakeover:
-      return "takeover";
-  }
-  return "?";
 }
 
 }  // namespace aisle::global_planner

@@ -49,20 +49,20 @@ class FleetPlanner {
     set_vehicle(agv_id, VehicleShape{radius_m, radius_m, 0.0, {}});
   }
   void set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, time::Stamp now);
-  void set_goal(const std::string& agv_id, const Goal& goal);
-  void set_navigation(const std::string& agv_id, const Navigation& navigation, time::Stamp now);
+  void set_goal(const Goal& goal);
+  void set_navigation(const NavigationStatus& navigation, time::Stamp now);
   void forget_vehicle(const std::string& agv_id);
   /// A static obstacle that the tracker sees; it stays until dropped.
   void set_static_track(std::uint64_t track_id, const Disc& disc);
   void drop_track(std::uint64_t track_id) { static_tracks_.erase(track_id); }
 
   /// Takes over a plan that another planner published: it is checked and published again as ours, waypoints unchanged.
-  void adopt(const FleetPlan& plan);
+  void adopt(const Plan& plan);
   /// All plans that stand, ours too, are checked and published again.
   void take_over();
 
   /// The next plan to publish, after working for at most one vehicle; call it again until there is none.
-  std::optional<FleetPlan> step(time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<Plan> step(time::Stamp now, const OutOfTime& out_of_time);
 
   /// Nothing will be asked for some time: the search's memory is given back until then.
   void rest() {
@@ -83,7 +83,7 @@ class FleetPlanner {
     Disc disc;
     time::Stamp newest;
   };
-  struct Vehicle {
+  struct VehicleEntry {
     std::string id;
     std::optional<double> radius_m;  // of what keeps clear of walls
     VehicleShape shape;
@@ -91,10 +91,12 @@ class FleetPlanner {
     geometry::Point2 stands_at;  // anchor: left when it moves 5 cm away
     time::Stamp stands_since{};
     std::optional<Goal> goal;
-    std::optional<Navigation> navigation;
+    std::optional<NavigationStatus> navigation;
     time::Stamp navigation_arrived{};
     std::vector<Report> reports;
-    std::optional<FleetPlan> plan;
+    std::optional<Plan> plan;
+    Goal planned_for;              // the goal that the plan was made for
+    bool leads_to_nearest{false};  // it cannot be reached: the plan ends at the nearest point that can
     bool is_adopted{false};
     PathProgress progress;
     time::Stamp next_attempt{};
@@ -102,33 +104,34 @@ class FleetPlanner {
   };
   struct Obstacle {
     Disc disc;
-    Trigger trigger;
+    PlanTrigger trigger;
     std::string name;
   };
 
-  std::optional<FleetPlan> attend(Vehicle& vehicle, time::Stamp now, const OutOfTime& out_of_time);
-  std::optional<FleetPlan> cancel(Vehicle& vehicle);
-  std::optional<FleetPlan> check_map(Vehicle& vehicle, time::Stamp now, const OutOfTime& out_of_time);
-  std::optional<FleetPlan> retry(Vehicle& vehicle, time::Stamp now, const OutOfTime& out_of_time);
-  std::optional<FleetPlan> check_obstacles(Vehicle& vehicle, time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<Plan> attend(VehicleEntry& vehicle, time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<Plan> cancel(VehicleEntry& vehicle);
+  std::optional<Plan> check_map(VehicleEntry& vehicle, time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<Plan> retry(VehicleEntry& vehicle, time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<Plan> check_obstacles(VehicleEntry& vehicle, time::Stamp now, const OutOfTime& out_of_time);
 
-  FleetPlan plan_anew(const Vehicle& vehicle, Trigger trigger, time::Stamp now, const OutOfTime& out_of_time);
-  std::optional<FleetPlan> publish(Vehicle& vehicle, FleetPlan plan, time::Stamp now);
-  void put_off(Vehicle& vehicle, time::Stamp now);
+  Plan blank_plan(const VehicleEntry& vehicle) const;
+  Plan plan_anew(const VehicleEntry& vehicle, PlanTrigger trigger, time::Stamp now, const OutOfTime& out_of_time);
+  std::optional<Plan> publish(VehicleEntry& vehicle, Plan plan, time::Stamp now);
+  void put_off(VehicleEntry& vehicle, time::Stamp now);
   /// To the point nearest to the goal that can be reached.
-  Plan search_nearest(const Vehicle& v, const OutOfTime& out_of_time);
+  PlannedPath search_nearest(const VehicleEntry& v, const OutOfTime& out_of_time);
   bool is_known_unreachable(const Problem& problem) const;
-  Plan search(const Vehicle& vehicle, const std::vector<Obstacle>& around, const OutOfTime& out_of_time);
-  Problem problem_of(const Vehicle& vehicle, geometry::Point2 start_in_map, geometry::Point2 goal_in_map) const;
-  bool is_rest_free(const Vehicle& vehicle) const;
-  std::string why(const Vehicle& vehicle, Outcome outcome, const OutOfTime& out_of_time);
+  PlannedPath search(const VehicleEntry& vehicle, const std::vector<Obstacle>& around, const OutOfTime& out_of_time);
+  Problem problem_of(const VehicleEntry& vehicle, geometry::Point2 start_in_map, geometry::Point2 goal_in_map) const;
+  bool is_rest_free(const VehicleEntry& vehicle) const;
+  std::string why(const VehicleEntry& vehicle, Outcome outcome, const OutOfTime& out_of_time);
 
-  std::vector<Obstacle> obstacles_for(const Vehicle& vehicle, time::Stamp now) const;
-  const Obstacle* first_on_the_way(const Vehicle& vehicle, const std::vector<Obstacle>& obstacles) const;
-  bool is_parked(const Vehicle& vehicle, time::Stamp now) const;
-  bool is_blocked_on_its_plan(const Vehicle& vehicle, time::Stamp now) const;
+  std::vector<Obstacle> obstacles_for(const VehicleEntry& vehicle, time::Stamp now) const;
+  const Obstacle* first_on_the_way(const VehicleEntry& vehicle, const std::vector<Obstacle>& obstacles) const;
+  bool is_parked(const VehicleEntry& vehicle, time::Stamp now) const;
+  bool is_blocked_on_its_plan(const VehicleEntry& vehicle, time::Stamp now) const;
   void rebuild_clearance();
-  Vehicle* vehicle(const std::string& agv_id);
+  VehicleEntry* vehicle(const std::string& agv_id);
 
   FleetSettings settings_;
   std::unique_ptr<Planner> planner_;
@@ -140,7 +143,7 @@ class FleetPlanner {
   grid::ClearanceField clearance_;
   ConnectedParts parts_;  // of the map, for the radius last asked for
   double reach_m_{2.0};   // the clearance field's cap; grows with the largest vehicle
-  std::map<std::string, Vehicle> vehicles_;
+  std::map<std::string, VehicleEntry> vehicles_;
   std::map<std::uint64_t, Disc> static_tracks_;
   std::uint64_t next_plan_id_{1};
   std::uint64_t searches_{0};

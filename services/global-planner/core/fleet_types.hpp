@@ -4,6 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "common/fleet/goal.hpp"
+#include "common/fleet/navigation.hpp"
+#include "common/fleet/plan.hpp"
 #include "common/geometry/pose.hpp"
 
 namespace aisle::global_planner {
@@ -44,56 +47,12 @@ struct VehicleShape {
   std::vector<double> discs_ahead_m{};  // of one that does not: centres of the discs of radius_m that cover it
 };
 
-struct Goal {
-  std::string id;
-  geometry::Pose2 pose_in_map;
-  double position_tolerance_m{0.1};
-  double yaw_tolerance_rad{0.0};  // 0: any heading
-  bool is_cancelled{false};
-};
-inline bool operator==(const Goal& a, const Goal& b) {
-  return a.id == b.id && a.pose_in_map.x == b.pose_in_map.x && a.pose_in_map.y == b.pose_in_map.y &&
-         a.pose_in_map.yaw == b.pose_in_map.yaw && a.position_tolerance_m == b.position_tolerance_m &&
-         a.yaw_tolerance_rad == b.yaw_tolerance_rad && a.is_cancelled == b.is_cancelled;
-}
-inline bool operator!=(const Goal& a, const Goal& b) { return !(a == b); }
-
-/// What a local planner says of its vehicle, as far as planning cares.
-struct Navigation {
-  enum class Activity {
-    kUnderway,
-    kBlocked,
-    kArrived,
-    kStopped
-  };                                                           // kStopped: failed or held, it will not move by itself
-  enum class Cause { kObstacle, kVehicle, kOffPath, kOther };  // of kBlocked
-  std::string goal_id;
-  std::uint64_t plan_id{0};
-  Activity activity{Activity::kUnderway};
-  Cause cause{Cause::kOther};
-  geometry::Point2 blocked_at_in_map;
-  double blocked_radius_m{0.0};  // 0: unknown
-};
-
-enum class FleetOutcome { kFound, kNoPath, kStartBlocked, kGoalBlocked, kOutOfMap, kOutOfTime, kCancelled };
-enum class Trigger { kNewGoal, kMapChanged, kTrack, kVehicleBlocked, kTakeover };
-
-/// What is published for one vehicle.
-struct FleetPlan {
-  std::string agv_id;
-  std::uint64_t plan_id{0};  // counts from 1 within one life of the planner
-  Goal goal;
-  std::string map_id;
-  std::uint64_t map_revision{0};  // newest revision that this plan was checked against
-  FleetOutcome outcome{FleetOutcome::kFound};
-  Trigger trigger{Trigger::kNewGoal};
-  std::string detail;         // what is wrong and where; at most 256 characters
-  bool is_to_nearest{false};  // the goal cannot be reached: the path ends at the nearest point that can
-  std::vector<geometry::Point2> waypoints_in_map;  // empty unless found
-  double length_m{0.0};
-};
-
-const char* name(FleetOutcome outcome);
-const char* name(Trigger trigger);
+using fleet::Goal;
+using fleet::NavigationStatus;
+using fleet::Phase;
+using fleet::Plan;
+using fleet::PlanOutcome;
+using fleet::PlanTrigger;
+using fleet::Reason;
 
 }  // namespace aisle::global_planner

@@ -18,14 +18,14 @@ std::optional<geometry::Point2> nearest_reachable(const Problem& problem, Connec
   return cell ? std::optional(geometry.center_in_map(*cell)) : std::nullopt;
 }
 
-Plan plan_to_nearest(Planner& planner, const Problem& problem, const OutOfTime& out_of_time) {
-  Plan plan = planner.plan(problem, out_of_time);
+PlannedPath plan_to_nearest(Planner& planner, const Problem& problem, const OutOfTime& out_of_time) {
+  PlannedPath plan = planner.plan(problem, out_of_time);
   if (plan.outcome != Outcome::kNoPath && plan.outcome != Outcome::kGoalBlocked) return plan;
   const std::optional<geometry::Point2> point = nearest_reachable(problem, out_of_time);
   if (!point) return plan;
   Problem nearer = problem;
   nearer.goal_in_map = *point;
-  Plan to_nearest = planner.plan(nearer, out_of_time);
+  PlannedPath to_nearest = planner.plan(nearer, out_of_time);
   return to_nearest.outcome == Outcome::kFound ? to_nearest : plan;
 }
 

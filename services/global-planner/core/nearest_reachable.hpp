@@ -17,6 +17,6 @@ std::optional<geometry::Point2> nearest_reachable(const Problem& problem, Connec
 
 /// A plan to the goal; where there is none because of the goal or the way, one to the nearest reachable point, which is
 /// then the path's last. As refused when that does not help either.
-[[nodiscard]] Plan plan_to_nearest(Planner& planner, const Problem& problem, const OutOfTime& out_of_time);
+[[nodiscard]] PlannedPath plan_to_nearest(Planner& planner, const Problem& problem, const OutOfTime& out_of_time);
 
 }  // namespace aisle::global_planner

@@ -83,7 +83,7 @@ std::string why_not_drivable(const Problem& problem, const std::vector<Point2>& 
   return wrong;
 }
 
-std::vector<Pose2> poses_along(const Plan& plan, const Outline& outline) {
+std::vector<Pose2> poses_along(const PlannedPath& plan, const Outline& outline) {
   const std::vector<Point2>& path = plan.waypoints_in_map;
   std::vector<Pose2> poses;
   if (!path.empty() && plan.headings_rad.size() == path.size()) {
@@ -102,7 +102,7 @@ std::vector<Pose2> poses_along(const Plan& plan, const Outline& outline) {
   return poses;
 }
 
-std::string why_not_drivable(const Problem& problem, const Plan& plan, const Outline& outline) {
+std::string why_not_drivable(const Problem& problem, const PlannedPath& plan, const Outline& outline) {
   if (outline.footprint.is_disc()) return why_not_drivable(problem, plan.waypoints_in_map);
   std::string wrong = why_wrong_ends(problem, plan.waypoints_in_map);
   if (!wrong.empty()) return wrong;

@@ -27,10 +27,10 @@ struct Outline {
 
 /// Where the vehicle is and faces along the plan: at the plan's headings, if it has some; else along its way, and at
 /// each point it turns on the spot, the shorter way round.
-std::vector<geometry::Pose2> poses_along(const Plan& plan, const Outline& outline);
+std::vector<geometry::Pose2> poses_along(const PlannedPath& plan, const Outline& outline);
 
 /// The same for the outline. A rectangle is swept along poses_along(): it may touch squares that are not free, not
 /// overlap them, and the problem's radius does not count. For a disc only the problem's radius counts.
-std::string why_not_drivable(const Problem& problem, const Plan& plan, const Outline& outline);
+std::string why_not_drivable(const Problem& problem, const PlannedPath& plan, const Outline& outline);
 
 }  // namespace aisle::global_planner

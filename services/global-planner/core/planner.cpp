@@ -19,23 +19,23 @@ double path_length_m(const std::vector<geometry::Point2>& path) {
   return length_m;
 }
 
-Plan Planner::blank() {
-  Plan plan;
+PlannedPath Planner::blank() {
+  PlannedPath plan;
   plan.waypoints_in_map = std::move(spare_);
   plan.waypoints_in_map.clear();
   return plan;
 }
 
-Plan Planner::plan(const Problem& problem, const OutOfTime& out_of_time) {
-  Plan answer;
+PlannedPath Planner::plan(const Problem& problem, const OutOfTime& out_of_time) {
+  PlannedPath answer;
   plan(problem, out_of_time, answer);
   return answer;
 }
 
-void Planner::plan(const Problem& problem, const OutOfTime& out_of_time, Plan& plan) {
+void Planner::plan(const Problem& problem, const OutOfTime& out_of_time, PlannedPath& plan) {
   const grid::Geometry& geometry = problem.clearance.geometry();
   if (plan.waypoints_in_map.capacity() > spare_.capacity()) spare_.swap(plan.waypoints_in_map);
-  plan = Plan{};
+  plan = PlannedPath{};
   if (!is_in_map(geometry, problem.start_in_map) || !is_in_map(geometry, problem.goal_in_map) ||
       !std::isfinite(problem.radius_m) || problem.radius_m < 0.0) {
     plan.outcome = Outcome::kOutOfMap;

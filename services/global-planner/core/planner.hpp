@@ -44,7 +44,8 @@ struct Problem {
 
 enum class Outcome { kFound, kNoPath, kStartBlocked, kGoalBlocked, kOutOfMap, kOutOfTime };
 
-struct Plan {
+/// What a search came to.
+struct PlannedPath {
   Outcome outcome{Outcome::kNoPath};
   std::vector<geometry::Point2> waypoints_in_map;  // first the start, last the goal, both exact; empty unless kFound
   double length_m{0.0};
@@ -62,20 +63,20 @@ class Planner {
  public:
   virtual ~Planner() = default;
   /// Checks the problem (in the map, start and goal traversable), then searches.
-  [[nodiscard]] Plan plan(const Problem& problem, const OutOfTime& out_of_time);
+  [[nodiscard]] PlannedPath plan(const Problem& problem, const OutOfTime& out_of_time);
   /// The same into `plan`, whose memory is used again: planners that take a blank() plan allocate nothing once it is
   /// large enough.
-  void plan(const Problem& problem, const OutOfTime& out_of_time, Plan& plan);
+  void plan(const Problem& problem, const OutOfTime& out_of_time, PlannedPath& plan);
   /// Gives the search's memory back, until the next search.
   virtual void rest() {}
 
  protected:
   /// A plan to fill, with the memory of one that is no longer needed.
-  Plan blank();
+  PlannedPath blank();
 
  private:
   /// Both ends are in the map and drivable, and lie in different cells; the answer needs no length.
-  virtual Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) = 0;
+  virtual PlannedPath search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) = 0;
 
   std::vector<geometry::Point2> spare_;  // empty, with room
 };

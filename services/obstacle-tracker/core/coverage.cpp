@@ -164,6 +164,7 @@ std::vector<CoverageTile> Coverage::due(time::Stamp now) {
     tile.has_news = false;
     tile.told = now;
     CoverageTile told;
+    told.age_step_s = kAgeStep_s;
     told.tile_x = place.first;
     told.tile_y = place.second;
     told.cell_m = params_.cell_m;

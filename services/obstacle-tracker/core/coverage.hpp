@@ -5,25 +5,19 @@
 #include <utility>
 #include <vector>
 
+#include "common/fleet/coverage.hpp"
 #include "common/grid/occupancy_grid.hpp"
 #include "common/time/stamp.hpp"
 #include "services/obstacle-tracker/core/scan.hpp"
 
 namespace aisle::obstacle_tracker {
 
-/// A square of coarse cells, and how long ago each was last seen.
-struct CoverageTile {
-  std::uint32_t tile_x{0}, tile_y{0};
-  geometry::Point2 low_in_map;  // lower left corner of its first cell
-  double cell_m{0.5};
-  int width_cells{0}, height_cells{0};
-  std::vector<std::uint8_t> ages;  // row by row from the bottom, see age_code()
-};
+using fleet::CoverageTile;
+using fleet::kNeverSeen;
+using fleet::kSeenLongAgo;
 
-/// Ages in steps of half a second, rounded up: a cell was seen at most so long ago.
+/// The age of a place in steps of half a second, rounded up: it was seen at most so long ago.
 inline constexpr double kAgeStep_s = 0.5;
-inline constexpr std::uint8_t kSeenLongAgo = 254;  // 127 s and more
-inline constexpr std::uint8_t kNeverSeen = 255;
 std::uint8_t age_code(time::Stamp seen, time::Stamp now);
 
 /// Which places the lidars of all vehicles looked at, and when: where nobody looked is not free of movers.

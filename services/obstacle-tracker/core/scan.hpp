@@ -5,25 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "common/fleet/scan.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/time/stamp.hpp"
 
 namespace aisle::obstacle_tracker {
 
-/// One turn of a vehicle's lidar, which sits in the origin of the vehicle's frame.
-struct Scan {
-  std::string agv_id;
-  time::Stamp stamp{};           // of the first ray, on the tracker's clock (see ScanClock)
-  geometry::Pose2 base_in_map;   // where the vehicle believed to be at `stamp`
-  double position_sigma_m{0.0};  // how sure it was: standard deviation of each axis; 0: it does not say
-  double yaw_sigma_rad{0.0};
-  geometry::Twist2 twist;       // constant during the sweep
-  double first_angle_rad{0.0};  // in the vehicle's frame; counter-clockwise from there
-  double angle_step_rad{0.0};
-  double sweep_s{0.0};       // from the first ray to the last; 0: all at once
-  double range_min_m{0.0};   // nearer is the vehicle itself: not used
-  double range_max_m{10.0};  // this and more (infinity too): nothing was seen
-  std::vector<float> ranges_m;
+/// A scan with the moment of its first ray on the tracker's clock (see ScanClock).
+struct Scan : fleet::Scan {
+  time::Stamp stamp{};
 };
 
 /// A vehicle of the fleet: what the scans show there is no obstacle.

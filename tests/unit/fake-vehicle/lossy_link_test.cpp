@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "services/fake-vehicle/core/command_authority.hpp"
+#include "common/fleet/command_authority.hpp"
 #include "services/fake-vehicle/core/simulated_vehicle.hpp"
 
 namespace aisle::fake_vehicle {
@@ -34,7 +34,7 @@ Figures drive(const Link& link, int seconds) {
   const grid::OccupancyGrid floor(grid::Geometry{10, 10, 1000.0, {-5000.0, -5000.0}});
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(0.0, 1.0);
-  CommandAuthority authority("agv-1", 0);
+  fleet::CommandAuthority authority("agv-1", 0);
   SimulatedVehicle vehicle(Parameters{}, {0.0, 0.0, 0.0});
   std::multimap<time::Stamp, std::uint64_t> on_the_way;
   Figures figures;
@@ -51,13 +51,11 @@ Figures drive(const Link& link, int seconds) {
     }
     for (auto next = on_the_way.begin(); next != on_the_way.end() && next->first <= now;
          next = on_the_way.erase(next)) {
-      Command command;
+      fleet::VelocityCommand command;
       command.agv_id = "agv-1";
-      command.source_id = "local-planner-agv-1";
-      command.epoch = 1;
-      command.sequence_number = next->second;
       command.twist = {0.5, 0.0, 0.0};
-      if (authority.judge(command) != Verdict::kAccepted) continue;
+      const fleet::Origin by{"local-planner-agv-1", 0, 1, next->second, 0};
+      if (authority.judge(command, by) != fleet::CommandVerdict::kAccepted) continue;
       if (last != time::Stamp{}) figures.longest_gap = std::max(figures.longest_gap, now - last);
       last = now;
       figures.applied.push_back(next->second);

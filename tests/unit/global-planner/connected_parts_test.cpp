@@ -92,7 +92,7 @@ class InVain final : public Planner {
   explicit InVain(int& asked) : asked_(asked) {}
 
  private:
-  Plan search(const Problem&, const Drivable&, const OutOfTime&) override {
+  PlannedPath search(const Problem&, const Drivable&, const OutOfTime&) override {
     ++asked_;
     return blank();
   }
@@ -111,12 +111,12 @@ TEST(FleetPlanner, SearchesOnceInVainForAllWhoseGoalsAreCutOff) {
     const std::string id = "agv-" + std::to_string(i);
     planner.set_vehicle(id, 0.3);
     planner.set_pose(id, {1.0, 0.9 * (i + 1), 0.0}, now);
-    planner.set_goal(id, {"goal", {19.0, 0.9 * (i + 1), 0.0}, 0.1, 0.0, false});
+    planner.set_goal({id, "goal", {19.0, 0.9 * (i + 1), 0.0}, 0.1, 0.0, false});
   }
   for (int i = 0; i < 10; ++i) {
     const auto plan = planner.step(now, nullptr);
     ASSERT_TRUE(plan);
-    EXPECT_EQ(plan->outcome, FleetOutcome::kNoPath);
+    EXPECT_EQ(plan->outcome, PlanOutcome::kNoPath);
     EXPECT_NE(plan->detail.find("nearest reachable point is (9."), std::string::npos) << plan->detail;
   }
   EXPECT_EQ(asked, 1);

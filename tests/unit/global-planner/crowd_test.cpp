@@ -42,17 +42,17 @@ class Crowd : public ::testing::TestWithParam<std::string> {
   void ask(const std::string& id, Point2 start, Point2 goal) {
     planner_.set_vehicle(id, kRadius_m);
     planner_.set_pose(id, {start.x, start.y, 0.0}, now_);
-    planner_.set_goal(id, {"goal of " + id, {goal.x, goal.y, 0.0}, 0.1, 0.0, false});
+    planner_.set_goal({id, "goal of " + id, {goal.x, goal.y, 0.0}, 0.1, 0.0, false});
   }
-  std::map<std::string, FleetPlan> all_plans() {
-    std::map<std::string, FleetPlan> plans;
+  std::map<std::string, Plan> all_plans() {
+    std::map<std::string, Plan> plans;
     while (auto plan = planner_.step(now_, nullptr)) {
       EXPECT_EQ(plans.count(plan->agv_id), 0U) << plan->agv_id << " was answered twice";
       plans[plan->agv_id] = *plan;
     }
     return plans;
   }
-  bool is_drivable_now(const FleetPlan& plan) const {
+  bool is_drivable_now(const Plan& plan) const {
     const grid::ClearanceField clearance(grid_, 2.0);
     return is_drivable({clearance, plan.waypoints_in_map.front(), plan.waypoints_in_map.back(), kRadius_m},
                        plan.waypoints_in_map);
@@ -67,8 +67,8 @@ TEST_P(Crowd, IsAnsweredOneByOneEachOnce) {
   const auto plans = all_plans();
   ASSERT_EQ(plans.size(), static_cast<std::size_t>(kCrossing + kStaying));
   for (const auto& [id, plan] : plans) {
-    EXPECT_EQ(plan.outcome, FleetOutcome::kFound) << id << ": " << plan.detail;
-    EXPECT_EQ(plan.trigger, Trigger::kNewGoal) << id;
+    EXPECT_EQ(plan.outcome, PlanOutcome::kFound) << id << ": " << plan.detail;
+    EXPECT_EQ(plan.trigger, PlanTrigger::kNewGoal) << id;
   }
   EXPECT_EQ(planner_.searches(), static_cast<std::uint64_t>(kCrossing + kStaying));
   EXPECT_TRUE(all_plans().empty());
@@ -84,11 +84,11 @@ TEST_P(Crowd, GetsNewPlansOnlyWhereAnEditBlocksTheOld) {
   for (const auto& [id, plan] : after) {
     const bool crosses = id.rfind("crossing", 0) == 0;
     EXPECT_EQ(plan.map_revision, 2U) << id;
-    EXPECT_EQ(plan.plan_id != before.at(id).plan_id, crosses) << id;
+    EXPECT_EQ(plan.id != before.at(id).id, crosses) << id;
     EXPECT_EQ(plan.waypoints_in_map != before.at(id).waypoints_in_map, crosses) << id;
-    ASSERT_EQ(plan.outcome, FleetOutcome::kFound) << id << ": " << plan.detail;
+    ASSERT_EQ(plan.outcome, PlanOutcome::kFound) << id << ": " << plan.detail;
     if (!crosses) continue;
-    EXPECT_EQ(plan.trigger, Trigger::kMapChanged) << id;
+    EXPECT_EQ(plan.trigger, PlanTrigger::kMapChanged) << id;
     EXPECT_GT(plan.length_m, before.at(id).length_m) << id;
     EXPECT_TRUE(is_drivable_now(plan)) << id;
   }

@@ -59,29 +59,29 @@ class Fleet : public testing::Test {
     poses_[id] = pose;
     wait(0.1);
   }
-  std::optional<FleetPlan> step() { return planner_.step(now_, nullptr); }
+  std::optional<Plan> step() { return planner_.step(now_, nullptr); }
   /// Plans that come out while time goes on.
-  std::vector<FleetPlan> plans_within(double seconds) {
-    std::vector<FleetPlan> plans;
+  std::vector<Plan> plans_within(double seconds) {
+    std::vector<Plan> plans;
     for (double left = seconds; left > 1e-9; left -= 0.1) {
       wait(0.1);
       while (auto plan = step()) plans.push_back(*plan);
     }
     return plans;
   }
-  FleetPlan first_plan(const std::string& id = "agv-1", const Goal& goal = Goal{"goal-1", kGoal, 0.1, 0.0, false}) {
-    planner_.set_goal(id, goal);
+  Plan first_plan(const Goal& goal = {"agv-1", "goal-1", kGoal, 0.1, 0.0, false}) {
+    planner_.set_goal(goal);
     const auto plan = step();
     EXPECT_TRUE(plan.has_value());
-    return plan.value_or(FleetPlan{});
+    return plan.value_or(Plan{});
   }
-  bool is_drivable_now(const FleetPlan& plan) const {
+  bool is_drivable_now(const Plan& plan) const {
     const grid::ClearanceField clearance(grid_, 2.0);
     return is_drivable(
         {clearance, plan.waypoints_in_map.front(), plan.waypoints_in_map.back(), kRadius_m, kRadius_m - 0.1},
         plan.waypoints_in_map);
   }
-  static double distance_to(const FleetPlan& plan, Point2 p) {
+  static double distance_to(const Plan& plan, Point2 p) {
     double least_m = 1e9;
     for (std::size_t i = 1; i < plan.waypoints_in_map.size(); ++i) {
       least_m =
@@ -89,10 +89,16 @@ class Fleet : public testing::Test {
     }
     return least_m;
   }
-  void blocked(const FleetPlan& plan, Point2 at, Navigation::Cause cause = Navigation::Cause::kObstacle,
-               double radius_m = 0.3) {
-    planner_.set_navigation(plan.agv_id,
-                            {plan.goal.id, plan.plan_id, Navigation::Activity::kBlocked, cause, at, radius_m}, now_);
+  void blocked(const Plan& plan, Point2 at, Reason reason = Reason::kObstacle, double radius_m = 0.3) {
+    NavigationStatus status;
+    status.agv_id = plan.agv_id;
+    status.goal_id = plan.goal_id;
+    status.plan_id = plan.id;
+    status.phase = Phase::kBlocked;
+    status.reason = reason;
+    status.blocked_at_in_map = at;
+    status.blocked_radius_m = radius_m;
+    planner_.set_navigation(status, now_);
   }
 
   grid::OccupancyGrid grid_;
@@ -104,11 +110,11 @@ class Fleet : public testing::Test {
 
 TEST_F(Fleet, PlansForANewGoalOnce) {
   arrive("agv-1", kStart);
-  const FleetPlan plan = first_plan();
-  EXPECT_EQ(plan.outcome, FleetOutcome::kFound);
-  EXPECT_EQ(plan.trigger, Trigger::kNewGoal);
+  const Plan plan = first_plan();
+  EXPECT_EQ(plan.outcome, PlanOutcome::kFound);
+  EXPECT_EQ(plan.trigger, PlanTrigger::kNewGoal);
   EXPECT_EQ(plan.agv_id, "agv-1");
-  EXPECT_EQ(plan.goal.id, "goal-1");
+  EXPECT_EQ(plan.goal_id, "goal-1");
   EXPECT_EQ(plan.map_id, "site");
   EXPECT_EQ(plan.map_revision, 1U);
   EXPECT_TRUE(is_drivable_now(plan));
@@ -119,7 +125,7 @@ TEST_F(Fleet, PlansForANewGoalOnce) {
 
 TEST_F(Fleet, WaitsForMapVehicleAndState) {
   FleetPlanner fresh(FleetSettings{}, find_variant("direct")->make());
-  fresh.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
+  fresh.set_goal({"agv-1", "goal-1", kGoal, 0.1, 0.0, false});
   EXPECT_FALSE(fresh.step(now_, nullptr));
   EXPECT_EQ(fresh.waits_for(now_), "map_info and map_tile, vehicle_info of agv-1, vehicle_state of agv-1");
   fresh.set_map("site", 1, grid_, {0, 0}, {199, 99});
@@ -134,18 +140,18 @@ TEST_F(Fleet, WaitsForMapVehicleAndState) {
 TEST_F(Fleet, DoesNotPlanFromAPoseLongGone) {
   arrive("agv-1", kStart);
   now_ += time::from_seconds(5.0);
-  planner_.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
+  planner_.set_goal({"agv-1", "goal-1", kGoal, 0.1, 0.0, false});
   EXPECT_FALSE(step());
 }
 
 TEST_F(Fleet, KeepsAPlanThatAnEditDoesNotBlock) {
   arrive("agv-1", kStart);
-  const FleetPlan before = first_plan();
+  const Plan before = first_plan();
   block(2.0, 1.0, 3.0, 2.0);
   publish_map();
   const auto after = step();
   ASSERT_TRUE(after);
-  EXPECT_EQ(after->plan_id, before.plan_id);
+  EXPECT_EQ(after->id, before.id);
   EXPECT_EQ(after->waypoints_in_map, before.waypoints_in_map);
   EXPECT_EQ(after->map_revision, 2U);
   EXPECT_FALSE(step());
@@ -153,14 +159,14 @@ TEST_F(Fleet, KeepsAPlanThatAnEditDoesNotBlock) {
 
 TEST_F(Fleet, ReplacesAPlanThatAnEditBlocks) {
   arrive("agv-1", kStart);
-  const FleetPlan before = first_plan();
+  const Plan before = first_plan();
   block(10.0, 4.0, 10.2, 6.0);
   publish_map();
   const auto after = step();
   ASSERT_TRUE(after);
-  EXPECT_NE(after->plan_id, before.plan_id);
-  EXPECT_EQ(after->trigger, Trigger::kMapChanged);
-  EXPECT_EQ(after->outcome, FleetOutcome::kFound);
+  EXPECT_NE(after->id, before.id);
+  EXPECT_EQ(after->trigger, PlanTrigger::kMapChanged);
+  EXPECT_EQ(after->outcome, PlanOutcome::kFound);
   EXPECT_EQ(after->map_revision, 2U);
   EXPECT_TRUE(is_drivable_now(*after));
   EXPECT_GT(after->length_m, before.length_m + 1.0);
@@ -168,7 +174,7 @@ TEST_F(Fleet, ReplacesAPlanThatAnEditBlocks) {
 
 TEST_F(Fleet, DoesNotMindAnEditBehindTheVehicle) {
   arrive("agv-1", kStart);
-  const FleetPlan before = first_plan();
+  const Plan before = first_plan();
   for (double x = 1.0; x <= 14.0; x += 0.5) {
     move("agv-1", {x, 5.0, 0.0});
     EXPECT_FALSE(step());
@@ -177,14 +183,14 @@ TEST_F(Fleet, DoesNotMindAnEditBehindTheVehicle) {
   publish_map();
   const auto after = step();
   ASSERT_TRUE(after);
-  EXPECT_EQ(after->plan_id, before.plan_id);
+  EXPECT_EQ(after->id, before.id);
 }
 
 TEST_F(Fleet, KeepsAPlanThroughManyEditsElsewhereWhileItIsDriven) {
   for (int i = 0; i < 12; ++i) block(2.0 + 0.6 * i, 0.5 + (i * 7) % 8, 2.3 + 0.6 * i, 1.6 + (i * 7) % 8);
   publish_map();
   arrive("agv-1", {0.6, 0.6, 0.0});
-  const FleetPlan plan = first_plan("agv-1", {"goal-1", {19.3, 9.3, 0.0}, 0.1, 0.0, false});
+  const Plan plan = first_plan({"agv-1", "goal-1", {19.3, 9.3, 0.0}, 0.1, 0.0, false});
   ASSERT_GT(plan.waypoints_in_map.size(), 3U);
   for (std::size_t i = 1; i < plan.waypoints_in_map.size(); ++i) {
     const Point2 from = plan.waypoints_in_map[i - 1];
@@ -196,7 +202,7 @@ TEST_F(Fleet, KeepsAPlanThroughManyEditsElsewhereWhileItIsDriven) {
       publish_map();
       const auto checked = step();
       ASSERT_TRUE(checked);
-      ASSERT_EQ(checked->plan_id, plan.plan_id) << "at " << p.x << ", " << p.y;
+      ASSERT_EQ(checked->id, plan.id) << "at " << p.x << ", " << p.y;
     }
   }
 }
@@ -205,12 +211,12 @@ TEST_F(Fleet, DoesNotGoBackWhenAShorterWayOpens) {
   arrive("agv-1", kStart);
   block(10.0, 4.0, 10.2, 6.0);
   publish_map();
-  const FleetPlan before = first_plan();
+  const Plan before = first_plan();
   block(10.0, 4.0, 10.2, 6.0, grid::Occupancy::kFree);
   publish_map();
   const auto after = step();
   ASSERT_TRUE(after);
-  EXPECT_EQ(after->plan_id, before.plan_id);
+  EXPECT_EQ(after->id, before.id);
 }
 
 TEST_F(Fleet, SaysThatThereIsNoPathAndFindsOneWhenTheMapOpens) {
@@ -220,7 +226,7 @@ TEST_F(Fleet, SaysThatThereIsNoPathAndFindsOneWhenTheMapOpens) {
   publish_map();
   const auto none = step();
   ASSERT_TRUE(none);
-  EXPECT_EQ(none->outcome, FleetOutcome::kNoPath);
+  EXPECT_EQ(none->outcome, PlanOutcome::kNoPath);
   EXPECT_TRUE(none->waypoints_in_map.empty());
   EXPECT_NE(none->detail.find("no way from (1.00, 5.00) to (19.00, 5.00)"), std::string::npos) << none->detail;
   EXPECT_NE(none->detail.find("nearest reachable point is (9."), std::string::npos) << none->detail;
@@ -229,68 +235,72 @@ TEST_F(Fleet, SaysThatThereIsNoPathAndFindsOneWhenTheMapOpens) {
   publish_map();
   const auto found = step();
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->outcome, FleetOutcome::kFound);
+  EXPECT_EQ(found->outcome, PlanOutcome::kFound);
 }
 
 TEST_F(Fleet, NamesWhatIsWrongWithAGoal) {
   arrive("agv-1", kStart);
-  const FleetPlan wall = first_plan("agv-1", {"a", {10.1, 2.0, 0.0}, 0.1, 0.0, false});
-  EXPECT_EQ(wall.outcome, FleetOutcome::kGoalBlocked);
+  const Plan wall = first_plan({"agv-1", "a", {10.1, 2.0, 0.0}, 0.1, 0.0, false});
+  EXPECT_EQ(wall.outcome, PlanOutcome::kGoalBlocked);
   EXPECT_NE(wall.detail.find("the goal (10.10, 2.00) has 0.00 m of clearance"), std::string::npos) << wall.detail;
   EXPECT_NE(wall.detail.find("m from the goal"), std::string::npos) << wall.detail;
-  const FleetPlan outside = first_plan("agv-1", {"b", {30.0, 2.0, 0.0}, 0.1, 0.0, false});
-  EXPECT_EQ(outside.outcome, FleetOutcome::kOutOfMap);
+  const Plan outside = first_plan({"agv-1", "b", {30.0, 2.0, 0.0}, 0.1, 0.0, false});
+  EXPECT_EQ(outside.outcome, PlanOutcome::kOutOfMap);
   EXPECT_NE(outside.detail.find("the goal (30.00, 2.00) is outside the map, x 0.00 to 20.00, y 0.00 to 10.00"),
             std::string::npos)
       << outside.detail;
-  planner_.set_goal("agv-1", {"c", kGoal, 0.1, 0.0, false});
+  planner_.set_goal({"agv-1", "c", kGoal, 0.1, 0.0, false});
   const auto late = planner_.step(now_, [] { return true; });
   ASSERT_TRUE(late);
-  EXPECT_EQ(late->outcome, FleetOutcome::kOutOfTime);
+  EXPECT_EQ(late->outcome, PlanOutcome::kOutOfTime);
   arrive("agv-2", {10.1, 2.0, 0.0});
-  const FleetPlan inside = first_plan("agv-2");
-  EXPECT_EQ(inside.outcome, FleetOutcome::kStartBlocked);
+  const Plan inside = first_plan({"agv-2", "goal-1", kGoal, 0.1, 0.0, false});
+  EXPECT_EQ(inside.outcome, PlanOutcome::kStartBlocked);
   EXPECT_NE(inside.detail.find("the vehicle at (10.10, 2.00)"), std::string::npos) << inside.detail;
 }
 
 TEST_F(Fleet, TriesAgainWhenTimeRanOut) {
   arrive("agv-1", kStart);
-  planner_.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
-  ASSERT_EQ(planner_.step(now_, [] { return true; })->outcome, FleetOutcome::kOutOfTime);
+  planner_.set_goal({"agv-1", "goal-1", kGoal, 0.1, 0.0, false});
+  ASSERT_EQ(planner_.step(now_, [] { return true; })->outcome, PlanOutcome::kOutOfTime);
   EXPECT_FALSE(step());
-  const std::vector<FleetPlan> plans = plans_within(5.0);
+  const std::vector<Plan> plans = plans_within(5.0);
   ASSERT_EQ(plans.size(), 1U);
-  EXPECT_EQ(plans[0].outcome, FleetOutcome::kFound);
+  EXPECT_EQ(plans[0].outcome, PlanOutcome::kFound);
 }
 
 TEST_F(Fleet, CancelsOnceAndPlansAgainForTheNextGoal) {
   arrive("agv-1", kStart);
   first_plan();
-  const FleetPlan cancelled = first_plan("agv-1", {"goal-1", kGoal, 0.1, 0.0, true});
-  EXPECT_EQ(cancelled.outcome, FleetOutcome::kCancelled);
-  EXPECT_EQ(cancelled.goal.id, "goal-1");
+  const Plan cancelled = first_plan({"agv-1", "goal-1", kGoal, 0.1, 0.0, true});
+  EXPECT_EQ(cancelled.outcome, PlanOutcome::kCancelled);
+  EXPECT_EQ(cancelled.goal_id, "goal-1");
   EXPECT_TRUE(cancelled.waypoints_in_map.empty());
   EXPECT_TRUE(plans_within(10.0).empty());
-  EXPECT_EQ(first_plan("agv-1", {"goal-2", kGoal, 0.1, 0.0, false}).outcome, FleetOutcome::kFound);
+  EXPECT_EQ(first_plan({"agv-1", "goal-2", kGoal, 0.1, 0.0, false}).outcome, PlanOutcome::kFound);
 }
 
 TEST_F(Fleet, SkipsAGoalThatWasReachedBeforeItStarted) {
   arrive("agv-1", kGoal);
-  planner_.set_navigation("agv-1", {"goal-1", 4, Navigation::Activity::kArrived, Navigation::Cause::kOther, {}, 0.0},
-                          now_);
-  planner_.set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
+  NavigationStatus arrived;
+  arrived.agv_id = "agv-1";
+  arrived.goal_id = "goal-1";
+  arrived.plan_id = 4;
+  arrived.phase = Phase::kArrived;
+  planner_.set_navigation(arrived, now_);
+  planner_.set_goal({"agv-1", "goal-1", kGoal, 0.1, 0.0, false});
   EXPECT_TRUE(plans_within(5.0).empty());
-  planner_.set_goal("agv-1", {"goal-2", kStart, 0.1, 0.0, false});
+  planner_.set_goal({"agv-1", "goal-2", kStart, 0.1, 0.0, false});
   EXPECT_TRUE(step());
 }
 
 TEST_F(Fleet, GoesAroundAStaticTrackOnTheWayOnce) {
   arrive("agv-1", kStart);
-  const FleetPlan before = first_plan();
+  const Plan before = first_plan();
   planner_.set_static_track(7, {{6.0, 5.0}, 0.4});
-  const std::vector<FleetPlan> plans = plans_within(30.0);
+  const std::vector<Plan> plans = plans_within(30.0);
   ASSERT_EQ(plans.size(), 1U);
-  EXPECT_EQ(plans[0].trigger, Trigger::kTrack);
+  EXPECT_EQ(plans[0].trigger, PlanTrigger::kTrack);
   EXPECT_EQ(plans[0].detail, "around track 7");
   EXPECT_GE(distance_to(plans[0], {6.0, 5.0}), 0.4 + kRadius_m);
   EXPECT_TRUE(is_drivable_now(plans[0]));
@@ -301,11 +311,11 @@ TEST_F(Fleet, GoesAroundAStaticTrackOnTheWayOnce) {
 TEST_F(Fleet, PlansThroughThePlaceAgainOnceTheStaticTrackIsGone) {
   arrive("agv-1", kStart);
   planner_.set_static_track(7, {{6.0, 5.0}, 0.4});
-  const FleetPlan around = first_plan();
+  const Plan around = first_plan();
   EXPECT_GE(distance_to(around, {6.0, 5.0}), 0.4 + kRadius_m);
   planner_.drop_track(7);
-  planner_.set_goal("agv-1", {"goal-2", kGoal, 0.1, 0.0, false});
-  const std::vector<FleetPlan> plans = plans_within(5.0);
+  planner_.set_goal({"agv-1", "goal-2", kGoal, 0.1, 0.0, false});
+  const std::vector<Plan> plans = plans_within(5.0);
   ASSERT_EQ(plans.size(), 1U);
   EXPECT_LT(distance_to(plans[0], {6.0, 5.0}), 0.4 + kRadius_m);
 }
@@ -321,7 +331,7 @@ TEST_F(Fleet, TakesTheOtherDoorWhenThisOneIsShutByAnObstacle) {
   arrive("agv-1", kStart);
   first_plan();
   planner_.set_static_track(7, {{10.1, 5.0}, 0.9});
-  const std::vector<FleetPlan> plans = plans_within(10.0);
+  const std::vector<Plan> plans = plans_within(10.0);
   ASSERT_EQ(plans.size(), 1U);
   EXPECT_GT(plans[0].length_m, 19.0);
   EXPECT_TRUE(is_drivable_now(plans[0]));
@@ -347,22 +357,22 @@ TEST_F(Fleet, PlansThroughWhatItCannotGoAround) {
   block(10.0, 8.0, 10.2, 9.8);
   publish_map();
   planner_.set_static_track(7, {{10.1, 5.0}, 0.9});
-  const FleetPlan plan = first_plan();
-  EXPECT_EQ(plan.outcome, FleetOutcome::kFound);
+  const Plan plan = first_plan();
+  EXPECT_EQ(plan.outcome, PlanOutcome::kFound);
   EXPECT_EQ(plan.detail, "no way around track 7");
 }
 
 TEST_F(Fleet, GoesAroundAReportedBlockAndForgetsIt) {
   arrive("agv-1", kStart);
-  const FleetPlan before = first_plan();
+  const Plan before = first_plan();
   wait(2.0);
   blocked(before, {4.0, 5.0});
   const auto around = step();
   ASSERT_TRUE(around);
-  EXPECT_EQ(around->trigger, Trigger::kVehicleBlocked);
+  EXPECT_EQ(around->trigger, PlanTrigger::kVehicleBlocked);
   EXPECT_GE(distance_to(*around, {4.0, 5.0}), 0.3 + kRadius_m);
   wait(11.0);
-  const FleetPlan later = first_plan("agv-1", {"goal-2", kGoal, 0.1, 0.0, false});
+  const Plan later = first_plan({"agv-1", "goal-2", kGoal, 0.1, 0.0, false});
   EXPECT_LT(distance_to(later, {4.0, 5.0}), 0.1);
 }
 
@@ -370,10 +380,10 @@ TEST_F(Fleet, DoesNotFlapWhileAVehicleSaysBlockedAgainAndAgain) {
   arrive("agv-1", kStart);
   block(10.0, 8.0, 10.2, 9.8);
   publish_map();
-  const FleetPlan plan = first_plan();
+  const Plan plan = first_plan();
   std::size_t replans = 0;
   for (int i = 0; i < 300; ++i) {
-    blocked(plan, {10.1, 5.0}, Navigation::Cause::kObstacle, 0.9);
+    blocked(plan, {10.1, 5.0}, Reason::kObstacle, 0.9);
     replans += plans_within(0.1).size();
   }
   EXPECT_EQ(replans, 0U);
@@ -382,17 +392,17 @@ TEST_F(Fleet, DoesNotFlapWhileAVehicleSaysBlockedAgainAndAgain) {
 TEST_F(Fleet, GoesAroundAVehicleThatBlocksForThisPlanOnly) {
   arrive("agv-1", kStart);
   arrive("agv-2", {5.0, 5.0, 0.0});
-  first_plan("agv-2", {"other", {1.0, 8.0, 0.0}, 0.1, 0.0, false});
-  const FleetPlan before = first_plan();
+  first_plan({"agv-2", "other", {1.0, 8.0, 0.0}, 0.1, 0.0, false});
+  const Plan before = first_plan();
   EXPECT_LT(distance_to(before, {5.0, 5.0}), 0.2) << "a vehicle on its way is no obstacle";
   wait(1.5);
-  blocked(before, {4.7, 5.0}, Navigation::Cause::kVehicle);
+  blocked(before, {4.7, 5.0}, Reason::kVehicle);
   const auto around = step();
   ASSERT_TRUE(around);
-  EXPECT_EQ(around->trigger, Trigger::kVehicleBlocked);
+  EXPECT_EQ(around->trigger, PlanTrigger::kVehicleBlocked);
   EXPECT_EQ(around->detail, "around agv-2");
   EXPECT_GE(distance_to(*around, {5.0, 5.0}), 2.0 * kRadius_m);
-  const FleetPlan later = first_plan("agv-1", {"goal-2", kGoal, 0.1, 0.0, false});
+  const Plan later = first_plan({"agv-1", "goal-2", kGoal, 0.1, 0.0, false});
   EXPECT_LT(distance_to(later, {5.0, 5.0}), 0.2);
 }
 
@@ -400,14 +410,14 @@ TEST_F(Fleet, GoesAroundAParkedVehicle) {
   arrive("agv-1", kStart);
   arrive("agv-2", {5.0, 5.0, 0.0});
   wait(3.0);
-  const FleetPlan plan = first_plan();
+  const Plan plan = first_plan();
   EXPECT_GE(distance_to(plan, {5.0, 5.0}), 2.0 * kRadius_m);
 }
 
 TEST_F(Fleet, GoesAroundAVehicleThatWentSilent) {
   arrive("agv-1", kStart);
   arrive("agv-2", {5.0, 5.0, 0.0});
-  first_plan("agv-2", {"other", kGoal, 0.1, 0.0, false});
+  first_plan({"agv-2", "other", kGoal, 0.1, 0.0, false});
   poses_.erase("agv-2");
   wait(3.0);
   EXPECT_GE(distance_to(first_plan(), {5.0, 5.0}), 2.0 * kRadius_m);
@@ -417,16 +427,16 @@ TEST_F(Fleet, PlansToAGoalThatAParkedVehicleStandsOn) {
   arrive("agv-1", kStart);
   arrive("agv-2", {18.9, 5.1, 0.0});
   wait(3.0);
-  EXPECT_EQ(first_plan().outcome, FleetOutcome::kFound);
+  EXPECT_EQ(first_plan().outcome, PlanOutcome::kFound);
   EXPECT_TRUE(plans_within(10.0).empty());
 }
 
 TEST_F(Fleet, PlansFromWhereABlockedVehicleStrayedTo) {
   arrive("agv-1", kStart);
-  const FleetPlan before = first_plan();
+  const Plan before = first_plan();
   move("agv-1", {2.0, 6.5, 0.0});
   wait(2.0);
-  blocked(before, {}, Navigation::Cause::kOffPath);
+  blocked(before, {}, Reason::kOffPath);
   const auto after = step();
   ASSERT_TRUE(after);
   EXPECT_EQ(after->waypoints_in_map.front(), (Point2{2.0, 6.5}));
@@ -434,16 +444,16 @@ TEST_F(Fleet, PlansFromWhereABlockedVehicleStrayedTo) {
 
 TEST_F(Fleet, AdoptsTheFormerPlannersPlans) {
   arrive("agv-1", kStart);
-  const FleetPlan theirs = first_plan();
+  const Plan theirs = first_plan();
   FleetPlanner standby(FleetSettings{}, find_variant("direct")->make());
   standby.set_map("site", 5, grid_, {0, 0}, {199, 99});
   standby.set_vehicle("agv-1", kRadius_m);
   standby.set_pose("agv-1", kStart, now_);
-  standby.set_goal("agv-1", theirs.goal);
+  standby.set_goal({"agv-1", "goal-1", kGoal, 0.1, 0.0, false});
   standby.adopt(theirs);
   const auto ours = standby.step(now_, nullptr);
   ASSERT_TRUE(ours);
-  EXPECT_EQ(ours->trigger, Trigger::kTakeover);
+  EXPECT_EQ(ours->trigger, PlanTrigger::kTakeover);
   EXPECT_EQ(ours->waypoints_in_map, theirs.waypoints_in_map);
   EXPECT_EQ(ours->map_revision, 5U);
   EXPECT_FALSE(standby.step(now_, nullptr));
@@ -453,7 +463,7 @@ TEST_F(Fleet, ServesEveryVehicleInTurn) {
   for (int i = 0; i < 5; ++i) {
     const std::string id = "agv-" + std::to_string(i);
     arrive(id, {1.0, 1.0 + 1.5 * i, 0.0});
-    planner_.set_goal(id, {"goal", {17.0, 1.0 + 1.5 * i, 0.0}, 0.1, 0.0, false});
+    planner_.set_goal({id, "goal", {17.0, 1.0 + 1.5 * i, 0.0}, 0.1, 0.0, false});
   }
   std::map<std::string, int> served;
   while (const auto plan = step()) ++served[plan->agv_id];
@@ -468,23 +478,24 @@ std::unique_ptr<FleetPlanner> planner_for_goal(const FleetSettings& settings, co
   planner->set_map("site", 1, grid, {0, 0}, {grid.geometry().width - 1, grid.geometry().height - 1});
   planner->set_vehicle("agv-1", kRadius_m);
   planner->set_pose("agv-1", kStart, now);
-  planner->set_goal("agv-1", {"goal-1", kGoal, 0.1, 0.0, false});
+  planner->set_goal({"agv-1", "goal-1", kGoal, 0.1, 0.0, false});
   return planner;
 }
 
 TEST_F(Fleet, GoesToTheNearestPointOnlyWhenAskedTo) {
   block(10.0, 0.0, 10.2, 10.0);  // no door
-  const FleetPlan refused = *planner_for_goal(FleetSettings{}, "direct", grid_, now_)->step(now_, nullptr);
-  EXPECT_EQ(refused.outcome, FleetOutcome::kNoPath);
+  const Plan refused = *planner_for_goal(FleetSettings{}, "direct", grid_, now_)->step(now_, nullptr);
+  EXPECT_EQ(refused.outcome, PlanOutcome::kNoPath);
   EXPECT_TRUE(refused.waypoints_in_map.empty());
 
   FleetSettings settings;
   settings.to_nearest = true;
   const auto planner = planner_for_goal(settings, "direct", grid_, now_);
-  const FleetPlan plan = *planner->step(now_, nullptr);
-  EXPECT_EQ(plan.outcome, FleetOutcome::kFound);
-  EXPECT_TRUE(plan.is_to_nearest);
-  EXPECT_EQ(plan.goal.pose_in_map.x, kGoal.x) << "the goal stays what it is";
+  const Plan plan = *planner->step(now_, nullptr);
+  EXPECT_EQ(plan.outcome, PlanOutcome::kFound);
+  EXPECT_EQ(plan.goal_in_map.position(), plan.waypoints_in_map.back());
+  EXPECT_NE(plan.goal_in_map.x, kGoal.x) << "the goal cannot be reached";
+  EXPECT_FALSE(planner->step(now_, nullptr)) << "the plan is one for that goal";
   EXPECT_TRUE(is_drivable_now(plan));
   EXPECT_NEAR(plan.waypoints_in_map.back().x, 10.0 - kRadius_m - 0.1, 0.1);
   EXPECT_NE(plan.detail.find("the nearest reachable point is"), std::string::npos) << plan.detail;
@@ -492,8 +503,8 @@ TEST_F(Fleet, GoesToTheNearestPointOnlyWhenAskedTo) {
 
   block(10.0, 4.0, 10.2, 6.0, grid::Occupancy::kFree);
   planner->set_map("site", 2, grid_, {100, 40}, {101, 59});
-  const FleetPlan there = *planner->step(now_, nullptr);
-  EXPECT_FALSE(there.is_to_nearest);
+  const Plan there = *planner->step(now_, nullptr);
+  EXPECT_EQ(there.goal_in_map.x, kGoal.x);
   EXPECT_EQ(there.waypoints_in_map.back(), kGoal.position());
 }
 
@@ -502,7 +513,7 @@ TEST_F(Fleet, PrefersClearanceAsFarAsItsSettingsSay) {
   const auto from_rack_m = [&](double preferred_clearance_m) {
     FleetSettings settings;
     settings.preferred_clearance_m = preferred_clearance_m;
-    const FleetPlan plan = *planner_for_goal(settings, "clear", grid_, now_)->step(now_, nullptr);
+    const Plan plan = *planner_for_goal(settings, "clear", grid_, now_)->step(now_, nullptr);
     EXPECT_TRUE(is_drivable_now(plan));
     return std::min(distance_to(plan, {3.0, 4.4}), distance_to(plan, {8.0, 4.4}));
   };

@@ -47,7 +47,7 @@ TEST_P(Memory, OfAQueryIsAllocatedByTheFirstOne) {
   const grid::Geometry& g = grid.geometry();
   const Problem there{clearance, g.center_in_map({0, 0}), g.center_in_map({119, 89})};
   const Problem back{clearance, g.center_in_map({119, 89}), g.center_in_map({0, 0})};
-  Plan plan;
+  PlannedPath plan;
   for (const Problem& problem : {there, back}) {
     planner->plan(problem, nullptr, plan);
     ASSERT_EQ(plan.outcome, Outcome::kFound);
@@ -64,9 +64,9 @@ TEST_P(Memory, IsGivenBackAtRestAndTheNextAnswerIsTheSame) {
   const auto planner = find_variant(GetParam())->make();
   const grid::Geometry& g = grid.geometry();
   const Problem problem{clearance, g.center_in_map({0, 0}), g.center_in_map({119, 89})};
-  const Plan before = planner->plan(problem, nullptr);
+  const PlannedPath before = planner->plan(problem, nullptr);
   planner->rest();
-  const Plan after = planner->plan(problem, nullptr);
+  const PlannedPath after = planner->plan(problem, nullptr);
   EXPECT_EQ(after.outcome, Outcome::kFound);
   EXPECT_EQ(after.waypoints_in_map, before.waypoints_in_map);
   EXPECT_EQ(after.expanded, before.expanded);
@@ -98,7 +98,7 @@ TEST_P(BytesACell, AreAtMostSixteenAfterAQueryAcrossTheMap) {
   const grid::ClearanceField clearance(grid, 0.5);
   const auto planner = find_variant(GetParam())->make();
   const double before = heap_bytes();
-  Plan plan;
+  PlannedPath plan;
   planner->plan({clearance, g.center_in_map({0, 0}), g.center_in_map({1199, 999})}, nullptr, plan);
   const double taken = heap_bytes() - before;
   ASSERT_EQ(plan.outcome, Outcome::kFound);

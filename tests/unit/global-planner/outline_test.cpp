@@ -124,7 +124,7 @@ struct Hall {
   grid::ClearanceField clearance{test_support::grid_from_text(kGap), 6.0};
   std::string why_not(const Footprint& footprint, const std::vector<Point2>& path,
                       std::optional<double> start_yaw_rad = {}) const {
-    Plan plan;
+    PlannedPath plan;
     plan.waypoints_in_map = path;
     return why_not_drivable({clearance, path.front(), path.back()}, plan, {footprint, start_yaw_rad, {}});
   }
@@ -175,12 +175,12 @@ TEST(Rectangles, MayDriveWhatTheDiscDrivesInWhichTheyTurn) {
                       {dice.between(0.0, 8.0), dice.between(0.0, 8.0)},
                       geometry::reach_m(footprint)};
       const Outline outline{footprint, dice.between(-3.0, 3.0), dice.between(-3.0, 3.0)};
-      if (const Plan plan = planner->plan(problem, nullptr); plan.outcome == Outcome::kFound) {
+      if (const PlannedPath plan = planner->plan(problem, nullptr); plan.outcome == Outcome::kFound) {
         ++found;
         EXPECT_EQ(why_not_drivable(problem, plan, outline), "") << variant.name << ", seed " << seed;
       }
       problem.radius_m = 0.5 * footprint.width_m;
-      const Plan narrow = planner->plan(problem, nullptr);
+      const PlannedPath narrow = planner->plan(problem, nullptr);
       if (narrow.outcome == Outcome::kFound && !why_not_drivable(problem, narrow, outline).empty()) ++narrow_faults;
     }
     EXPECT_GE(found, 3) << variant.name;
@@ -204,7 +204,7 @@ TEST(Hybrid, PlansForTheRectangleItself) {
     std::mt19937 random(seed);
     const grid::ClearanceField clearance(test_support::random_blocks(random, 120, 10, 12, 0.1), 3.0);
     const Problem problem = for_forklift(clearance, footprint, {1.5, 1.5, 0.5}, {10.0, 10.0, 0.8});
-    const Plan plan = planner->plan(problem, nullptr);
+    const PlannedPath plan = planner->plan(problem, nullptr);
     if (plan.outcome != Outcome::kFound) continue;
     ++found;
     EXPECT_EQ(why_not_drivable(problem, plan, {footprint, {}, {}}), "") << "seed " << seed;
@@ -216,7 +216,7 @@ TEST(Hybrid, DrivesThroughAnAisleInWhichTheVehicleCannotTurn) {
   const Hall hall;
   const Footprint footprint = geometry::rectangle(1.6, 0.5, 0.3);
   Problem problem = for_forklift(hall.clearance, footprint, {1.4, 4.5, 0.0}, {4.5, 4.5, 0.0});
-  const Plan plan = find_variant("hybrid")->make()->plan(problem, nullptr);
+  const PlannedPath plan = find_variant("hybrid")->make()->plan(problem, nullptr);
   ASSERT_EQ(plan.outcome, Outcome::kFound);
   EXPECT_EQ(why_not_drivable(problem, plan, {footprint, {}, {}}), "");
   problem.radius_m = geometry::reach_m(footprint);

@@ -93,7 +93,7 @@ TEST(Interpolated, IsWhatTryingEverySampleGives) {
     std::mt19937 random(seed);
     const grid::ClearanceField clearance(test_support::random_blocks(random, 60, 40, 10, 0.1), 3.0);
     const Problem problem{clearance, {0.03, 0.04}, {5.96, 5.92}, seed % 2 == 0 ? 0.2 : 0.0, 0.02};
-    const Plan plan = greedy->plan(problem, nullptr);
+    const PlannedPath plan = greedy->plan(problem, nullptr);
     if (plan.outcome != Outcome::kFound) continue;
     const Drivable drivable(problem);
     Path path = plan.waypoints_in_map;
@@ -126,7 +126,7 @@ TEST(EveryPass, LeavesADrivablePathDrivableAndNoLonger) {
     const grid::ClearanceField clearance(test_support::random_blocks(random, 40, 25, 8, 0.1), 3.0);
     Problem problem{clearance, {0.03, 0.04}, {3.96, 3.92}, seed % 2 == 0 ? 0.2 : 0.0, 0.02};
     problem.safe_distance_m = seed % 3 == 0 ? 0.25 : 0.0;
-    const Plan plan = greedy->plan(problem, nullptr);
+    const PlannedPath plan = greedy->plan(problem, nullptr);
     if (plan.outcome != Outcome::kFound) continue;
     for (const Named& named : all) {
       Path path = plan.waypoints_in_map;

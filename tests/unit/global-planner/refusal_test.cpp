@@ -45,7 +45,7 @@ TEST(Refusal, EachWrongInputHasItsOwnNameAndOneLine) {
     std::set<std::string> lines;
     for (const Case& c : cases) {
       const Problem problem{clearance, c.start, c.goal, c.radius_m};
-      const Plan plan = variant.make()->plan(problem, nullptr);
+      const PlannedPath plan = variant.make()->plan(problem, nullptr);
       ASSERT_NE(plan.outcome, Outcome::kFound) << variant.name << ": " << c.what;
       const RefusalReport report = explain(problem, plan.outcome, nullptr);
       EXPECT_STREQ(name(report.refusal), name(c.refusal)) << variant.name << ": " << c.what;

@@ -80,7 +80,7 @@ TEST(Dubins, ArrivesAndIsTheSameBackwards) {
 }
 
 /// Empty when a vehicle with this turning radius can drive the plan as its headings say; else what is wrong.
-std::string why_not_steerable(const Problem& problem, const Plan& plan) {
+std::string why_not_steerable(const Problem& problem, const PlannedPath& plan) {
   if (plan.headings_rad.size() != plan.waypoints_in_map.size()) return "no heading for each point";
   if (std::abs(geometry::wrap(plan.headings_rad.front() - problem.steering.start_yaw_rad)) > 1e-6)
     return "wrong heading at the start";
@@ -99,7 +99,7 @@ std::string why_not_steerable(const Problem& problem, const Plan& plan) {
   return why_not_drivable(problem, plan.waypoints_in_map);
 }
 
-bool drives_backwards(const Plan& plan) {
+bool drives_backwards(const PlannedPath& plan) {
   for (std::size_t i = 1; i < plan.headings_rad.size(); ++i) {
     const Point2 step = plan.waypoints_in_map[i] - plan.waypoints_in_map[i - 1];
     if (step.x * std::cos(plan.headings_rad[i]) + step.y * std::sin(plan.headings_rad[i]) < -1e-6) return true;
@@ -115,7 +115,7 @@ TEST(Hybrid, TurnsNoTighterThanTheVehicleCan) {
     const grid::ClearanceField clearance(test_support::random_blocks(random, 100, 8, 15, 0.1), 2.0);
     Problem problem{clearance, {0.81, 0.83}, {9.2, 9.17}, 0.3};
     problem.steering = {0.8, 0.5, seed % 2 == 0 ? std::optional<double>(-2.0) : std::nullopt};
-    const Plan plan = planner->plan(problem, nullptr);
+    const PlannedPath plan = planner->plan(problem, nullptr);
     if (plan.outcome != Outcome::kFound) continue;
     ++found;
     EXPECT_EQ(why_not_steerable(problem, plan), "") << "seed " << seed;
@@ -136,7 +136,7 @@ TEST(Hybrid, BacksOutOfADeadEndTooNarrowToTurnIn) {
   const grid::ClearanceField clearance(grid, 2.0);
   Problem problem{clearance, {2.05, 4.05}, {6.05, 4.05}, 0.3};
   problem.steering = {1.0, kPi, 0.0};
-  const Plan plan = find_variant("hybrid")->make()->plan(problem, nullptr);
+  const PlannedPath plan = find_variant("hybrid")->make()->plan(problem, nullptr);
   ASSERT_EQ(plan.outcome, Outcome::kFound);
   EXPECT_EQ(why_not_steerable(problem, plan), "");
   EXPECT_TRUE(drives_backwards(plan));
@@ -153,8 +153,8 @@ TEST(Clear, KeepsToTheMiddleOfAnAisle) {
   const grid::ClearanceField clearance(grid, 3.0);
   Problem problem{clearance, {1.55, 1.55}, {8.45, 8.55}, 0.3};
   problem.preferred_clearance_m = 1.2;
-  const Plan clear = find_variant("clear")->make()->plan(problem, nullptr);
-  const Plan astar = find_variant("astar")->make()->plan(problem, nullptr);
+  const PlannedPath clear = find_variant("clear")->make()->plan(problem, nullptr);
+  const PlannedPath astar = find_variant("astar")->make()->plan(problem, nullptr);
   ASSERT_EQ(clear.outcome, Outcome::kFound);
   EXPECT_EQ(why_not_drivable(problem, clear.waypoints_in_map), "");
   EXPECT_LT(path_figures(clearance, astar.waypoints_in_map).least_clearance_m, 0.5);

@@ -85,7 +85,7 @@ TEST_P(EveryVariant, AgreesWithDijkstraOnRandomGrids) {
 
     const Problem problem{clearance, grid.geometry().center_in_map(start), grid.geometry().center_in_map(goal),
                           radius_m};
-    const Plan plan = planner_->plan(problem, never);
+    const PlannedPath plan = planner_->plan(problem, never);
     const double optimum_m = shortest_m(clearance, radius_m, start, goal);
     if (plan.outcome != Outcome::kFound) {
       EXPECT_TRUE(std::isinf(optimum_m)) << "found nothing where there is a way of " << optimum_m << " m";
@@ -115,7 +115,7 @@ TEST_P(EveryVariant, KeepsARadiusOf30CentimetresBetweenRandomBlocks) {
                       0.001 * test_support::random_between(random, 0, 5999)};
       };
       const Problem problem{clearance, somewhere(), somewhere(), 0.3, query % 2 == 0 ? 0.15 : 1e9};
-      const Plan plan = planner_->plan(problem, never);
+      const PlannedPath plan = planner_->plan(problem, never);
       if (plan.outcome != Outcome::kFound) continue;
       ++found;
       EXPECT_EQ(why_not_drivable(problem, plan.waypoints_in_map), "") << "seed " << seed << ", query " << query;
@@ -128,7 +128,7 @@ TEST_P(EveryVariant, GoesToTheNearestReachablePointWhenAsked) {
   const std::vector<std::string> text{"S.....", "...###", "...#G#", "...###"};
   const grid::ClearanceField clearance(grid_from_text(text), 10.0);
   const Problem problem{clearance, find_letter(text, 'S'), find_letter(text, 'G')};
-  const Plan plan = plan_to_nearest(*planner_, problem, never);
+  const PlannedPath plan = plan_to_nearest(*planner_, problem, never);
   ASSERT_EQ(plan.outcome, Outcome::kFound);
   const Point2 end = plan.waypoints_in_map.back();
   EXPECT_EQ(end, (Point2{2.5, 1.5}));
@@ -141,7 +141,7 @@ TEST_P(EveryVariant, GoesToTheNearestReachablePointWhenAsked) {
 TEST_P(EveryVariant, SaysThatAWalledInGoalHasNoPath) {
   const std::vector<std::string> text{"......", ".S.###", "...#G#", "...###"};
   const grid::ClearanceField clearance(grid_from_text(text), 10.0);
-  const Plan plan = planner_->plan({clearance, find_letter(text, 'S'), find_letter(text, 'G')}, never);
+  const PlannedPath plan = planner_->plan({clearance, find_letter(text, 'S'), find_letter(text, 'G')}, never);
   EXPECT_EQ(plan.outcome, Outcome::kNoPath);
   EXPECT_TRUE(plan.waypoints_in_map.empty());
 }
@@ -151,7 +151,7 @@ TEST_P(EveryVariant, CutsNoCornerAndSlipsThroughNoDiagonalGap) {
   const std::vector<std::string> gap{"S#", "#G"};
   const grid::ClearanceField clearance(grid_from_text(text), 10.0);
   const Problem problem{clearance, find_letter(text, 'S'), find_letter(text, 'G')};
-  const Plan plan = planner_->plan(problem, never);
+  const PlannedPath plan = planner_->plan(problem, never);
   ASSERT_EQ(plan.outcome, Outcome::kFound);
   EXPECT_EQ(why_not_drivable(problem, plan.waypoints_in_map), "");
   const grid::ClearanceField gap_clearance(grid_from_text(gap), 10.0);
@@ -167,14 +167,14 @@ TEST_P(EveryVariant, KeepsTheRadiusFromWalls) {
   Problem wide = problem;
   wide.radius_m = 1.4;
   EXPECT_EQ(planner_->plan(wide, never).outcome, Outcome::kStartBlocked);
-  const Plan plan = planner_->plan(problem, never);
+  const PlannedPath plan = planner_->plan(problem, never);
   ASSERT_EQ(plan.outcome, Outcome::kFound);
   EXPECT_EQ(why_not_drivable(problem, plan.waypoints_in_map), "");
 }
 
 TEST_P(EveryVariant, StaysWhereItIsWhenTheGoalIsInTheSameCell) {
   const grid::ClearanceField clearance(grid_from_text({"...", "...", "..."}), 10.0);
-  const Plan plan = planner_->plan({clearance, {1.4, 1.5}, {1.6, 1.5}}, never);
+  const PlannedPath plan = planner_->plan({clearance, {1.4, 1.5}, {1.6, 1.5}}, never);
   ASSERT_EQ(plan.outcome, Outcome::kFound);
   EXPECT_NEAR(plan.length_m, 0.2, 1e-12);
   EXPECT_EQ(planner_->plan({clearance, {1.5, 1.5}, {1.5, 1.5}}, never).length_m, 0.0);
@@ -184,7 +184,7 @@ TEST_P(EveryVariant, BeginsAndEndsAtTheExactPoints) {
   const grid::OccupancyGrid grid(grid::Geometry{60, 40, 0.1, {-2.0, 3.0}});
   const grid::ClearanceField clearance(grid, 2.0);
   const Problem problem{clearance, {-1.234, 4.321}, {3.033, 6.066}, 0.3};
-  const Plan plan = planner_->plan(problem, never);
+  const PlannedPath plan = planner_->plan(problem, never);
   ASSERT_EQ(plan.outcome, Outcome::kFound);
   EXPECT_EQ(plan.waypoints_in_map.front(), problem.start_in_map);
   EXPECT_EQ(plan.waypoints_in_map.back(), problem.goal_in_map);
@@ -223,8 +223,8 @@ TEST_P(EveryVariant, RemembersNothingOfTheQueryBefore) {
   for (int i = 0; i < 200; ++i) {
     if (i % 50 == 49) planner_->rest();
     const Problem problem{clearance, any_free(), any_free()};
-    const Plan again = planner_->plan(problem, never);
-    const Plan fresh = GetParam().make()->plan(problem, never);
+    const PlannedPath again = planner_->plan(problem, never);
+    const PlannedPath fresh = GetParam().make()->plan(problem, never);
     ASSERT_EQ(again.outcome, fresh.outcome) << "query " << i;
     ASSERT_EQ(again.waypoints_in_map, fresh.waypoints_in_map) << "query " << i;
     ASSERT_EQ(again.expanded, fresh.expanded) << "query " << i;
@@ -270,8 +270,8 @@ double median_fewer(const std::string& variant, unsigned maps) {
     const grid::ClearanceField clearance(
         test_support::random_blocks(random, 20, test_support::random_between(random, 8, 19), 4), 20.0);
     const Problem problem{clearance, {0.5, 0.5}, {19.5, 19.5}};
-    const Plan ours = planner->plan(problem, never);
-    const Plan theirs = traditional->plan(problem, never);
+    const PlannedPath ours = planner->plan(problem, never);
+    const PlannedPath theirs = traditional->plan(problem, never);
     if (ours.outcome != Outcome::kFound) continue;
     EXPECT_EQ(theirs.outcome, Outcome::kFound) << "seed " << seed;
     fewer.push_back(1.0 - static_cast<double>(ours.expanded) / static_cast<double>(theirs.expanded));
@@ -296,7 +296,7 @@ TEST(AStar, NeverGetsShorterByOneMoreObstacle) {
     grid.set({19, 19}, grid::Occupancy::kFree);
     const auto length_m = [&] {
       const grid::ClearanceField clearance(grid, 20.0);
-      const Plan plan = astar->plan({clearance, {0.5, 0.5}, {19.5, 19.5}}, never);
+      const PlannedPath plan = astar->plan({clearance, {0.5, 0.5}, {19.5, 19.5}}, never);
       return plan.outcome == Outcome::kFound ? plan.length_m : std::numeric_limits<double>::infinity();
     };
     const double before_m = length_m();

@@ -109,7 +109,7 @@ std::string block_map_table(const Progress& progress) {
     for (unsigned seed = 1; seed <= kBlockMaps; ++seed) {
       const grid::ClearanceField clearance(block_map(seed), 20.0);
       const Problem problem{clearance, {0.5, 0.5}, {19.5, 19.5}};
-      const global_planner::Plan ours = planner->plan(problem, nullptr);
+      const global_planner::PlannedPath ours = planner->plan(problem, nullptr);
       if (ours.outcome != Outcome::kFound) continue;
       fewer.push_back(100.0 - 100.0 * static_cast<double>(ours.expanded) /
                                   static_cast<double>(traditional->plan(problem, nullptr).expanded));

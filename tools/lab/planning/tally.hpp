@@ -10,7 +10,7 @@ namespace aisle::lab {
 
 /// One answer of one planner.
 struct Answer {
-  global_planner::Plan plan;
+  global_planner::PlannedPath plan;
   global_planner::PathFigures figures;  // when found
   std::string fault;                    // what the path checker says, empty when nothing
   double time_us{0.0};

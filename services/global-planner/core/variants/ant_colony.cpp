@@ -29,14 +29,14 @@ class AntColony final : public Planner {
   void rest() override { *this = AntColony(); }
 
  private:
-  Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
+  PlannedPath search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
     const grid::Geometry& geometry = drivable.geometry();
     start_ = geometry.cell_at(problem.start_in_map);
     goal_ = geometry.cell_at(problem.goal_in_map);
     pheromone_.assign(geometry.cells(), 1.0F);
     place_in_walk_.assign(geometry.cells(), kNowhere);
     random_.seed(kSeed);
-    Plan plan;
+    PlannedPath plan;
     plan.outcome = send_ants(drivable, out_of_time, plan.expanded);
     if (plan.outcome != Outcome::kFound) return plan;
     for (const grid::Cell cell : best_) plan.waypoints_in_map.push_back(geometry.center_in_map(cell));

@@ -25,13 +25,13 @@ class PreferClearance final : public Planner {
   }
 
  private:
-  Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
+  PlannedPath search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
     preferred_m_ =
         std::max(1e-6, problem.preferred_clearance_m > 0.0 ? problem.preferred_clearance_m : 2.0 * problem.radius_m);
     const grid::Geometry& geometry = drivable.geometry();
     const grid::Cell start = geometry.cell_at(problem.start_in_map);
     const grid::Cell goal = geometry.cell_at(problem.goal_in_map);
-    Plan plan;
+    PlannedPath plan;
     plan.outcome = run(problem.clearance, drivable, start, goal, out_of_time, plan.expanded);
     if (plan.outcome != Outcome::kFound) return plan;
     for (grid::Cell cell = goal; cell != start;) {

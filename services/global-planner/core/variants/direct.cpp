@@ -14,8 +14,8 @@ class Direct final : public Planner {
   void rest() override { on_grid_->rest(); }
 
  private:
-  Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
-    Plan plan = blank();
+  PlannedPath search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
+    PlannedPath plan = blank();
     on_grid_->plan(problem, out_of_time, plan);
     if (plan.outcome != Outcome::kFound) return plan;
     passes::collinear(drivable, plan.waypoints_in_map);

@@ -76,7 +76,7 @@ class Hybrid final : public Planner {
     bool operator<(const Open& other) const { return through_m > other.through_m; }
   };
 
-  Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
+  PlannedPath search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
     if (!(problem.steering.turning_radius_m > 0.0)) return on_the_spot_->plan(problem, out_of_time);
     drivable_ = &drivable;
     steering_ = problem.steering;
@@ -93,7 +93,7 @@ class Hybrid final : public Planner {
     if (steering_.goal_yaw_rad && !fits({goal_in_map_.x, goal_in_map_.y, *steering_.goal_yaw_rad}))
       return {Outcome::kGoalBlocked, {}, 0.0, 0, {}};
     to_goal_m_ = distances_to_goal(drivable, drivable.geometry().cell_at(goal_in_map_));
-    Plan plan;
+    PlannedPath plan;
     plan.outcome = run(start_of(problem), out_of_time, plan);
     return plan;
   }
@@ -121,7 +121,7 @@ class Hybrid final : public Planner {
     });
   }
 
-  Outcome run(const Pose2& start, const OutOfTime& out_of_time, Plan& plan) {
+  Outcome run(const Pose2& start, const OutOfTime& out_of_time, PlannedPath& plan) {
     nodes_.assign(1, {start, 0.0, kNoParent, 0.0, 0.0});
     best_.clear();
     best_[key(start)] = 0.0;
@@ -169,7 +169,7 @@ class Hybrid final : public Planner {
   }
 
   /// Ends the plan with a Dubins path from this node to the goal, when one is free.
-  bool shoot(std::uint32_t at, Plan& plan) {
+  bool shoot(std::uint32_t at, PlannedPath& plan) {
     std::vector<DubinsPath> shots;
     const int headings = steering_.goal_yaw_rad ? 1 : 16;
     for (int i = 0; i < headings; ++i) {
@@ -233,7 +233,7 @@ class Hybrid final : public Planner {
     return least_m - radius_m_;
   }
 
-  void write(std::uint32_t at, const DubinsPath& shot, Plan& plan) const {
+  void write(std::uint32_t at, const DubinsPath& shot, PlannedPath& plan) const {
     std::vector<std::uint32_t> chain;
     for (std::uint32_t i = at; nodes_[i].parent != kNoParent; i = nodes_[i].parent) chain.push_back(i);
     append(nodes_.front().pose_in_map, plan);
@@ -249,10 +249,10 @@ class Hybrid final : public Planner {
     plan.waypoints_in_map.back() = goal_in_map_;  // but for rounding it is there
   }
 
-  void append_arc(const Pose2& from, double turn, double length_m, Plan& plan) const {
+  void append_arc(const Pose2& from, double turn, double length_m, PlannedPath& plan) const {
     for (int i = 1, n = samples(length_m); i <= n; ++i) append(along_arc(from, turn, length_m * i / n), plan);
   }
-  static void append(const Pose2& pose, Plan& plan) {
+  static void append(const Pose2& pose, PlannedPath& plan) {
     plan.waypoints_in_map.push_back(pose.position());
     plan.headings_rad.push_back(pose.yaw);
   }

@@ -22,13 +22,13 @@ class JumpPointSearch final : public Planner {
   void rest() override { *this = JumpPointSearch(); }
 
  private:
-  Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
+  PlannedPath search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
     geometry_ = drivable.geometry();
     start_ = geometry_.cell_at(problem.start_in_map);
     goal_ = geometry_.cell_at(problem.goal_in_map);
     bits_.make(drivable);
     parents_.resize(geometry_.cells());
-    Plan plan = blank();
+    PlannedPath plan = blank();
     plan.outcome = run(out_of_time, plan.expanded);
     if (plan.outcome != Outcome::kFound) return plan;
     trace(plan.waypoints_in_map);

@@ -42,8 +42,8 @@ class LazyTheta final : public Planner {
   }
 
  private:
-  Plan search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
-    Plan plan = on_grid_->plan(problem, out_of_time);
+  PlannedPath search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
+    PlannedPath plan = on_grid_->plan(problem, out_of_time);
     if (plan.outcome != Outcome::kFound) return plan;
     smooth(drivable, plan.waypoints_in_map);
     const double on_grid_m = path_length_m(plan.waypoints_in_map);

@@ -1,7 +1,7 @@
 #pragma once
 #include <cstdint>
 
-namespace aisle::local_planner {
+namespace aisle::fleet {
 
 enum class PlanVerdict {
   kAccepted,
@@ -30,4 +30,4 @@ class PlanAuthority {
   std::uint64_t sequence_number_{0};
 };
 
-}  // namespace aisle::local_planner
+}  // namespace aisle::fleet

@@ -5,7 +5,7 @@
 
 #include "common/time/stamp.hpp"
 
-namespace aisle::global_planner {
+namespace aisle::fleet {
 
 /// Who plans, when several planners run: one leads, the others stand by and know its plans. Whoever takes over raises
 /// the epoch, so that receivers can refuse a planner that was thought dead and comes back; giving the lead back is a
@@ -60,4 +60,4 @@ class Leadership {
   time::Stamp alone_since_{};
 };
 
-}  // namespace aisle::global_planner
+}  // namespace aisle::fleet

@@ -1,8 +1,8 @@
-#include "services/local-planner/core/plan_authority.hpp"
+#include "common/fleet/plan_authority.hpp"
 
 #include <algorithm>
 
-namespace aisle::local_planner {
+namespace aisle::fleet {
 
 const char* name(PlanVerdict verdict) {
   switch (verdict) {
@@ -28,4 +28,4 @@ PlanVerdict PlanAuthority::judge(std::uint32_t epoch, std::uint64_t boot_id, std
   return PlanVerdict::kAccepted;
 }
 
-}  // namespace aisle::local_planner
+}  // namespace aisle::fleet

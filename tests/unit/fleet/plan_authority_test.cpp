@@ -1,8 +1,8 @@
-#include "services/local-planner/core/plan_authority.hpp"
+#include "common/fleet/plan_authority.hpp"
 
 #include <gtest/gtest.h>
 
-namespace aisle::local_planner {
+namespace aisle::fleet {
 namespace {
 
 TEST(PlanAuthority, FollowsTheNewestEpochHeard) {
@@ -32,4 +32,4 @@ TEST(PlanAuthority, TakesThePlansOfOnePlannerInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace aisle::local_planner
+}  // namespace aisle::fleet

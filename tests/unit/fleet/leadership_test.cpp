@@ -1,8 +1,8 @@
-#include "services/global-planner/core/leadership.hpp"
+#include "common/fleet/leadership.hpp"
 
 #include <gtest/gtest.h>
 
-namespace aisle::global_planner {
+namespace aisle::fleet {
 namespace {
 
 using Role = Leadership::Role;
@@ -110,4 +110,4 @@ TEST(Leadership, NeverRaisesItsEpochOverALeaderThatIsThere) {
 }
 
 }  // namespace
-}  // namespace aisle::global_planner
+}  // namespace aisle::fleet

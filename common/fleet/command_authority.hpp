@@ -2,23 +2,13 @@
 #include <cstdint>
 #include <string>
 
-#include "common/geometry/pose.hpp"
+#include "common/fleet/origin.hpp"
+#include "common/fleet/velocity_command.hpp"
 
-namespace aisle::fake_vehicle {
+namespace aisle::fleet {
 
-/// A velocity command as it came, not yet believed.
-struct Command {
-  std::string agv_id;
-  std::string source_id;
-  std::uint64_t boot_id{0};
-  std::uint32_t epoch{0};
-  std::uint64_t sequence_number{0};
-  std::int64_t stamp_ns{0};
-  std::uint64_t plan_id{0};
-  geometry::Twist2 twist;
-};
-
-enum class Verdict {
+/// May a velocity command be followed?
+enum class CommandVerdict {
   kAccepted,
   kForeignVehicle,  // addressed to another agv id
   kMalformed,       // not finite, or beyond all reason
@@ -28,23 +18,23 @@ enum class Verdict {
 };
 
 /// One word for logs and counters.
-const char* name(Verdict verdict);
+const char* name(CommandVerdict verdict);
 
-/// Who may drive. A command is accepted with the vehicle's own id, finite values, an epoch that is at least the
+/// Which source drives a vehicle. A command is accepted with the vehicle's own id, finite values, an epoch that is at least the
 /// accepted one, and a sequence number used never before. A higher epoch takes over, whoever sends it; within an epoch
-/// only its first source and boot is heard (a lease with an epoch: who is heard is not left to the middleware).
+/// only its first source and boot is heard (a lease with an epoch: authority is not left to the middleware).
 class CommandAuthority {
  public:
   /// `accepted_epoch`: of before a restart of the vehicle, 0 at first.
   CommandAuthority(std::string agv_id, std::uint32_t accepted_epoch);
 
-  Verdict judge(const Command& command);
+  CommandVerdict judge(const VelocityCommand& command, const Origin& by);
 
   std::uint32_t accepted_epoch() const { return epoch_; }
   std::uint64_t refused() const { return refused_; }
 
  private:
-  Verdict look_at(const Command& command) const;
+  CommandVerdict look_at(const VelocityCommand& command, const Origin& by) const;
 
   std::string agv_id_;
   std::uint32_t epoch_;
@@ -54,4 +44,4 @@ class CommandAuthority {
   std::uint64_t refused_{0};
 };
 
-}  // namespace aisle::fake_vehicle
+}  // namespace aisle::fleet

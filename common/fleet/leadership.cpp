@@ -1,8 +1,8 @@
-#include "services/global-planner/core/leadership.hpp"
+#include "common/fleet/leadership.hpp"
 
 #include <algorithm>
 
-namespace aisle::global_planner {
+namespace aisle::fleet {
 namespace {
 
 constexpr time::Stamp kListens = std::chrono::milliseconds(500);
@@ -76,4 +76,4 @@ void Leadership::lead() {
   outdone_since_.reset();
 }
 
-}  // namespace aisle::global_planner
+}  // namespace aisle::fleet
