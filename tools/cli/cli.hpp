@@ -79,6 +79,7 @@ void add_map_unblock(CLI::App& parent, Cli& cli);
 void add_map_overlay(CLI::App& parent, Cli& cli);
 void add_map_accept(CLI::App& parent, Cli& cli);
 void add_map_save(CLI::App& parent, Cli& cli);
+void add_experiment_all(CLI::App& parent, Cli& cli);
 void add_experiment_global(CLI::App& parent, Cli& cli);
 void add_experiment_local(CLI::App& parent, Cli& cli);
 void add_experiment_tracking(CLI::App& parent, Cli& cli);

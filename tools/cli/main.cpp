@@ -41,6 +41,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_map_save(map, cli);
   add_plan(app, cli);
   CLI::App& experiment = *add_group("experiment", "compare with what is published; write docs/experiments.md anew");
+  add_experiment_all(experiment, cli);
   add_experiment_global(experiment, cli);
   add_experiment_local(experiment, cli);
   add_experiment_tracking(experiment, cli);

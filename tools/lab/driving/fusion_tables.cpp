@@ -7,7 +7,7 @@
 #include "common/process/output_file.hpp"
 #include "tools/lab/driving/curves_svg.hpp"
 #include "tools/lab/driving/fused_drive.hpp"
-#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/page/markdown.hpp"
 
 namespace aisle::lab {
 namespace {
@@ -238,23 +238,15 @@ std::string curves(const std::vector<Driven>& all, const std::filesystem::path& 
 
 }  // namespace
 
-std::string fusion_tables(const std::filesystem::path& maps, const std::filesystem::path& pictures,
-                          const std::string& pictures_from_page, const Progress& progress) {
+FusionTables fusion_tables(const std::filesystem::path& maps, const std::filesystem::path& pictures,
+                           const std::string& pictures_from_page, const Progress& progress) {
   std::vector<Driven> all;
   for (const Case& of : cases()) {
     progress(std::string("fusion: ") + of.title);
     all.push_back(drive(of, maps));
   }
-  return lengths_table(all) + "What the papers claim of it:\n\n" + claims_table(all, maps) +
-         "QU's path passes walls more closely than A\\*'s, and our own slowing near walls brakes there; without it all "
-         "six of QU's drives have fewer changes of v. "
-         "LI's path is no shorter than A\\*'s on this map, and its corners are sharper.\n\n"
-         "Smoothness, traditional A\\* + DWA -> the paper's improved A\\* + its DWA; sums of all changes up and "
-         "down:\n\n" +
-         smoothness_table(all) +
-         "#### Speed and turn rate\n\nThe papers print curves, and say of them what stands here; *near* is where "
-         "something is within 0.6 m of the outline.\n\n" +
-         curves_table(all) + curves(all, pictures, pictures_from_page);
+  return {lengths_table(all), claims_table(all, maps), smoothness_table(all), curves_table(all),
+          curves(all, pictures, pictures_from_page)};
 }
 
 }  // namespace aisle::lab

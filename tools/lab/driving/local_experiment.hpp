@@ -2,7 +2,8 @@
 #include <filesystem>
 #include <string>
 
-#include "tools/lab/planning/progress.hpp"
+#include "tools/lab/page/page_template.hpp"
+#include "tools/lab/page/progress.hpp"
 
 namespace aisle::lab {
 
@@ -15,6 +16,6 @@ struct LocalExperiment {
 
 /// The section on local planning of docs/experiments.md. The same text for the same orders: nothing in it depends on
 /// the machine.
-std::string local_section(const LocalExperiment& orders, const Progress& progress);
+FilledPage local_section(const LocalExperiment& orders, const Progress& progress);
 
 }  // namespace aisle::lab

@@ -6,7 +6,7 @@
 
 #include "common/config/reader.hpp"
 #include "services/local-planner/core/critic.hpp"
-#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/page/markdown.hpp"
 #include "tools/lockstep/suite.hpp"
 
 namespace aisle::lab {

@@ -6,7 +6,7 @@
 
 #include "common/process/output_file.hpp"
 #include "tools/lab/driving/window_svg.hpp"
-#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/page/markdown.hpp"
 #include "tools/lockstep/building.hpp"
 
 namespace aisle::lab {
@@ -102,8 +102,8 @@ WindowDrive drive_window_case(const WindowCase& of) {
   return drive;
 }
 
-std::string window_section(const std::filesystem::path& pictures, const std::string& pictures_from_page,
-                           const Progress& progress) {
+WindowTable window_table(const std::filesystem::path& pictures, const std::string& pictures_from_page,
+                         const Progress& progress) {
   std::vector<std::vector<std::string>> rows{{"case", "goal", "contacts", "farthest off the path m",
                                               "off it at the end m", "slowest m/s", "aimed at a sub-target s",
                                               "asked for another plan"}};
@@ -117,7 +117,7 @@ std::string window_section(const std::filesystem::path& pictures, const std::str
     process::write_output_file(pictures / (of.name + ".svg"), window_svg(of.setup.grid, scene_of(of, d)));
     shown += "![" + of.title + "](" + pictures_from_page + "/" + of.name + ".svg)\n\n";
   }
-  return markdown_table(rows) + shown;
+  return {markdown_table(rows), shown};
 }
 
 }  // namespace aisle::lab

@@ -5,7 +5,7 @@
 
 #include "common/geometry/pose.hpp"
 #include "tools/lab/driving/window_svg.hpp"
-#include "tools/lab/planning/progress.hpp"
+#include "tools/lab/page/progress.hpp"
 #include "tools/lockstep/simulation.hpp"
 
 namespace aisle::lab {
@@ -33,8 +33,13 @@ struct WindowDrive {
 };
 WindowDrive drive_window_case(const WindowCase& of);
 
-/// All of them as a table, with a picture each.
-std::string window_section(const std::filesystem::path& pictures, const std::string& pictures_from_page,
-                           const Progress& progress);
+/// Markdown of all cases.
+struct WindowTable {
+  std::string rows;
+  std::string pictures;  // links
+};
+/// Drives all of them; a picture of each is written into `pictures`.
+WindowTable window_table(const std::filesystem::path& pictures, const std::string& pictures_from_page,
+                         const Progress& progress);
 
 }  // namespace aisle::lab

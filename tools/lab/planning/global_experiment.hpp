@@ -2,7 +2,8 @@
 #include <filesystem>
 #include <string>
 
-#include "tools/lab/planning/progress.hpp"
+#include "tools/lab/page/page_template.hpp"
+#include "tools/lab/page/progress.hpp"
 
 namespace aisle::lab {
 
@@ -17,6 +18,6 @@ struct GlobalExperiment {
 
 /// The section on global planning of docs/experiments.md. The same text for the same orders: nothing in it depends on
 /// the machine.
-std::string global_section(const GlobalExperiment& orders, const Progress& progress);
+FilledPage global_section(const GlobalExperiment& orders, const Progress& progress);
 
 }  // namespace aisle::lab

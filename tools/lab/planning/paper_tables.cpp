@@ -7,8 +7,8 @@
 #include "common/process/output_file.hpp"
 #include "services/global-planner/core/traditional_astar.hpp"
 #include "services/global-planner/core/variant.hpp"
+#include "tools/lab/page/markdown.hpp"
 #include "tools/lab/planning/drawn_map.hpp"
-#include "tools/lab/planning/markdown.hpp"
 #include "tools/lab/planning/plan_svg.hpp"
 #include "tools/lab/planning/tally.hpp"
 

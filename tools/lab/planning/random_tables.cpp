@@ -6,7 +6,7 @@
 
 #include "services/global-planner/core/traditional_astar.hpp"
 #include "services/global-planner/core/variant.hpp"
-#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/page/markdown.hpp"
 #include "tools/lab/planning/random_maps.hpp"
 #include "tools/lab/planning/tally.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "common/grid/formats/map_file.hpp"
 #include "services/global-planner/core/variant.hpp"
-#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/page/markdown.hpp"
 #include "tools/lab/planning/queries.hpp"
 #include "tools/lab/planning/tally.hpp"
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <string>
 
-#include "tools/lab/planning/progress.hpp"
+#include "tools/lab/page/progress.hpp"
 
 namespace aisle::lab {
 

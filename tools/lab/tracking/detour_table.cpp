@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "common/config/reader.hpp"
-#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/page/markdown.hpp"
 #include "tools/lockstep/families.hpp"
 #include "tools/lockstep/suite.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-#include "tools/lab/planning/progress.hpp"
+#include "tools/lab/page/progress.hpp"
 
 namespace aisle::lab {
 

@@ -7,8 +7,10 @@
 
 #include "common/config/reader.hpp"
 #include "common/process/output_file.hpp"
-#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/page/markdown.hpp"
+#include "tools/lab/page/templates.hpp"
 #include "tools/lab/tracking/detour_table.hpp"
+#include "tools/lab/tracking/jumps.hpp"
 #include "tools/lab/tracking/picture.hpp"
 #include "tools/lab/tracking/trial.hpp"
 
@@ -22,25 +24,6 @@ using tracking::Sensing;
 constexpr std::uint64_t kSeed = 1;
 constexpr double kDrawn_s = 60.0;
 const std::string kBaseline = "nearest-neighbour";
-
-const std::string kTruthNote =
-    "*The truth.* The recordings give a place every 0.4 s, clicked into a film. People walk along the cubic B-spline "
-    "of these places, in all recordings alike: at "
-    "a row its velocity is the central difference. Straight lines in between, as people walk in the scenarios, jump in "
-    "velocity at every row (root mean square "
-    "0.47 m/s in biwi_eth, 0.25 in biwi_hotel, 0.11 in crowds_zara01), as nobody does, and in the first two one jump "
-    "takes back the one before (correlation -0.25 "
-    "and -0.40): errors of the clicks, not steps of the people. biwi_eth runs too fast: its people were marked every "
-    "0.4 s, six frames of a film of 15 frames a second, and "
-    "the file, in wide use, has a row every ten frames, read as 0.4 s too; so they hurry at 2.3 m/s on average, 1.0 "
-    "and 1.1 in the others. *At 15 frames a "
-    "second* plays it at their pace.\n\n";
-const std::string kHonestyNote =
-    "The same runs: squared errors over what the tracks' covariances say (normalised estimation error squared), of "
-    "place and velocity, two degrees of freedom "
-    "each. Honest is a mean of 2 and 0.95 within the 95 % bound; a larger mean is too sure. On people who move as the "
-    "filter says it is within its bounds "
-    "(`tests/unit/obstacle-tracker/filters_test.cpp`).\n\n";
 
 /// A recording and how it is played.
 struct Played {
@@ -92,8 +75,14 @@ std::vector<std::unique_ptr<tracking::Contestant>> contestants(bool all) {
   return contestants;
 }
 
-/// The trackers on every recording, and how honest they are.
-std::string recorded_tables(const TrackingExperiment& orders, const Progress& progress) {
+/// The trackers on every recording.
+struct Recorded {
+  std::string scores;
+  std::string honesty;   // errors over what the covariances say
+  std::string pictures;  // links
+};
+
+Recorded recorded_tables(const TrackingExperiment& orders, const Progress& progress) {
   Rows table{{"people, two vehicles", "tracker", "MOTA", "MOTP m", "IDF1", "switches", "fragments", "velocity RMS m/s",
               "latency scans", "false tracks a minute"}};
   Rows honesty{{"people, two vehicles", "tracker", "place: mean", "within 95 %", "velocity: mean", "within 95 %"}};
@@ -116,10 +105,19 @@ std::string recorded_tables(const TrackingExperiment& orders, const Progress& pr
       pictures += "![" + title + "](" + orders.pictures_from_page + "/" + file + ")\n\n";
     }
   }
-  return markdown_table(table) +
-         "The first minute among driving vehicles: everybody's true way in grey, the tracks in colours, the vehicles "
-         "in black.\n\n" +
-         pictures + kTruthNote + "### As sure as it may be\n\n" + kHonestyNote + markdown_table(honesty);
+  return {markdown_table(table), markdown_table(honesty), pictures};
+}
+
+/// What the recordings themselves are like.
+std::string recordings_table(const TrackingExperiment& orders) {
+  Rows table{{"recording", "speed m/s", "jump of velocity at a row, RMS m/s", "correlation with the jump before"}};
+  for (const Played& played : recordings()) {
+    if (!played.remark.empty()) continue;
+    const tracking::Jumps jumps = tracking::jumps_of(orders.people / (played.name + ".txt"));
+    table.push_back(
+        {played.name, digits(jumps.mean_speed_mps, 1), digits(jumps.rms_mps, 2), digits(jumps.correlation, 2)});
+  }
+  return markdown_table(table);
 }
 
 std::string fusion_table(const TrackingExperiment& orders, const Progress& progress) {
@@ -183,37 +181,21 @@ bool has_recordings(const TrackingExperiment& orders) {
 
 }  // namespace
 
-std::string tracking_section(const TrackingExperiment& orders, const Progress& progress) {
-  std::string text =
-      "## Obstacle tracking\n\n"
-      "Written by `aisle experiment tracking`: recorded people walk through an empty hall, lidars of 360 rays and 10 m "
-      "turn ten times a second on disc vehicles "
-      "of 0.35 m, pose noise 2 cm and 0.5 degrees, range noise 2 cm, each ray with the pose of its own moment. One set "
-      "of parameters for all rows, the tracker's "
-      "defaults; trackers are named after their filter, the first is the default. A person counts while a ray touched "
-      "it within the last second. `nearest-neighbour` is the baseline: clusters, the nearest track within a "
-      "gate, an alpha-beta filter for the velocity. Figures do not depend on the machine.\n\n";
-  if (!has_recordings(orders)) return text + "Left out: the recordings are not there.\n\n";
-  text += recorded_tables(orders, progress);
-  text += "### What several vehicles see\n\n" + fusion_table(orders, progress);
-  text +=
-      "### Ghosts\n\n"
-      "`" +
-      orders.empty_place.filename().string() +
-      "` driven without its people and hidden blocks, seed after seed; every track is a ghost. Vehicles say in their "
-      "scans how "
-      "sure they are of their pose.\n\n" +
-      ghost_table(orders, progress);
-  if (orders.detour_seeds <= 0) return text;
-  return text +
-         "### What prediction is worth\n\n"
-         "Drives of the suite in lock-step (see local planning, `wang`), " +
-         std::to_string(orders.detour_seeds) +
-         " seeds of each family, once with the tracks as they are and once with every track held still where it is: "
-         "the planners see the same people, but not "
-         "where they go. Length and time are means of a drive; *beyond the plan* is the way driven less the first "
-         "plan's.\n\n" +
-         detour_table(orders.detour_seeds, progress);
+FilledPage tracking_section(const TrackingExperiment& orders, const Progress& progress) {
+  Texts texts{{"recorded", ""}};
+  if (!has_recordings(orders)) return fill(kObstacleTrackingTemplate, texts);
+
+  const Recorded recorded = recorded_tables(orders, progress);
+  texts["recorded"] = recorded.scores;
+  texts["honesty"] = recorded.honesty;
+  texts["pictures"] = recorded.pictures;
+  texts["recordings"] = recordings_table(orders);
+  texts["fleets"] = fusion_table(orders, progress);
+  texts["empty_place"] = orders.empty_place.filename().string();
+  texts["ghosts"] = ghost_table(orders, progress);
+  texts["detour_seeds"] = std::to_string(orders.detour_seeds);
+  texts["detours"] = orders.detour_seeds > 0 ? detour_table(orders.detour_seeds, progress) : "";
+  return fill(kObstacleTrackingTemplate, texts);
 }
 
 }  // namespace aisle::lab

@@ -2,7 +2,8 @@
 #include <filesystem>
 #include <string>
 
-#include "tools/lab/planning/progress.hpp"
+#include "tools/lab/page/page_template.hpp"
+#include "tools/lab/page/progress.hpp"
 
 namespace aisle::lab {
 
@@ -19,6 +20,6 @@ struct TrackingExperiment {
 /// The section on the obstacle tracker of docs/experiments.md. The same text for the same orders: nothing in it depends
 /// on the machine.
 /// @throws config::BadInput when a file that is there cannot be used
-std::string tracking_section(const TrackingExperiment& orders, const Progress& progress);
+FilledPage tracking_section(const TrackingExperiment& orders, const Progress& progress);
 
 }  // namespace aisle::lab

@@ -7,8 +7,8 @@
 
 #include "common/config/reader.hpp"
 #include "tests/support/places.hpp"
+#include "tools/lab/page/markdown.hpp"
 #include "tools/lab/planning/drawn_map.hpp"
-#include "tools/lab/planning/markdown.hpp"
 #include "tools/lab/planning/paper_tables.hpp"
 #include "tools/lab/planning/random_tables.hpp"
 

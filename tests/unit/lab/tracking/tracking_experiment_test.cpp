@@ -35,7 +35,7 @@ class TrackingSection : public ::testing::Test {
 
 TEST_F(TrackingSection, SaysThatTheRecordingsAreNotThere) {
   orders_.people = orders_.pictures / "nowhere";
-  EXPECT_THAT(tracking_section(orders_, [](const std::string&) {}), HasSubstr("the recordings are not there"));
+  EXPECT_THAT(tracking_section(orders_, [](const std::string&) {}).text, HasSubstr("the recordings are not there"));
 }
 
 TEST_F(TrackingSection, HasARowForEveryRecordingAndFleetAndNoise) {
@@ -44,14 +44,14 @@ TEST_F(TrackingSection, HasARowForEveryRecordingAndFleetAndNoise) {
   } catch (const config::BadInput&) {
     GTEST_SKIP() << "no reference data here";
   }
-  const std::string section = tracking_section(orders_, [](const std::string&) {});
+  const std::string section = tracking_section(orders_, [](const std::string&) {}).text;
   for (const char* row :
        {"| biwi_eth, standing | constant-velocity |", "| biwi_eth at 15 frames a second, driving | interacting-mix |",
         "| crowds_zara01, driving | nearest-neighbour |", "| biwi_hotel | 4 |", "| 5 cm, 1 degree |"}) {
     EXPECT_THAT(section, HasSubstr(row));
   }
   EXPECT_TRUE(fs::exists(orders_.pictures / "tracking-biwi_hotel.svg"));
-  EXPECT_EQ(section, tracking_section(orders_, [](const std::string&) {})) << "the same orders, the same text";
+  EXPECT_EQ(section, tracking_section(orders_, [](const std::string&) {}).text) << "the same orders, the same text";
 }
 
 TEST(DetourTable, ComparesThePredictedWithTheHeldStill) {

@@ -1,4 +1,4 @@
-#include "tools/lab/planning/markdown.hpp"
+#include "tools/lab/page/markdown.hpp"
 
 #include <fmt/format.h>
 
