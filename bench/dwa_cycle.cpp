@@ -3,15 +3,18 @@
 // Nanoseconds a trajectory point, CPU time of the thread, over the single cycles of interleaved rounds; the fastest
 // tenth (p10) is what a machine does that nobody else uses, for what runs beside it shares cores and caches. After each
 // cycle a loop of multiplications runs about as long: it always takes the same steps, so how far its p99 is from its
-// median is the machine's doing. `dwa_cycle FILE` writes the rows as CSV too.
+// median is the machine's doing. `dwa_cycle FILE` writes the rows as CSV too; `dwa_cycle row N CYCLES` only runs that
+// row's cycles, for a profiler that counts instructions.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <random>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -145,20 +148,24 @@ double time_steady_loop_ns() {
   return cpu_ns() - begin;
 }
 
-void time_ours(Row& row) {
+Scene make_scene(const Row& row) {
   static const std::vector<local_planner::PeerMotion> kNoPeers;
   kinematics::Limits limits;
   limits.model = row.vehicle.model;
-  const Scene scene{row.place.clearance,
-                    {0.5 * kHallM, 0.5 * kHallM, 0.0},
-                    {0.6, 0.1, 0.0},
-                    row.vehicle.discs.radius_m,
-                    limits,
-                    1.2,
-                    row.place.movers,
-                    kNoPeers,
-                    limits.model == kinematics::Model::kTricycle ? std::atan(limits.axle.wheelbase_m * 0.1 / 0.6) : 0.0,
-                    row.vehicle.discs.ahead_m};
+  return {row.place.clearance,
+          {0.5 * kHallM, 0.5 * kHallM, 0.0},
+          {0.6, 0.1, 0.0},
+          row.vehicle.discs.radius_m,
+          limits,
+          1.2,
+          row.place.movers,
+          kNoPeers,
+          limits.model == kinematics::Model::kTricycle ? std::atan(limits.axle.wheelbase_m * 0.1 / 0.6) : 0.0,
+          row.vehicle.discs.ahead_m};
+}
+
+void time_ours(Row& row) {
+  const Scene scene = make_scene(row);
   const local_planner::Variant variant = all_critics();
   const Aim aim = make_aim(scene);
   volatile double kept = 0.0;
@@ -168,6 +175,18 @@ void time_ours(Row& row) {
     row.ours.push_back((cpu_ns() - begin) / kPoints);
     row.steady.push_back(time_steady_loop_ns());
   }
+}
+
+/// Only the cycles of one row, without clocks.
+void run_row(const Row& row, int cycles) {
+  const Scene scene = make_scene(row);
+  const local_planner::Variant variant = all_critics();
+  const Aim aim = make_aim(scene);
+  local_planner::Choice choice;
+  for (int i = 0; i < cycles; ++i) choice = choose(scene, aim, variant, bench_settings());
+  std::printf("%s, %d boxes, %d tracks: %a m/s, %a rad/s, walls %a m, tracks %a m, %d rejected\n", row.vehicle.name,
+              row.boxes, row.tracks, choice.twist.linear_mps, choice.twist.angular_radps, choice.wall_gap_m,
+              choice.mover_gap_m, choice.rejected_in_all());
 }
 
 /// As textbooks write it: every sample, every step, every disc, box and track, with libm.
@@ -318,6 +337,15 @@ bool write_csv(const char* file, const std::vector<Row>& rows) {
 
 int main(int argc, char** argv) {
   std::vector<Row> rows = make_rows();
+  if (argc == 4 && std::string_view(argv[1]) == "row") {
+    const int row = std::atoi(argv[2]), cycles = std::atoi(argv[3]);
+    if (row < 0 || row >= static_cast<int>(rows.size()) || cycles < 1) {
+      std::fprintf(stderr, "dwa_cycle row N CYCLES: N from 0 to %zu, CYCLES from 1 on\n", rows.size() - 1);
+      return 2;
+    }
+    run_row(rows[static_cast<std::size_t>(row)], cycles);
+    return 0;
+  }
   for (int round = 0; round < kRounds; ++round)
     for (Row& row : rows) {
       time_ours(row);
