@@ -11,6 +11,13 @@ if(AISLE_SANITIZE)
   add_link_options(-fsanitize=${AISLE_SANITIZE})
 endif()
 
+# For files that compute with batches (common/geometry/batch.hpp). The first two let roots and comparisons become vector instructions:
+# no code here reads errno or floating-point traps. The last forbids fused multiply-add, so that every machine rounds alike.
+set(AISLE_BATCH_OPTIONS "-fno-math-errno;-fno-trapping-math;-ffp-contract=off")
+if(AISLE_VECTORS)
+  list(APPEND AISLE_BATCH_OPTIONS -DAISLE_VECTORS)
+endif()
+
 # aisle_library(NAME SOURCES a.cpp... LINKS lib...): a room of the tree; headers are included from the top, e.g. "common/grid/occupancy_grid.hpp".
 function(aisle_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})

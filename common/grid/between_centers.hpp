@@ -40,17 +40,10 @@ class BetweenCenters {
   double clearance_m(Point p) const;
 
   /// The same for a point on none of the square's edges, of corners (lower left, lower right, upper left, upper right)
-  /// that are all free; 0 when one is not.
-  static double clearance_m(const double (&corner_m)[4], Point p, double cell_m) {
-    double clearance_m;
-    find_clearance_m(corner_m, p.s, p.t, cell_m, clearance_m);
-    return clearance_m;
-  }
-
-  /// The same of a number, or of a vector of them: one a point.
+  /// that are all free; 0 when one is not. Number: double, or geometry::Batch for four points.
   template <class Number>
-  [[gnu::always_inline]] static void find_clearance_m(const Number (&corner_m)[4], const Number& s, const Number& t,
-                                                      double cell_m, Number& clearance_m) {
+  [[gnu::always_inline]] static Number between_free_m(const Number (&corner_m)[4], const Number& s, const Number& t,
+                                                      double cell_m) {
     const Number lower = corner_m[1] < corner_m[0] ? corner_m[1] : corner_m[0];
     const Number upper = corner_m[3] < corner_m[2] ? corner_m[3] : corner_m[2];
     const Number least = upper < lower ? upper : lower;
@@ -60,7 +53,7 @@ class BetweenCenters {
     const Number bent = kSlope * (s * (1.0 - s) + t * (1.0 - t));
     const Number slack = bent < worst ? bent : worst;
     const Number blended = below + t * (above - below) - slack * cell_m;
-    clearance_m = least > 0.0 ? (least < blended ? blended : least) : Number{};
+    return least > 0.0 ? (least < blended ? blended : least) : Number{};
   }
 
   /// True when the clearance is surely at least `radius_m`, and more than 0, all along the straight piece from a to b.

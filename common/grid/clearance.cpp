@@ -236,7 +236,7 @@ double ClearanceField::clearance_between_free_m(double u, double v) const {
   if (p.s < kOnALine || p.t < kOnALine || p.s > 1.0 - kOnALine || p.t > 1.0 - kOnALine) return 0.0;
   const float* corner = clearance_m_.data() + geometry_.index({column, row});
   const double corners[4]{corner[0], corner[1], corner[geometry_.width], corner[geometry_.width + 1]};
-  return BetweenCenters::clearance_m(corners, p, geometry_.resolution_m);
+  return BetweenCenters::between_free_m(corners, p.s, p.t, geometry_.resolution_m);
 }
 
 }  // namespace aisle::grid

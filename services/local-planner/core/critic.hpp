@@ -1,67 +1,50 @@
 #pragma once
-#include <array>
-#include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "common/geometry/pose.hpp"
-#include "services/local-planner/core/side_by_side.hpp"
+#include "services/local-planner/core/samples.hpp"
 
 namespace aisle::local_planner {
-
-enum class Obstruction { kNone, kWall, kMover, kPeer };
-
-/// Side by side as many (v, w) as there are lanes, with what their trajectories meet. Of one that moves and collides
-/// with a wall no more than that is known. Not filled by itself; with fewer samples than lanes the last one stands in
-/// the others too.
-struct Samples {
-  alignas(32) Lane linear_mps, angular_radps, sideways_mps;
-  alignas(32) Lane look_x_m, look_y_m, look_yaw_rad;  // where it is in map after the heading time; yaw within [-pi, pi]
-  alignas(32) Lane end_x_m, end_y_m;                  // where it is in map at the horizon
-  alignas(32) Lane wall_gap_m;      // least distance to walls, vehicle's radius taken off, at the cap at most
-  alignas(32) Lane mover_gap_m;     // the same to predicted tracks and peers, margins taken off
-  alignas(32) Lane standing_gap_m;  // to tracks that stand, radii taken off
-  alignas(32) Lane moving_gap_m;    // to people and peers where they will be at that time, radii taken off
-  alignas(32) Lane
-      path_distance_m;  // mean distance of the trajectory to the way; 0 where the variant does not ask for it
-  std::size_t count;    // of samples
-  std::array<bool, kLanes> moves;  // some point of the vehicle, faster than 0.05 m/s
-  std::array<Obstruction, kLanes> collides;
-
-  Samples() {}  // a cycle has many of them, and writes every one
-  geometry::Twist2 twist(std::size_t i) const { return {linear_mps[i], angular_radps[i], sideways_mps[i]}; }
-};
 
 /// What a cycle aims at.
 struct Aim {
   geometry::Point2 target_in_map;  // temporary target: WANG's turning point, or the point of the way that is in sight
   double wall_cap_m{0.2};          // more room than this earns nothing; no more than the way itself has
-  double mover_cap_m{0.6};
-  geometry::Twist2 last;                 // the command before
+  double mover_cap_m{0.6};         // the same from tracks and peers
   geometry::Point2 sub_target_in_map{};  // the way's point nearest to the vehicle, a look-ahead further on
-  std::vector<geometry::Point2>
-      path_in_map{};      // the way from there to the horizon, every 0.2 m; empty: path distance is not asked for
+  // The way from there to the horizon, every 0.2 m; empty: path distance is not computed.
+  std::vector<geometry::Point2> path_in_map{};
   double radius_m{0.35};  // of the vehicle
   double step_s{0.1};     // of the trajectory
-  double walls_s{
-      1e9};  // walls are looked at for so long, at most to the horizon: beyond the target no arc is what will be driven
+  // Walls count for so long, at most to the horizon: beyond the target no arc is what will be driven.
+  double walls_s{std::numeric_limits<double>::infinity()};
 };
 
-/// Writes a score for each lane. Scores are >= 0 and higher is better. They are divided by their sum over the
-/// admissible samples before weighting (the papers' smoothing), so weights mean the same for every vehicle.
-using Critic = void (*)(const Samples& samples, const Aim& aim, Lane& scores);
+/// Scores samples. Scores are >= 0 and higher is better. They are divided by their sum over the admissible samples
+/// before weighting (the papers' smoothing), so weights mean the same for every vehicle.
+///
+/// A critic is one function template, `Number score(const Sample<Number>&, const Aim&)`, in a file of its own in
+/// critics/: of a double it is the formula, of a Batch the same formula for four samples.
+struct Critic {
+  double (*score)(const Sample<double>& sample, const Aim& aim);
+  void (*score_block)(const SampleBlock& samples, const Aim& aim, PerSample& scores);
 
-void heading_critic(const Samples& samples, const Aim& aim, Lane& scores);              // C1
-void clearance_critic(const Samples& samples, const Aim& aim, Lane& scores);            // C2
-void velocity_critic(const Samples& samples, const Aim& aim, Lane& scores);             // C3
-void sub_target_heading_critic(const Samples& samples, const Aim& aim, Lane& scores);   // C4
-void path_distance_critic(const Samples& samples, const Aim& aim, Lane& scores);        // C5
-void sub_target_distance_critic(const Samples& samples, const Aim& aim, Lane& scores);  // C6
-void static_clearance_critic(const Samples& samples, const Aim& aim, Lane& scores);     // C7
-void dynamic_clearance_critic(const Samples& samples, const Aim& aim, Lane& scores);    // C8
+  bool operator==(const Critic& other) const { return score == other.score; }
+};
+
+extern const Critic heading_critic;              // C1
+extern const Critic clearance_critic;            // C2
+extern const Critic velocity_critic;             // C3
+extern const Critic sub_target_heading_critic;   // C4
+extern const Critic path_distance_critic;        // C5
+extern const Critic sub_target_distance_critic;  // C6
+extern const Critic static_clearance_critic;     // C7
+extern const Critic dynamic_clearance_critic;    // C8
 
 struct WeightedCritic {
-  Critic score;
+  Critic critic;
   double weight;
 };
 
@@ -85,10 +68,10 @@ struct Variant {
   bool knows_path{true};  // else it drives straight at the goal (the papers' traditional DWA)
   PaperLimits paper{};
   std::string summary{};  // one line
-  bool has_rolling_window{
-      false};  // WU: aims at a local sub-target while driving on along the path would end in a collision
+  // WU: aims at a local sub-target while driving on along the path would end in a collision.
+  bool has_rolling_window{false};
 
-  bool asks_for(Critic critic) const;
+  bool asks_for(const Critic& critic) const;
 };
 
 /// WANG: traditional DWA's critics towards the turning points of an optimised path.

@@ -17,7 +17,6 @@ using geometry::Twist2;
 using time::seconds;
 using time::Stamp;
 
-constexpr double kStandingMps = 0.05;
 constexpr double kSearchPeriodS = 0.2;
 constexpr double kLookForObstaclesM = 4.0;
 constexpr double kTurnBeginRad = 0.9;
@@ -398,7 +397,8 @@ double LocalPlanner::least_spare_m(const Cycle& cycle, double s_m, double most_m
 }
 
 Aim LocalPlanner::aim(const Cycle& cycle) const {
-  Aim out{cycle.target, 0.2, 0.6, last_command_};
+  Aim out;
+  out.target_in_map = cycle.target;
   const Route& route = way_.current();
   const double nearest = route.project(cycle.base_then.position(), way_.s_m(), way_.s_m() + 0.5);
   out.sub_target_in_map = route.at(nearest + kSubTargetM);

@@ -8,7 +8,6 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kStandingMps = 0.05;
 constexpr double kStepM = 0.2;     // along the route
 constexpr double kLeastMps = 0.4;  // at which who stands is expected to drive on
 constexpr double kLeastWindowM = 0.5;

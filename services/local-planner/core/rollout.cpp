@@ -1,136 +1,146 @@
 #include "services/local-planner/core/rollout.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "common/geometry/wide_vectors.hpp"
-#include "services/local-planner/core/lanes.hpp"
-#include "services/local-planner/core/twist_lanes.hpp"
+#include "common/geometry/bearings.hpp"
+#include "services/local-planner/core/motion.hpp"
+#include "services/local-planner/core/walls.hpp"
 
 namespace aisle::local_planner {
 namespace {
 
+using geometry::Batch;
+using geometry::least;
 using geometry::Point2;
-using geometry::Pose2;
 using geometry::Twist2;
 
-constexpr double kStandingMps = 0.05;
-constexpr int kPathEvery = 4;  // steps; of a smooth trajectory that is enough
+constexpr double kRoundingM = 1e-6;
 
-/// Somebody at one step, who may come near to some sample.
-struct Foreseen {
-  Point2 there_in_map;
+/// A mover's or peer's predicted position at one time step.
+struct Predicted {
+  Point2 position_in_map;
   double radius_m;
   double margin_m;
-  double growth_m;  // by then
+  double growth_m;  // of the uncertainty, by then
   bool stands;
   Obstruction kind;
-  double reach_m;  // centres farther apart than this earn nothing and cost nothing
+  double reach_m;  // from a base farther than this, it changes nothing
 };
-using ForeseenByStep = std::vector<std::vector<Foreseen>>;
+using PredictedByStep = std::vector<std::vector<Predicted>>;
 
-bool is_same(const Twist2& a, const Twist2& b) {
-  return a.linear_mps == b.linear_mps && a.angular_radps == b.angular_radps && a.sideways_mps == b.sideways_mps;
-}
-
-/// Whom the samples can meet at each step: predicted once, and left out where no sample can have come near by then.
-ForeseenByStep foresee(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted, const Aim& aim,
-                       int steps, double dt_s) {
+/// The positions that the samples can meet at each step: predicted once a cycle, without those that no sample can have
+/// come near to by then.
+PredictedByStep predict(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted, const Aim& aim,
+                        int steps, double dt_s) {
   double fastest_mps = speed_of(scene.twist);
   for (const Twist2& twist : wanted) fastest_mps = std::max(fastest_mps, speed_of(twist));
   const double swing = swing_m(scene);
-  ForeseenByStep by_step(static_cast<std::size_t>(steps) + 1);
-  const auto add = [&](std::size_t k, Foreseen whom) {
-    constexpr double kRoundingM = 1e-6;
-    whom.reach_m =
-        scene.radius_m + whom.radius_m + aim.mover_cap_m + whom.margin_m + whom.growth_m + swing + kRoundingM;
-    const Point2 apart = whom.there_in_map - scene.base_in_map.position();
-    const double reach_m = whom.reach_m + fastest_mps * static_cast<double>(k) * dt_s;
-    if (geometry::dot(apart, apart) < reach_m * reach_m) by_step[k].push_back(whom);
+  PredictedByStep by_step(static_cast<std::size_t>(steps) + 1);
+  const auto add = [&](std::size_t k, Predicted it) {
+    it.reach_m = scene.radius_m + it.radius_m + aim.mover_cap_m + it.margin_m + it.growth_m + swing + kRoundingM;
+    const Point2 apart = it.position_in_map - scene.base_in_map.position();
+    const double reach_m = it.reach_m + fastest_mps * static_cast<double>(k) * dt_s;
+    if (geometry::dot(apart, apart) < reach_m * reach_m) by_step[k].push_back(it);
   };
   for (std::size_t k = 1; k < by_step.size(); ++k) {
     const double t = static_cast<double>(k) * dt_s;
     for (const Mover* mover : needed.foreseen)
       add(k, {mover->position_in_map + t * mover->velocity_in_map, mover->radius_m, mover->margin_m,
-              mover->growth_mps * std::min(t, 1.0), mover->velocity_in_map == Point2{}, Obstruction::kMover, 0.0});
+              mover->foreseen_growth_m(t), mover->velocity_in_map == Point2{}, Obstruction::kMover, 0.0});
     for (const PeerMotion* peer : needed.met)
-      add(k, {peer->intended_in_map[std::min(k, peer->intended_in_map.size() - 1)], peer->radius_m, 0.0, 0.0, false,
-              Obstruction::kPeer, 0.0});
+      add(k, {peer->intended_at(k), peer->radius_m, 0.0, 0.0, false, Obstruction::kPeer, 0.0});
   }
   return by_step;
 }
 
-/// The way as seen from the base, in axes of the map: near enough for single precision, of which twice as many fit into
-/// a vector.
+/// Eight numbers of single precision: those of two batches.
+using Singles = float __attribute__((vector_size(2 * geometry::kBatch * sizeof(float))));
+constexpr std::size_t kSingles = kBatches / 2;  // of a block
+
+[[gnu::always_inline]] inline Singles narrowed(const Batch& first, const Batch& second) {
+  using Four = float __attribute__((vector_size(geometry::kBatch * sizeof(float))));
+  const Four a = __builtin_convertvector(first, Four), b = __builtin_convertvector(second, Four);
+  return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// The path seen from the base, in axes of the map: near enough for single precision.
 struct NearPoint {
   float x_m, y_m;
 };
-using NearPath = std::vector<std::array<NearPoint, 4>>;  // each pass over the lanes costs loads and stores
 
-NearPath near_path(const std::vector<Point2>& path_in_map, const Pose2& base_in_map) {
-  NearPath path((path_in_map.size() + 3) / 4);
-  for (std::size_t i = 0; i < 4 * path.size(); ++i) {
-    const Point2 p = path_in_map[std::min(i, path_in_map.size() - 1)] - base_in_map.position();
-    path[i / 4][i % 4] = {static_cast<float>(p.x), static_cast<float>(p.y)};
-  }
+std::vector<NearPoint> near_path(const std::vector<Point2>& path_in_map, const Point2& base_in_map) {
+  std::vector<NearPoint> path;
+  path.reserve(path_in_map.size());
+  for (const Point2 p : path_in_map)
+    path.push_back({static_cast<float>(p.x - base_in_map.x), static_cast<float>(p.y - base_in_map.y)});
   return path;
 }
 
-/// A bundle of samples: from the twist in force towards theirs, then on with it.
-class Bundle {
+/// A block of samples: each takes up its twist within the vehicle's limits, then drives on with it to the horizon.
+class RolloutBlock {
  public:
-  Bundle(const Scene& scene, const Needed& needed, const ForeseenByStep& foreseen, const NearPath& path, const Aim& aim,
-         const DwaSettings& settings, const Twist2* wanted, Samples& out)
+  RolloutBlock(const Scene& scene, const Needed& needed, const PredictedByStep& predicted,
+               const std::vector<NearPoint>& path, const Aim& aim, const DwaSettings& settings, const Twist2* wanted,
+               SampleBlock& out)
       : scene_(scene),
-        foreseen_(foreseen),
+        predicted_(predicted),
         path_(path),
         dt_(settings.step_s),
-        look_(static_cast<int>(std::lround(settings.heading_s / dt_))),
-        walls_until_(static_cast<int>(std::ceil(std::min(aim.walls_s, settings.horizon_s) / dt_ - 1e-9))),
+        look_step_(settings.look_step()),
+        last_wall_step_(settings.last_wall_step(aim)),
         swing_(swing_m(scene)),
         least_wall_m_(std::min(0.0, needed.wall)),
         out_(out),
-        lanes_(scene.base_in_map),
-        outlines_(scene),
+        arcs_(scene.base_in_map),
+        outlines_(scene, arcs_),
         walls_(outlines_, needed.wall_gaps_m, aim.wall_cap_m),
         wanted_(wanted, out.count),
         twists_(scene.twist),
         steering_(scene.limits, scene.steering_rad, wanted_) {
-    out_.linear_mps = wanted_.linear_mps, out_.angular_radps = wanted_.angular_radps,
-    out_.sideways_mps = wanted_.sideways_mps;
-    out_.mover_gap_m.fill(aim.mover_cap_m);
-    out_.standing_gap_m.fill(aim.mover_cap_m);
-    out_.moving_gap_m.fill(aim.mover_cap_m);
-    out_.path_distance_m.fill(0.0);
-    out_.look_x_m.fill(scene.base_in_map.x), out_.look_y_m.fill(scene.base_in_map.y),
-        out_.look_yaw_rad.fill(geometry::wrap(scene.base_in_map.yaw));
-    hit_.fill(static_cast<double>(Obstruction::kNone));
-    out_.collides.fill(Obstruction::kNone);
-    for (std::size_t i = 0; i < kLanes; ++i)
-      out_.moves[i] = std::max(speed_of(wanted_.at(i)), swing_ * std::abs(wanted_.angular_radps[i])) > kStandingMps;
+    begin(aim);
   }
 
   void run() {
-    const int steps = static_cast<int>(foreseen_.size()) - 1;
+    const int steps = static_cast<int>(predicted_.size()) - 1;
     for (int k = 1; k <= steps && left_ > 0; ++k) {
       if (is_changing_) follow(k);
-      lanes_.step();
-      outlines_.follow(lanes_);
-      if (k <= walls_until_) meet_walls();
-      meet(foreseen_[static_cast<std::size_t>(k)]);
-      if (k == look_) look_around();
-      if (!path_.empty() && k % kPathEvery == 0) compare_with_path();
+      arcs_.step();
+      if (k <= last_wall_step_ && walls_.look(driven_m_)) meet_walls();
+      meet(predicted_[static_cast<std::size_t>(k)]);
+      if (k == look_step_) look();
+      if (!path_.empty() && k % kPathEverySteps == 0) compare_with_path();
     }
     finish();
   }
 
  private:
-  /// Twists change until they are what is wanted, or nothing comes nearer to it any more.
+  void begin(const Aim& aim) {
+    const Batch cap_m = Batch{} + aim.mover_cap_m;
+    const geometry::Pose2& base = scene_.base_in_map;
+    for (std::size_t b = 0; b < kBatches; ++b) {
+      Sample<Batch>& sample = out_.batches[b];
+      const Twist<Batch>& twist = wanted_.batches[b];
+      sample.linear_mps = twist.linear_mps, sample.angular_radps = twist.angular_radps;
+      sample.sideways_mps = twist.sideways_mps;
+      sample.look_x_m = Batch{} + base.x, sample.look_y_m = Batch{} + base.y;
+      sample.look_yaw_rad = Batch{} + geometry::wrap(base.yaw);
+      sample.mover_gap_m = sample.standing_gap_m = sample.moving_gap_m = cap_m;
+      sample.path_distance_m = Batch{};
+      hit_[b] = Batch{};
+    }
+    out_.collisions.fill(Obstruction::kNone);
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const Twist2 twist = wanted_.at(i);
+      out_.moves[i] = std::max(speed_of(twist), swing_ * std::abs(twist.angular_radps)) > kStandingMps;
+    }
+  }
+
+  /// Twists change until they are the wanted ones, or nothing brings them nearer any more.
   void follow(int k) {
     is_changing_ = k == 1;
-    const TwistLanes before = twists_;
-    if (count_differing(twists_, wanted_) > 0) {
+    const TwistBlock before = twists_;
+    if (differ(twists_, wanted_)) {
       if (scene_.limits.model == kinematics::Model::kDifferential)
         follow_differential(twists_, wanted_, scene_.limits, dt_);
       else if (scene_.limits.model == kinematics::Model::kTricycle)
@@ -138,30 +148,32 @@ class Bundle {
       else
         follow_one_by_one();
     }
-    is_changing_ = is_changing_ || steering_.is_turning() || count_differing(twists_, before) > 0;
-    driven_m(twists_, swing_, dt_, driven_m_);
-    lanes_.set_steps(twists_.linear_mps, twists_.angular_radps, twists_.sideways_mps, dt_);
+    is_changing_ = is_changing_ || steering_.is_turning() || differ(twists_, before);
+    find_driven_m(twists_, swing_, dt_, driven_m_);
+    arcs_.set_steps(twists_, dt_);
   }
 
   void follow_one_by_one() {
-    for (std::size_t i = 0; i < kLanes; ++i)
+    for (std::size_t i = 0; i < kBlock; ++i)
       if (!is_same(twists_.at(i), wanted_.at(i)))
         twists_.set(i, kinematics::follow({twists_.at(i), 0.0}, wanted_.at(i), scene_.limits, dt_).twist);
   }
 
-  /// Where each vehicle is after the heading time.
-  void look_around() {
-    out_.look_x_m = lanes_.x, out_.look_y_m = lanes_.y;
-    lanes_.find_yaws_rad(out_.look_yaw_rad);
+  AISLE_BATCHED void look() {
+    for (std::size_t b = 0; b < kBatches; ++b) {
+      const Arc<Batch>& arc = arcs_.batches[b];
+      Sample<Batch>& sample = out_.batches[b];
+      sample.look_x_m = arc.x, sample.look_y_m = arc.y;
+      sample.look_yaw_rad = geometry::bearing_rad(arc.sin_yaw(), arc.cos_yaw());
+    }
   }
 
+  /// A sample that moves and hits a wall is not followed further.
   void meet_walls() {
-    if (!walls_.look(outlines_, driven_m_)) return;
-    const Lane& gaps = walls_.least_gaps_m();
-    if (count_less(gaps, least_wall_m_) == at_walls_) return;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      if (gaps[i] >= least_wall_m_ || out_.collides[i] == Obstruction::kWall) continue;
-      out_.collides[i] = Obstruction::kWall;
+    if (count_at_walls() == at_walls_) return;
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      if (!(walls_.least_m()[i] < least_wall_m_) || out_.collisions[i] == Obstruction::kWall) continue;
+      out_.collisions[i] = Obstruction::kWall;
       ++at_walls_;
       if (!out_.moves[i]) continue;
       walls_.leave(i);
@@ -169,96 +181,102 @@ class Bundle {
     }
   }
 
-  AISLE_WIDE_VECTORS static int count_less(const Lane& gaps, double least_m) {
-    int less = 0;
-    for (std::size_t i = 0; i < kLanes; ++i) less += gaps[i] < least_m ? 1 : 0;
-    return less;
+  AISLE_BATCHED int count_at_walls() const {
+    geometry::BatchMask at_walls{};
+    for (std::size_t b = 0; b < kBatches; ++b) at_walls += walls_.least_m().batch(b) < least_wall_m_;
+    return geometry::count_of(at_walls);
   }
 
-  void meet(const std::vector<Foreseen>& all) {
+  void meet(const std::vector<Predicted>& all) {
     if (all.empty()) return;
-    const Box box(lanes_);
-    Lane squared;
-    for (const Foreseen& whom : all) {
-      if (box.distance2(whom.there_in_map) >= whom.reach_m * whom.reach_m) continue;
-      outlines_.distances2_to(whom.there_in_map, squared);
-      meet(whom, squared, whom.stands ? out_.standing_gap_m : out_.moving_gap_m);
+    const Box box = Box::around(arcs_);
+    bool is_first = true;
+    for (const Predicted& it : all) {
+      if (box.distance2(it.position_in_map) >= it.reach_m * it.reach_m) continue;
+      if (is_first) outlines_.find_headings();
+      is_first = false;
+      meet(it);
     }
   }
 
-  /// Loops of one line each, over values that do not alias: so they become vectors.
-  AISLE_WIDE_VECTORS void meet(const Foreseen& whom, const Lane& squared, Lane& gap_of_kind) {
+  AISLE_BATCHED void meet(const Predicted& it) {
     const double own_m = scene_.radius_m;
-    const double its_m = whom.radius_m;
-    const double margin_m = whom.margin_m;
-    const double growth_m = whom.growth_m;
-    const auto kind = static_cast<double>(whom.kind);
-    Lane distance;
-    for (std::size_t i = 0; i < kLanes; ++i) distance[i] = std::sqrt(squared[i]) - own_m - its_m;
-    for (std::size_t i = 0; i < kLanes; ++i) gap_of_kind[i] = least(gap_of_kind[i], distance[i]);
-    for (std::size_t i = 0; i < kLanes; ++i)
-      out_.mover_gap_m[i] = least(out_.mover_gap_m[i], distance[i] - margin_m - growth_m);
-    for (std::size_t i = 0; i < kLanes; ++i) hit_[i] = distance[i] < 0.0 ? kind : hit_[i];
+    const auto kind = static_cast<double>(it.kind);
+    for (std::size_t b = 0; b < kBatches; ++b) {
+      Sample<Batch>& sample = out_.batches[b];
+      const Batch distance_m = geometry::square_root(outlines_.distance2(b, it.position_in_map)) - own_m - it.radius_m;
+      Batch& gap_m = it.stands ? sample.standing_gap_m : sample.moving_gap_m;
+      gap_m = least(gap_m, distance_m);
+      sample.mover_gap_m = least<Batch>(sample.mover_gap_m, distance_m - it.margin_m - it.growth_m);
+      hit_[b] = distance_m < 0.0 ? Batch{} + kind : hit_[b];
+    }
   }
 
-  AISLE_WIDE_VECTORS void compare_with_path() {
-    std::array<float, kLanes> x_m, y_m, nearest_m2;
-    for (std::size_t i = 0; i < kLanes; ++i)
-      x_m[i] = static_cast<float>(lanes_.x[i] - scene_.base_in_map.x),
-      y_m[i] = static_cast<float>(lanes_.y[i] - scene_.base_in_map.y);
-    nearest_m2.fill(1e30F);
-    for (const auto& [a, b, c, d] : path_) {
-      for (std::size_t i = 0; i < kLanes; ++i) {
-        const float to_a = squared(x_m[i] - a.x_m, y_m[i] - a.y_m), to_b = squared(x_m[i] - b.x_m, y_m[i] - b.y_m);
-        const float to_c = squared(x_m[i] - c.x_m, y_m[i] - c.y_m), to_d = squared(x_m[i] - d.x_m, y_m[i] - d.y_m);
-        const float to_ab = to_b < to_a ? to_b : to_a, to_cd = to_d < to_c ? to_d : to_c,
-                    to_all = to_cd < to_ab ? to_cd : to_ab;
-        nearest_m2[i] = to_all < nearest_m2[i] ? to_all : nearest_m2[i];
-      }
+  /// Adds to each sample's path distance how far it is from the path's nearest point now.
+  AISLE_BATCHED void compare_with_path() {
+    constexpr float kFarM2 = 1e30F;
+    const double base_x = scene_.base_in_map.x, base_y = scene_.base_in_map.y;
+    Singles x_m[kSingles], y_m[kSingles], nearest_m2[kSingles];
+    for (std::size_t k = 0; k < kSingles; ++k) {
+      const Arc<Batch>&first = arcs_.batches[2 * k], &second = arcs_.batches[2 * k + 1];
+      x_m[k] = narrowed(first.x - base_x, second.x - base_x);
+      y_m[k] = narrowed(first.y - base_y, second.y - base_y);
+      nearest_m2[k] = Singles{} + kFarM2;
     }
-    for (std::size_t i = 0; i < kLanes; ++i) out_.path_distance_m[i] += static_cast<double>(std::sqrt(nearest_m2[i]));
+    for (const NearPoint& p : path_)
+      for (std::size_t k = 0; k < kSingles; ++k) {
+        const Singles x = x_m[k] - p.x_m, y = y_m[k] - p.y_m;
+        nearest_m2[k] = least<Singles>(nearest_m2[k], x * x + y * y);
+      }
+    for (std::size_t k = 0; k < kSingles; ++k)
+      for (std::size_t i = 0; i < 2 * geometry::kBatch; ++i)
+        out_.batches[2 * k + i / geometry::kBatch].path_distance_m[i % geometry::kBatch] +=
+            static_cast<double>(std::sqrt(nearest_m2[k][i]));
     ++path_looks_;
   }
-  static float squared(float x, float y) { return x * x + y * y; }
 
-  void finish() {
-    out_.end_x_m = lanes_.x, out_.end_y_m = lanes_.y;
-    out_.wall_gap_m = walls_.least_gaps_m();
-    for (std::size_t i = 0; path_looks_ > 0 && i < kLanes; ++i) out_.path_distance_m[i] /= path_looks_;
-    for (std::size_t i = 0; i < kLanes; ++i)
-      if (out_.collides[i] == Obstruction::kNone)
-        out_.collides[i] = static_cast<Obstruction>(static_cast<int>(hit_[i]));
+  AISLE_BATCHED void finish() {
+    for (std::size_t b = 0; b < kBatches; ++b) {
+      Sample<Batch>& sample = out_.batches[b];
+      sample.end_x_m = arcs_.batches[b].x, sample.end_y_m = arcs_.batches[b].y;
+      sample.wall_gap_m = walls_.least_m().batch(b);
+      if (path_looks_ > 0) sample.path_distance_m /= static_cast<double>(path_looks_);
+    }
+    for (std::size_t i = 0; i < kBlock; ++i)
+      if (out_.collisions[i] == Obstruction::kNone)
+        out_.collisions[i] =
+            static_cast<Obstruction>(static_cast<int>(hit_[i / geometry::kBatch][i % geometry::kBatch]));
   }
 
   const Scene& scene_;
-  const ForeseenByStep& foreseen_;
-  const NearPath& path_;
+  const PredictedByStep& predicted_;
+  const std::vector<NearPoint>& path_;
   double dt_;
-  int look_, walls_until_;
+  int look_step_, last_wall_step_;
   double swing_, least_wall_m_;
-  Samples& out_;
-  std::size_t left_{out_.count};  // that can still be taken
-  Lanes lanes_;
+  SampleBlock& out_;
+  std::size_t left_{out_.count};  // samples that can still be chosen
+  ArcBlock arcs_;
   Outlines outlines_;
-  WallWatch walls_;
-  TwistLanes wanted_, twists_;
-  SteeringLanes steering_;  // of a tricycle
+  WallGaps walls_;
+  TwistBlock wanted_, twists_;
+  SteeringBlock steering_;  // of a tricycle
   bool is_changing_{true};
-  Lane driven_m_, hit_;  // hit_: an Obstruction's number
+  PerSample driven_m_;                          // in one step
+  alignas(sizeof(Batch)) Batch hit_[kBatches];  // the Obstruction's number
   int path_looks_{0}, at_walls_{0};
 };
 
 }  // namespace
 
-std::vector<Samples> roll_out(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted,
-                              const Aim& aim, const DwaSettings& settings) {
-  const int steps = static_cast<int>(std::lround(settings.horizon_s / settings.step_s));
-  const ForeseenByStep foreseen = foresee(scene, needed, wanted, aim, steps, settings.step_s);
-  const NearPath path = near_path(aim.path_in_map, scene.base_in_map);
-  std::vector<Samples> all((wanted.size() + kLanes - 1) / kLanes);
-  for (std::size_t b = 0; b < all.size(); ++b) {
-    all[b].count = std::min(kLanes, wanted.size() - b * kLanes);
-    Bundle(scene, needed, foreseen, path, aim, settings, wanted.data() + b * kLanes, all[b]).run();
+std::vector<SampleBlock> batched::roll_out(const Scene& scene, const Needed& needed, const std::vector<Twist2>& wanted,
+                                           const Aim& aim, const DwaSettings& settings) {
+  const PredictedByStep predicted = predict(scene, needed, wanted, aim, settings.steps(), settings.step_s);
+  const std::vector<NearPoint> path = near_path(aim.path_in_map, scene.base_in_map.position());
+  std::vector<SampleBlock> all((wanted.size() + kBlock - 1) / kBlock);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    all[k].count = std::min(kBlock, wanted.size() - k * kBlock);
+    RolloutBlock(scene, needed, predicted, path, aim, settings, wanted.data() + k * kBlock, all[k]).run();
   }
   return all;
 }

@@ -4,9 +4,9 @@
 
 namespace aisle::local_planner {
 
-bool Variant::asks_for(Critic critic) const {
+bool Variant::asks_for(const Critic& critic) const {
   return std::any_of(critics.begin(), critics.end(),
-                     [&](const WeightedCritic& weighted) { return weighted.score == critic; });
+                     [&](const WeightedCritic& weighted) { return weighted.critic == critic; });
 }
 
 const Variant* find_variant(const std::string& name) {

@@ -6,8 +6,6 @@
 #include <cstddef>
 #include <random>
 
-#include "common/geometry/wide_vectors.hpp"
-
 namespace aisle::geometry {
 namespace {
 
@@ -15,13 +13,12 @@ TEST(Bearings, AreThoseOfTheStandardLibrary) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> coordinate(-3.0, 3.0), exponent(-12.0, 12.0);
   for (int round = 0; round < 100000; ++round) {
-    Wide x, y, found_rad;
-    for (std::size_t i = 0; i < kWide; ++i)
+    Batch x, y;
+    for (std::size_t i = 0; i < kBatch; ++i)
       x[i] = coordinate(random), y[i] = coordinate(random) * (round % 2 == 0 ? 1.0 : std::pow(10.0, exponent(random)));
-    find_bearing_rad(y, x, found_rad);
-    for (std::size_t i = 0; i < kWide; ++i) {
-      double alone_rad;
-      find_bearing_rad<double>(y[i], x[i], alone_rad);
+    const Batch found_rad = bearing_rad(y, x);
+    for (std::size_t i = 0; i < kBatch; ++i) {
+      const double alone_rad = bearing_rad<double>(y[i], x[i]);
       ASSERT_EQ(found_rad[i], alone_rad);
       ASSERT_NEAR(alone_rad, std::atan2(y[i], x[i]), 1e-15) << y[i] << " " << x[i];
     }
@@ -30,11 +27,7 @@ TEST(Bearings, AreThoseOfTheStandardLibrary) {
 
 TEST(Bearings, OfTheAxesAndOfNothingAreExact) {
   for (const double y : {0.0, 1.0, -1.0})
-    for (const double x : {0.0, 1.0, -1.0}) {
-      double found_rad;
-      find_bearing_rad(y, x, found_rad);
-      EXPECT_EQ(found_rad, std::atan2(y, x)) << y << " " << x;
-    }
+    for (const double x : {0.0, 1.0, -1.0}) EXPECT_EQ(bearing_rad(y, x), std::atan2(y, x)) << y << " " << x;
 }
 
 }  // namespace

@@ -166,23 +166,23 @@ TEST(RollOut, GivesEachSampleWhatItGetsAlone) {
     Aim aim;
     aim.path_in_map = {{6.0, 6.0}, {6.5, 6.2}, {7.0, 6.4}};
     const std::vector<Twist2> twists = many_twists();
-    const std::vector<Samples> together = roll_out(scene, needed, twists, aim, {});
-    const std::vector<Obstruction> stopping = obstructions(scene, needed, twists, {});
+    const std::vector<SampleBlock> together = batched::roll_out(scene, needed, twists, aim, {});
+    const std::vector<Obstruction> stopping = batched::obstructions(scene, needed, twists, {});
     for (std::size_t i = 0; i < twists.size(); ++i) {
-      const Samples& among = together[i / kLanes];
-      const std::size_t k = i % kLanes;
-      const Samples alone = roll_out(scene, needed, {twists[i]}, aim, {}).front();
+      const SampleBlock& block = together[i / kBlock];
+      const SampleBlock block_of_one = batched::roll_out(scene, needed, {twists[i]}, aim, {}).front();
+      const Sample<double> among = block.at(i % kBlock), alone = block_of_one.at(0);
       EXPECT_EQ(stopping[i], obstruction(scene, twists[i], {}));
-      EXPECT_EQ(among.collides[k], alone.collides[0]);
-      EXPECT_EQ(among.moves[k], alone.moves[0]);
-      if (alone.moves[0] && alone.collides[0] == Obstruction::kWall) continue;
+      EXPECT_EQ(block.collisions[i % kBlock], block_of_one.collisions[0]);
+      EXPECT_EQ(block.moves[i % kBlock], block_of_one.moves[0]);
+      if (block_of_one.moves[0] && block_of_one.collisions[0] == Obstruction::kWall) continue;
       constexpr double kRoundingM = 1e-9;  // headings are turned forth and back while others still change theirs
-      EXPECT_NEAR(among.wall_gap_m[k], alone.wall_gap_m[0], kRoundingM);
-      EXPECT_NEAR(among.mover_gap_m[k], alone.mover_gap_m[0], kRoundingM);
-      EXPECT_NEAR(among.moving_gap_m[k], alone.moving_gap_m[0], kRoundingM);
-      EXPECT_NEAR(among.path_distance_m[k], alone.path_distance_m[0], kRoundingM);
-      EXPECT_NEAR(among.end_x_m[k], alone.end_x_m[0], kRoundingM);
-      EXPECT_NEAR(among.end_y_m[k], alone.end_y_m[0], kRoundingM);
+      EXPECT_NEAR(among.wall_gap_m, alone.wall_gap_m, kRoundingM);
+      EXPECT_NEAR(among.mover_gap_m, alone.mover_gap_m, kRoundingM);
+      EXPECT_NEAR(among.moving_gap_m, alone.moving_gap_m, kRoundingM);
+      EXPECT_NEAR(among.path_distance_m, alone.path_distance_m, kRoundingM);
+      EXPECT_NEAR(among.end_x_m, alone.end_x_m, kRoundingM);
+      EXPECT_NEAR(among.end_y_m, alone.end_y_m, kRoundingM);
     }
   }
 }
@@ -203,11 +203,11 @@ TEST(RollOut, MeetsWhomAPlainLoopMeets) {
     const World world = crowded(seed);
     const Scene scene = world.scene({6.0, 6.0, 0.3 * static_cast<double>(seed)}, {0.5, 0.2, 0.0});
     const std::vector<Twist2> twists = many_twists();
-    const std::vector<Samples> all = roll_out(scene, needed_gaps(scene, settings), twists, aim, settings);
+    const std::vector<SampleBlock> all = batched::roll_out(scene, needed_gaps(scene, settings), twists, aim, settings);
     for (std::size_t i = 0; i < twists.size(); ++i) {
-      const Samples& samples = all[i / kLanes];
-      const std::size_t lane = i % kLanes;
-      if (samples.collides[lane] == Obstruction::kWall) continue;
+      const Obstruction collision = all[i / kBlock].collisions[i % kBlock];
+      const Sample<double> sample = all[i / kBlock].at(i % kBlock);
+      if (collision == Obstruction::kWall) continue;
       Pose2 pose = scene.base_in_map;
       Twist2 twist = scene.twist;
       Pose2 looked_from;
@@ -228,13 +228,12 @@ TEST(RollOut, MeetsWhomAPlainLoopMeets) {
         if (k % 4 == 0) path_m += 0.2 * nearest_m(aim.path_in_map, pose.position());
         if (k == 8) looked_from = pose;
       }
-      EXPECT_NEAR(samples.moving_gap_m[lane], moving_gap_m, 1e-3);
-      EXPECT_NEAR(samples.path_distance_m[lane], path_m, 1e-3);
-      EXPECT_NEAR(geometry::distance({samples.look_x_m[lane], samples.look_y_m[lane]}, looked_from.position()), 0.0,
-                  1e-3);
-      EXPECT_NEAR(geometry::wrap(samples.look_yaw_rad[lane] - looked_from.yaw), 0.0, 1e-6);
-      EXPECT_NEAR(geometry::distance({samples.end_x_m[lane], samples.end_y_m[lane]}, pose.position()), 0.0, 1e-3);
-      EXPECT_EQ(samples.collides[lane] != Obstruction::kNone, moving_gap_m < 0.0);
+      EXPECT_NEAR(sample.moving_gap_m, moving_gap_m, 1e-3);
+      EXPECT_NEAR(sample.path_distance_m, path_m, 1e-3);
+      EXPECT_NEAR(geometry::distance({sample.look_x_m, sample.look_y_m}, looked_from.position()), 0.0, 1e-3);
+      EXPECT_NEAR(geometry::wrap(sample.look_yaw_rad - looked_from.yaw), 0.0, 1e-6);
+      EXPECT_NEAR(geometry::distance({sample.end_x_m, sample.end_y_m}, pose.position()), 0.0, 1e-3);
+      EXPECT_EQ(collision != Obstruction::kNone, moving_gap_m < 0.0);
       if (moving_gap_m < aim.mover_cap_m) ++met;
     }
   }

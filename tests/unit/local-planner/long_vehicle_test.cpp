@@ -144,11 +144,14 @@ TEST(Omnidirectional, TheWindowHasSidewaysSpeeds) {
   limits.model = kinematics::Model::kOmnidirectional;
   Aim aim;
   aim.target_in_map = aim.sub_target_in_map = {10.0, 13.0};
-  const Critic to_target = [](const Samples& samples, const Aim& to, Lane& scores) {
-    for (std::size_t i = 0; i < kLanes; ++i)
-      scores[i] = 10.0 - geometry::distance({samples.end_x_m[i], samples.end_y_m[i]}, to.target_in_map);
+  const auto to_target = [](const Sample<double>& sample, const Aim& to) {
+    return 10.0 - geometry::distance({sample.end_x_m, sample.end_y_m}, to.target_in_map);
   };
-  const Variant heading_only{"x", {{to_target, 1.0}}};
+  const auto block_to_target = [](const SampleBlock& samples, const Aim& to, PerSample& scores) {
+    for (std::size_t i = 0; i < kBlock; ++i)
+      scores[i] = 10.0 - geometry::distance({samples.at(i).end_x_m, samples.at(i).end_y_m}, to.target_in_map);
+  };
+  const Variant heading_only{"x", {{Critic{to_target, block_to_target}, 1.0}}};
   const Choice choice = choose(world.scene(geometry::disc(0.35), limits, {10.0, 10.0, 0.0}, {}), aim, heading_only, {});
   ASSERT_TRUE(choice.found);
   EXPECT_GT(choice.twist.sideways_mps, 0.1) << "the target is straight to its left";

@@ -57,7 +57,7 @@ TEST(Variants, HaveTheWeightsOfTheirPapers) {
     std::vector<double> found(critics.size(), 0.0);
     for (const WeightedCritic& weighted : find_variant(name)->critics)
       found[static_cast<std::size_t>(std::distance(
-          critics.begin(), std::find(critics.begin(), critics.end(), weighted.score)))] += weighted.weight;
+          critics.begin(), std::find(critics.begin(), critics.end(), weighted.critic)))] += weighted.weight;
     EXPECT_EQ(found, expected) << name;
   }
 }
@@ -89,22 +89,25 @@ TEST_P(AnyVariant, ScoresWithFiniteNumbersFromZeroOn) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> place(-20.0, 20.0), gap(-0.5, 0.6), yaw(-3.1, 3.1);
   for (int round = 0; round < 50; ++round) {
-    Samples samples = blank_samples();
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      samples.linear_mps[i] = std::abs(gap(random)), samples.angular_radps[i] = yaw(random);
-      samples.look_x_m[i] = place(random), samples.look_y_m[i] = place(random), samples.look_yaw_rad[i] = yaw(random);
-      samples.end_x_m[i] = place(random), samples.end_y_m[i] = place(random);
-      samples.wall_gap_m[i] = gap(random), samples.mover_gap_m[i] = gap(random);
-      samples.standing_gap_m[i] = gap(random), samples.moving_gap_m[i] = gap(random);
-      samples.path_distance_m[i] = std::abs(place(random));
+    std::vector<Sample<double>> samples(kBlock);
+    for (Sample<double>& sample : samples) {
+      sample.linear_mps = std::abs(gap(random)), sample.angular_radps = yaw(random);
+      sample.look_x_m = place(random), sample.look_y_m = place(random), sample.look_yaw_rad = yaw(random);
+      sample.end_x_m = place(random), sample.end_y_m = place(random);
+      sample.wall_gap_m = gap(random), sample.mover_gap_m = gap(random);
+      sample.standing_gap_m = gap(random), sample.moving_gap_m = gap(random);
+      sample.path_distance_m = std::abs(place(random));
     }
     Aim aim;
     aim.target_in_map = {place(random), place(random)};
     aim.sub_target_in_map = {place(random), place(random)};
-    for (const WeightedCritic& critic : variant().critics) {
-      Lane scores;
-      critic.score(samples, aim, scores);
-      for (const double score : scores) EXPECT_TRUE(std::isfinite(score) && score >= 0.0) << score;
+    for (const WeightedCritic& weighted : variant().critics) {
+      PerSample scores;
+      weighted.critic.score_block(block_of(samples), aim, scores);
+      for (std::size_t i = 0; i < kBlock; ++i) {
+        EXPECT_TRUE(std::isfinite(scores[i]) && scores[i] >= 0.0) << scores[i];
+        EXPECT_EQ(scores[i], weighted.critic.score(samples[i], aim)) << "four at once are scored as each alone";
+      }
     }
   }
 }

@@ -1,16 +1,24 @@
 // C2 (LI, WU, YU, WANG): least clearance along the trajectory, capped, so that open space has no pull of its own.
+//
+//     dist(v, w) = min(wall gap / wall cap, mover gap / mover cap), in [0, 1]
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {
+namespace {
 
-/// In [0, 1]; the worse of walls and of what moves, each as a share of its cap.
-void clearance_critic(const Samples& samples, const Aim& aim, Lane& scores) {
-  const double wall_cap_m = aim.wall_cap_m, mover_cap_m = aim.mover_cap_m;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const double walls = within(samples.wall_gap_m[i] / wall_cap_m, 0.0, 1.0);
-    const double movers = within(samples.mover_gap_m[i] / mover_cap_m, 0.0, 1.0);
-    scores[i] = least(walls, movers);
-  }
+template <class Number>
+[[gnu::always_inline]] inline Number score(const Sample<Number>& sample, const Aim& aim) {
+  using geometry::clamped;
+  return geometry::least(clamped(sample.wall_gap_m / aim.wall_cap_m, 0.0, 1.0),
+                         clamped(sample.mover_gap_m / aim.mover_cap_m, 0.0, 1.0));
 }
+
+AISLE_BATCHED void score_block(const SampleBlock& samples, const Aim& aim, PerSample& scores) {
+  for (std::size_t b = 0; b < kBatches; ++b) scores.put(b, score(samples.batches[b], aim));
+}
+
+}  // namespace
+
+const Critic clearance_critic{score<double>, score_block};
 
 }  // namespace aisle::local_planner

@@ -1,19 +1,26 @@
-// C8, QU eq. 15: clearance to what moves, where it will be at that time.
-#include <cmath>
-
+// C8, QU eq. 15: clearance D to what moves, where it will be at that time.
+//
+//     dist_d(v, w) = 0 where D < 1.2 |v| dt, else D / mover cap, in [0, 1]
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {
+namespace {
 
-/// In [0, 1]: 0 where the gap is less than 1.2 of what the vehicle drives in a step, else growing with the gap, capped.
+constexpr double kTooNear = 1.2;  // of the way of one step
+
 /// Repaired: eq. 15 prints 1/D, which would reward driving close.
-void dynamic_clearance_critic(const Samples& samples, const Aim& aim, Lane& scores) {
-  const double step_s = aim.step_s, mover_cap_m = aim.mover_cap_m;
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    const double least_m = 1.2 * std::abs(samples.linear_mps[i]) * step_s;
-    const double growing = within(samples.moving_gap_m[i] / mover_cap_m, 0.0, 1.0);
-    scores[i] = samples.moving_gap_m[i] < least_m ? 0.0 : growing;
-  }
+template <class Number>
+[[gnu::always_inline]] inline Number score(const Sample<Number>& sample, const Aim& aim) {
+  const Number least_m = kTooNear * geometry::magnitude(sample.linear_mps) * aim.step_s;
+  return sample.moving_gap_m < least_m ? Number{} : geometry::clamped(sample.moving_gap_m / aim.mover_cap_m, 0.0, 1.0);
 }
+
+AISLE_BATCHED void score_block(const SampleBlock& samples, const Aim& aim, PerSample& scores) {
+  for (std::size_t b = 0; b < kBatches; ++b) scores.put(b, score(samples.batches[b], aim));
+}
+
+}  // namespace
+
+const Critic dynamic_clearance_critic{score<double>, score_block};
 
 }  // namespace aisle::local_planner

@@ -1,13 +1,22 @@
 // C3, all five papers: the faster, the better.
-#include <cmath>
-
+//
+//     vel(v, w) = |v|, in m/s
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {
+namespace {
 
-/// m/s
-void velocity_critic(const Samples& samples, const Aim&, Lane& scores) {
-  for (std::size_t i = 0; i < kLanes; ++i) scores[i] = std::abs(samples.linear_mps[i]);
+template <class Number>
+[[gnu::always_inline]] inline Number score(const Sample<Number>& sample, const Aim&) {
+  return geometry::magnitude(sample.linear_mps);
 }
+
+AISLE_BATCHED void score_block(const SampleBlock& samples, const Aim& aim, PerSample& scores) {
+  for (std::size_t b = 0; b < kBatches; ++b) scores.put(b, score(samples.batches[b], aim));
+}
+
+}  // namespace
+
+const Critic velocity_critic{score<double>, score_block};
 
 }  // namespace aisle::local_planner

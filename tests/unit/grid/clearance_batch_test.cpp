@@ -1,4 +1,4 @@
-#include "common/grid/clearance_lanes.hpp"
+#include "common/grid/clearance_batch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,21 +43,21 @@ TEST(ClearancesOfManyPoints, AreThoseOfEachToTheBit) {
     std::mt19937 random(seed);
     const OccupancyGrid grid = testing::random_grid(random);
     const ClearanceField field(grid, 5.0);
-    const ClearanceLanes clearances(field);
+    const ClearanceBatch clearances(field);
     for (int round = 0; round < 160; ++round) {
-      geometry::Wide x, y, found_m, at_least_m;
-      geometry::WideMarks wanted;
-      for (std::size_t i = 0; i < geometry::kWide; ++i) {
+      geometry::Batch x, y;
+      geometry::BatchMask wanted;
+      for (std::size_t i = 0; i < geometry::kBatch; ++i) {
         const Point2 p = some_point(random, grid.geometry());
         x[i] = p.x, y[i] = p.y;
         wanted[i] = random() % 4 == 0 ? 0 : -1;
       }
-      clearances.find_m(x, y, wanted, found_m);
-      clearances.find_at_least_m(x, y, at_least_m);
-      for (std::size_t i = 0; i < geometry::kWide; ++i) {
+      const geometry::Batch found_m = clearances.clearance_m(x, y, wanted), rough_m = clearances.rough_m(x, y);
+      for (std::size_t i = 0; i < geometry::kBatch; ++i) {
         const Point2 p{x[i], y[i]};
-        ASSERT_LE(at_least_m[i], field.clearance_m(p)) << "seed " << seed << " at " << p.x << " " << p.y;
-        if (field.clearance_m(p) - at_least_m[i] > 2.0 * field.geometry().resolution_m) ++far_less;
+        ASSERT_LE(rough_m[i], field.clearance_m(p)) << "seed " << seed << " at " << p.x << " " << p.y;
+        ASSERT_EQ(rough_m[i], clearances.rough_m(p)) << "seed " << seed << " at " << p.x << " " << p.y;
+        if (field.clearance_m(p) - rough_m[i] > 2.0 * field.geometry().resolution_m) ++far_less;
         if (wanted[i] == 0 && found_m[i] == 0.0) continue;
         ASSERT_EQ(found_m[i], field.clearance_m(p)) << "seed " << seed << " at " << p.x << " " << p.y;
         if (found_m[i] > 0.0) ++free;

@@ -1,4 +1,4 @@
-#include "common/grid/clearance_lanes.hpp"
+#include "common/grid/clearance_batch.hpp"
 
 namespace aisle::grid {
 namespace {
@@ -7,7 +7,7 @@ constexpr float kNoCells[2]{};
 
 }  // namespace
 
-ClearanceLanes::ClearanceLanes(const ClearanceField& field)
+ClearanceBatch::ClearanceBatch(const ClearanceField& field)
     : field_(field),
       cells_m_(field.cells_m().data()),
       width_(field.geometry().width),
@@ -23,9 +23,15 @@ ClearanceLanes::ClearanceLanes(const ClearanceField& field)
     cells_m_ = kNoCells, width_ = 0, columns_ = 0.0;  // no point lies between four cells
 }
 
-void ClearanceLanes::find_others_m(const geometry::Wide& x, const geometry::Wide& y, const geometry::WideMarks& wanted,
-                                   geometry::Wide& clearance_m) const {
-  for (std::size_t i = 0; i < geometry::kWide; ++i)
+double ClearanceBatch::rough_m(geometry::Point2 in_map) const {
+  const double u = (in_map.x - origin_x_) * cells_a_metre_, v = (in_map.y - origin_y_) * cells_a_metre_;
+  if (!(u >= 0.0 && v >= 0.0 && u < columns_ && v < rows_)) return 0.0;
+  return static_cast<double>(cells_m_[static_cast<int>(v) * width_ + static_cast<int>(u)]) - cell_m_;
+}
+
+void ClearanceBatch::look_up_others(const geometry::Batch& x, const geometry::Batch& y,
+                                    const geometry::BatchMask& wanted, geometry::Batch& clearance_m) const {
+  for (std::size_t i = 0; i < geometry::kBatch; ++i)
     if (wanted[i] != 0 && !(clearance_m[i] > 0.0)) clearance_m[i] = field_.clearance_m(geometry::Point2{x[i], y[i]});
 }
 
