@@ -11,7 +11,6 @@
 
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
-#include "common/process/clock.hpp"
 
 namespace aisle::process {
 namespace {
@@ -80,10 +79,11 @@ RateLimit::Pass RateLimit::ask(const std::string& kind, time::Stamp now) {
   return {true, std::exchange(entry.kept_back, 0)};
 }
 
-LimitedWarnings::LimitedWarnings(time::Stamp period) : limit_(period) {}
+LimitedWarnings::LimitedWarnings(time::Stamp period, std::function<time::Stamp()> now)
+    : limit_(period), now_(std::move(now)) {}
 
 void LimitedWarnings::warn(const std::string& kind, const std::string& text) {
-  const RateLimit::Pass pass = limit_.ask(kind, monotonic_now());
+  const RateLimit::Pass pass = limit_.ask(kind, now_());
   if (!pass.allowed) return;
   if (pass.kept_back == 0) {
     spdlog::warn("{}", text);

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -47,11 +48,13 @@ class RateLimit {
 /// Warns through spdlog, at most once a period for each kind; says "(and N more)" when lines were kept back.
 class LimitedWarnings {
  public:
-  explicit LimitedWarnings(time::Stamp period);
+  /// `now`: the clock that periods are measured on.
+  LimitedWarnings(time::Stamp period, std::function<time::Stamp()> now);
   void warn(const std::string& kind, const std::string& text);
 
  private:
   RateLimit limit_;
+  std::function<time::Stamp()> now_;
 };
 
 }  // namespace aisle::process

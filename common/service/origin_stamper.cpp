@@ -2,12 +2,10 @@
 
 #include <utility>
 
-#include "common/process/clock.hpp"
-
 namespace aisle::service {
 
-OriginStamper::OriginStamper(std::string source_id, std::uint64_t boot_id, std::uint32_t epoch)
-    : source_id_(std::move(source_id)), boot_id_(boot_id), epoch_(epoch) {}
+OriginStamper::OriginStamper(const bus::Bus& bus, std::string source_id, std::uint64_t boot_id, std::uint32_t epoch)
+    : bus_(&bus), source_id_(std::move(source_id)), boot_id_(boot_id), epoch_(epoch) {}
 
 aisle::Origin OriginStamper::next() {
   aisle::Origin origin;
@@ -15,7 +13,7 @@ aisle::Origin OriginStamper::next() {
   origin.boot_id(boot_id_);
   origin.epoch(epoch_);
   origin.sequence_number(++sequence_number_);
-  origin.stamp_ns(process::wall_clock_ns());
+  origin.stamp_ns(bus_->wall_clock_ns());
   return origin;
 }
 

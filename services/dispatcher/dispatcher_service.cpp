@@ -2,7 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/process/clock.hpp"
 #include "common/process/kept_file.hpp"
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
@@ -12,8 +11,6 @@ namespace {
 
 using bus::SampleInfo;
 using bus::SampleKind;
-using process::monotonic_now;
-using process::wall_clock_ns;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTick{50};
@@ -57,11 +54,11 @@ DispatcherService::DispatcherService(bus::Bus& bus, const std::string& instance_
              memory_ && memory_->started_at_ns ? memory_->started_at_ns : config.start_at_ns),
       dispatcher_(config.scenario.missions, config.settings, memory_ ? &memory_->missions : nullptr),
       edits_(config.scenario, memory_ ? memory_->edits_done : std::vector<std::string>{}),
-      goal_stamper_(instance_id, boot_id),
-      edit_stamper_(instance_id, boot_id),
+      goal_stamper_(bus, instance_id, boot_id),
+      edit_stamper_(bus, instance_id, boot_id),
       goals_(bus.writer<topics::Goal>()),
       map_edits_(bus.writer<topics::MapEdit>()),
-      warnings_(std::chrono::seconds(10)) {
+      warnings_(std::chrono::seconds(10), [&bus] { return bus.now(); }) {
   listen();
   bus_.every(kTick, [this] { tick(); });
   bus_.every(kHealthPeriod, [this] { tell_health(); });
@@ -71,8 +68,8 @@ void DispatcherService::listen() {
   bus_.on<topics::VehicleInfo>([this](const aisle::VehicleInfo& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
     const std::string agv_id = sample.agv_id().to_string();
-    clock_.vehicle_heard(agv_id, monotonic_now(), wall_clock_ns());
-    dispatcher_.vehicle_heard(agv_id, monotonic_now());
+    clock_.vehicle_heard(agv_id, bus_.now(), bus_.wall_clock_ns());
+    dispatcher_.vehicle_heard(agv_id, bus_.now());
   });
   bus_.on<topics::NavigationStatus>([this](const aisle::NavigationStatus& sample, const SampleInfo& info) {
     if (info.kind == SampleKind::kData) take(sample);
@@ -89,7 +86,7 @@ void DispatcherService::listen() {
 }
 
 void DispatcherService::take(const aisle::NavigationStatus& sample) {
-  dispatcher_.status_heard(sample.agv_id().to_string(), status_of(sample), monotonic_now());
+  dispatcher_.status_heard(sample.agv_id().to_string(), status_of(sample), bus_.now());
 }
 
 void DispatcherService::take(const aisle::Goal& sample) {
@@ -117,11 +114,11 @@ void DispatcherService::take(const aisle::MapEditResult& sample) {
 }
 
 void DispatcherService::tick() {
-  const time::Stamp now = monotonic_now();
+  const time::Stamp now = bus_.now();
   const std::vector<Order> orders = dispatcher_.step(now);
   for (const Event& event : dispatcher_.take_events()) log(event);
   for (const Order& order : orders) write(order);
-  if (const auto seconds = clock_.seconds(now, wall_clock_ns())) {
+  if (const auto seconds = clock_.seconds(now, bus_.wall_clock_ns())) {
     for (const fleet::MapEdit& edit : edits_.due(*seconds, map_id_, now)) {
       aisle::MapEdit sample = wire::encode(edit);
       sample.by(edit_stamper_.next());

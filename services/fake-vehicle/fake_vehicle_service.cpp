@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "common/process/clock.hpp"
 #include "common/scenario/variation.hpp"
 #include "common/wire/origin.hpp"
 #include "common/wire/service.hpp"
@@ -17,7 +16,6 @@ namespace {
 
 using bus::SampleInfo;
 using bus::SampleKind;
-using process::monotonic_now;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTick{20};
@@ -49,19 +47,19 @@ FakeVehicleService::FakeVehicleService(bus::Bus& bus, const std::string& agv_id,
       bodies_(agv_id),
       duplicates_(boot_id),
       random_(scenario::random_for(config.seed, agv_id + "/noise")),
-      info_stamper_(instance_id, boot_id),
-      state_stamper_(instance_id, boot_id),
-      scan_stamper_(instance_id, boot_id),
-      truth_stamper_(instance_id, boot_id),
+      info_stamper_(bus, instance_id, boot_id),
+      state_stamper_(bus, instance_id, boot_id),
+      scan_stamper_(bus, instance_id, boot_id),
+      truth_stamper_(bus, instance_id, boot_id),
       infos_(bus.writer<topics::VehicleInfo>()),
       states_(bus.writer<topics::VehicleState>()),
       scans_(bus.writer<topics::Scan>()),
       truths_(bus.writer<topics::WorldObstacle>()),
-      warnings_(std::chrono::seconds(10)),
-      started_(monotonic_now()) {
+      warnings_(std::chrono::seconds(10), [&bus] { return bus.now(); }),
+      started_(bus.now()) {
   listen();
   bus_.every(kTick, [this] { tick(); });
-  bus_.every(kHealthPeriod, [this] { tell_health(monotonic_now()); });
+  bus_.every(kHealthPeriod, [this] { tell_health(bus_.now()); });
   if (!config_.state_file.empty()) bus_.every(kKeepPeriod, [this] { keep_memory(); });
 }
 
@@ -73,7 +71,7 @@ void FakeVehicleService::listen() {
   bus_.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
     const auto health = accepted("service_health", wire::decode(sample));
-    if (health && is_this_vehicle(*health)) duplicates_.heard(wire::origin_of(sample).boot_id, monotonic_now());
+    if (health && is_this_vehicle(*health)) duplicates_.heard(wire::origin_of(sample).boot_id, bus_.now());
   });
 }
 
@@ -112,7 +110,7 @@ void FakeVehicleService::take(const aisle::WorldObstacle& sample, const SampleIn
   const auto obstacle = accepted("world_obstacle", wire::decode(sample));
   if (!obstacle) return;
   bodies_.seen(obstacle->id, obstacle->body(), obstacle->kind == fleet::Obstacle::Kind::kVehicle,
-               wire::origin_of(sample).boot_id, monotonic_now());
+               wire::origin_of(sample).boot_id, bus_.now());
 }
 
 bool FakeVehicleService::may_act(time::Stamp now) {
@@ -133,7 +131,7 @@ bool FakeVehicleService::may_act(time::Stamp now) {
 }
 
 void FakeVehicleService::tick() {
-  const time::Stamp now = monotonic_now();
+  const time::Stamp now = bus_.now();
   if (!may_act(now)) {
     if (introduced_ && map_.has_map())
       vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});  // brakes: nobody commands it any more

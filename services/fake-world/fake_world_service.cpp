@@ -2,7 +2,6 @@
 
 #include <spdlog/spdlog.h>
 
-#include "common/process/clock.hpp"
 #include "common/wire/vehicle.hpp"
 #include "services/fake-world/world_memory.hpp"
 
@@ -11,8 +10,6 @@ namespace {
 
 using bus::SampleInfo;
 using bus::SampleKind;
-using process::monotonic_now;
-using process::wall_clock_ns;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTick{20};
@@ -32,10 +29,11 @@ std::vector<std::vector<RecordedPerson>> read_recordings(const scenario::Scenari
 }
 
 /// A world that was away stood still meanwhile: it goes on at the second where it was, so that nothing jumps.
-std::optional<std::int64_t> second_zero(const ServiceConfig& config, const std::optional<Memory>& memory) {
+std::optional<std::int64_t> second_zero(const ServiceConfig& config, const std::optional<Memory>& memory,
+                                        std::int64_t wall_clock_ns) {
   if (!memory) return config.start_at_ns;
   spdlog::info("goes on at second {:.1f} of the scenario", memory->seconds);
-  return wall_clock_ns() - time::from_seconds(memory->seconds).count();
+  return wall_clock_ns - time::from_seconds(memory->seconds).count();
 }
 
 aisle::WorldObstacle encode(const Thing& thing) {
@@ -57,11 +55,11 @@ FakeWorldService::FakeWorldService(bus::Bus& bus, const std::string& instance_id
       config_(config),
       run_(config.scenario.name + "/" + std::to_string(config.seed)),
       memory_(config.state_file.empty() ? std::nullopt : recall(config.state_file, run_)),
-      clock_(vehicle_ids(config.scenario), second_zero(config, memory_)),
+      clock_(vehicle_ids(config.scenario), second_zero(config, memory_, bus.wall_clock_ns())),
       world_(config.scenario, read_recordings(config.scenario), config.seed, memory_ ? &*memory_ : nullptr),
-      stamper_(instance_id, boot_id),
+      stamper_(bus, instance_id, boot_id),
       obstacles_(bus.writer<topics::WorldObstacle>()),
-      warnings_(std::chrono::seconds(10)) {
+      warnings_(std::chrono::seconds(10), [&bus] { return bus.now(); }) {
   bus_.on<topics::WorldObstacle>(
       [this](const aisle::WorldObstacle& sample, const SampleInfo& info) { take(sample, info); });
   bus_.every(kTick, [this] { tick(); });
@@ -80,11 +78,11 @@ void FakeWorldService::take(const aisle::WorldObstacle& sample, const SampleInfo
   }
   constexpr std::size_t kMostVehicles = 1000;
   if (vehicles_.size() < kMostVehicles || vehicles_.count(vehicle->id) > 0) vehicles_[vehicle->id] = vehicle->body();
-  clock_.vehicle_heard(vehicle->id, monotonic_now(), wall_clock_ns());
+  clock_.vehicle_heard(vehicle->id, bus_.now(), bus_.wall_clock_ns());
 }
 
 void FakeWorldService::tick() {
-  const std::optional<double> seconds = clock_.seconds(monotonic_now(), wall_clock_ns());
+  const std::optional<double> seconds = clock_.seconds(bus_.now(), bus_.wall_clock_ns());
   if (!seconds || *seconds < 0.0) return;
   std::vector<geometry::Body> vehicles;
   for (const auto& [id, body] : vehicles_) vehicles.push_back(body);

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "common/config/reader.hpp"
-#include "common/process/clock.hpp"
 #include "common/wire/origin.hpp"
 #include "common/wire/planning.hpp"
 #include "common/wire/service.hpp"
@@ -19,7 +18,6 @@ namespace {
 
 using bus::SampleInfo;
 using bus::SampleKind;
-using process::monotonic_now;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTurn{20};
@@ -47,11 +45,11 @@ GlobalPlannerService::GlobalPlannerService(bus::Bus& bus, const std::string& ins
       config_(config),
       boot_id_(boot_id),
       health_(health),
-      stamper_(instance_id, boot_id),
+      stamper_(bus, instance_id, boot_id),
       map_(bus, instance_id, {{}, false, 0.0, milliseconds(300)}),
       fleet_(config.fleet, make_planner(config.planner)),
       leadership_(config.standby, boot_id),
-      warnings_(std::chrono::seconds(10)) {
+      warnings_(std::chrono::seconds(10), [&bus] { return bus.now(); }) {
   listen();
   bus_.every(kTurn, [this] { work_soon(); });
   bus_.every(kAssert, [this] { keep_lead(); });
@@ -79,7 +77,7 @@ void GlobalPlannerService::listen() {
   bus_.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
     if (const auto state = accepted("vehicle_state", wire::decode(sample)))
-      fleet_.set_pose(state->agv_id, state->motion.base_in_map, monotonic_now());
+      fleet_.set_pose(state->agv_id, state->motion.base_in_map, bus_.now());
   });
   bus_.on<topics::Goal>([this](const aisle::Goal& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;  // goals outlive whoever gave them
@@ -89,7 +87,7 @@ void GlobalPlannerService::listen() {
   bus_.on<topics::NavigationStatus>([this](const aisle::NavigationStatus& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return;
     if (const auto navigation = accepted("navigation_status", wire::decode(sample)))
-      fleet_.set_navigation(*navigation, monotonic_now());
+      fleet_.set_navigation(*navigation, bus_.now());
   });
   bus_.on<topics::Track>([this](const aisle::Track& sample, const SampleInfo& info) {
     if (info.kind != SampleKind::kData) return fleet_.drop_track(sample.track_id());
@@ -131,7 +129,7 @@ void GlobalPlannerService::hear(const aisle::Plan& sample, const SampleInfo& inf
 }
 
 void GlobalPlannerService::keep_lead() {
-  const time::Stamp now = monotonic_now();
+  const time::Stamp now = bus_.now();
   const bool was_leading = leadership_.role() == fleet::Leadership::Role::kLeading;
   const bool changed = leadership_.step(now, bus_.matched_writers(topics::Plan::kName) - (was_leading ? 1 : 0));
   if (leadership_.role() == fleet::Leadership::Role::kLeading) {
@@ -158,16 +156,16 @@ void GlobalPlannerService::work_soon() {
 void GlobalPlannerService::work() {
   is_work_posted_ = false;
   if (leadership_.role() != fleet::Leadership::Role::kLeading) return;
-  const time::Stamp begun = monotonic_now();
+  const time::Stamp begun = bus_.now();
   std::optional<Plan> plan = fleet_.step(begun, [&] { return is_too_late(begun); });
   for (const std::string& event : fleet_.take_events()) spdlog::info("{}", event);
   if (!plan) return rest_after_searches();
   plan->planner = config_.planner;
-  plan->planning_ms = 1e3 * time::seconds(monotonic_now() - begun);
+  plan->planning_ms = 1e3 * time::seconds(bus_.now() - begun);
   aisle::Plan sample = wire::encode(*plan);
   sample.by(stamper_.next());
   if (!plans_.write(sample)) health_.count("plans_not_written");
-  asserted_ = monotonic_now();
+  asserted_ = bus_.now();
   health_.count(plan->is_found() ? "plans_published" : "plans_without_path");
   if (plan->trigger != PlanTrigger::kNewGoal) health_.count("plans_replaced_or_checked");
   work_soon();
@@ -180,7 +178,7 @@ void GlobalPlannerService::rest_after_searches() {
 }
 
 bool GlobalPlannerService::is_too_late(time::Stamp begun) {
-  const time::Stamp now = monotonic_now();
+  const time::Stamp now = bus_.now();
   if (now - asserted_ >= kAssert) {  // a long search is no silence
     plans_.assert_liveliness();
     asserted_ = now;
@@ -196,7 +194,7 @@ void GlobalPlannerService::report() {
   health_.counters["epoch"] = leadership_.epoch();
   health_.counters[kPlanEpoch] = leadership_.highest_epoch();
   health_.counters["searches"] = fleet_.searches();
-  health_.waits_for = fleet_.waits_for(monotonic_now());
+  health_.waits_for = fleet_.waits_for(bus_.now());
   health_.state = health_.waits_for.empty() ? fleet::ServiceState::kReady : fleet::ServiceState::kWaiting;
 }
 

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "common/config/reader.hpp"
-#include "common/process/clock.hpp"
 #include "common/wire/origin.hpp"
 #include "common/wire/planning.hpp"
 #include "common/wire/tracking.hpp"
@@ -18,7 +17,6 @@ namespace {
 
 using bus::SampleInfo;
 using bus::SampleKind;
-using process::monotonic_now;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPeriod{20};
@@ -46,7 +44,7 @@ LocalPlannerService::LocalPlannerService(bus::Bus& bus, const std::string& agv_i
       map_(bus, instance_id, {}),
       planner_(config.settings, variant_of(config.planner)),
       statuses_(bus.writer<topics::NavigationStatus>()),
-      warnings_(std::chrono::seconds(10)) {
+      warnings_(std::chrono::seconds(10), [&bus] { return bus.now(); }) {
   map_.on_map([this](const grid::OccupancyGrid&, const grid::ClearanceField& clearance, grid::Cell, grid::Cell) {
     inputs_.clearance = &clearance;
     inputs_.map_revision = map_.revision();
@@ -188,9 +186,9 @@ void LocalPlannerService::cycle() {
   for (const auto& [id, peer] : peers_)
     if (peer.state_arrived != time::Stamp{}) inputs_.peers.push_back(peer);
 
-  const time::Stamp begun = monotonic_now();
+  const time::Stamp begun = bus_.now();
   const Output output = planner_.step(inputs_, begun);
-  control_ms_ = 1e3 * time::seconds(monotonic_now() - begun);
+  control_ms_ = 1e3 * time::seconds(bus_.now() - begun);
 
   const bool changed = output.phase != phase_ || output.reason != reason_;
   const bool silent = inputs_.authority_lost;

@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
       argc, argv, {"local-planner", "Drives one vehicle along its plan without touching anything", "--agv"}, options,
       [&](service::Shell& shell) {
         return std::make_unique<local_planner::LocalPlannerService>(
-            shell.bus(), shell.agv_id(), service::OriginStamper(shell.instance_id(), shell.boot_id()), shell.health(),
-            shell.instance_id(), config);
+            shell.bus(), shell.agv_id(), service::OriginStamper(shell.bus(), shell.instance_id(), shell.boot_id()),
+            shell.health(), shell.instance_id(), config);
       });
 }

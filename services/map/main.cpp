@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "common/process/clock.hpp"
 #include "common/service/run_service.hpp"
 #include "services/map/map_config.hpp"
 #include "services/map/map_service.hpp"
@@ -27,7 +26,7 @@ int main(int argc, char** argv) {
   };
   return service::run_service(
       argc, argv, {"map", "Serves the site's map and its edits", ""}, options, [&](service::Shell& shell) {
-        map::MapStore store = map::open_map(config, process::wall_clock_ns());
+        map::MapStore store = map::open_map(config, shell.bus().wall_clock_ns());
         const grid::Geometry& g = store.map().grid().geometry();
         spdlog::info("map={} cells={}x{} resolution_m={} tiles={} revision={} edits={} journal={}",
                      store.map().map_id(), g.width, g.height, g.resolution_m, store.map().tiles(),

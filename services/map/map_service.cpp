@@ -5,7 +5,6 @@
 #include <chrono>
 #include <utility>
 
-#include "common/process/clock.hpp"
 #include "common/wire/map.hpp"
 
 namespace aisle::map {
@@ -26,8 +25,8 @@ MapService::MapService(bus::Bus& bus, const std::string& instance_id, std::uint6
       health_(health),
       store_(std::move(store)),
       tiles_(bus.writer<topics::MapTile>()),
-      info_{bus.writer<topics::MapInfo>(), service::OriginStamper(instance_id, boot_id)},
-      results_{bus.writer<topics::MapEditResult>(), service::OriginStamper(instance_id, boot_id)},
+      info_{bus.writer<topics::MapInfo>(), service::OriginStamper(bus, instance_id, boot_id)},
+      results_{bus.writer<topics::MapEditResult>(), service::OriginStamper(bus, instance_id, boot_id)},
       lines_left_(kLogLinesPerSecond) {
   bus_.on<topics::MapEdit>([this](const aisle::MapEdit& sample, const bus::SampleInfo& info) {
     if (info.kind == bus::SampleKind::kData) take(sample);
@@ -47,7 +46,7 @@ void MapService::take(const aisle::MapEdit& sample) {
   const auto edit = wire::decode(sample);
   MapEditResult result;
   if (edit) {
-    MapStore::Answer answer = store_.take(*edit, sample.by().source_id().to_string(), process::wall_clock_ns());
+    MapStore::Answer answer = store_.take(*edit, sample.by().source_id().to_string(), bus_.wall_clock_ns());
     changed_tiles_.insert(answer.changed_tiles.begin(), answer.changed_tiles.end());
     result = std::move(answer.result);
   } else {

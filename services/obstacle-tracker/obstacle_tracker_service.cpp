@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "common/process/clock.hpp"
 #include "common/wire/origin.hpp"
 #include "common/wire/tracking.hpp"
 #include "common/wire/vehicle.hpp"
@@ -15,7 +14,6 @@ namespace {
 
 using bus::SampleInfo;
 using bus::SampleKind;
-using process::monotonic_now;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTend{100};
@@ -35,9 +33,9 @@ ObstacleTrackerService::ObstacleTrackerService(bus::Bus& bus, const std::string&
                                                service::Health& health, const ServiceParams& params)
     : bus_(bus),
       health_(health),
-      track_stamper_(instance_id, boot_id),
-      status_stamper_(instance_id, boot_id),
-      coverage_stamper_(instance_id, boot_id),
+      track_stamper_(bus, instance_id, boot_id),
+      status_stamper_(bus, instance_id, boot_id),
+      coverage_stamper_(bus, instance_id, boot_id),
       instance_id_(instance_id),
       only_scans_of_(params.only_scans_of),
       map_(bus, instance_id, {{}, true, kWallsReach_m, milliseconds(300)}),
@@ -46,7 +44,7 @@ ObstacleTrackerService::ObstacleTrackerService(bus::Bus& bus, const std::string&
       tracks_(bus.writer<topics::Track>()),
       statuses_(bus.writer<topics::TrackingStatus>()),
       coverages_(bus.writer<topics::Coverage>()),
-      warnings_(std::chrono::seconds(10)) {
+      warnings_(std::chrono::seconds(10), [&bus] { return bus.now(); }) {
   listen();
   bus_.every(kTend, [this] { tend(); });
   bus_.every(kReport, [this] { report(); });
@@ -106,7 +104,7 @@ void ObstacleTrackerService::hear(const aisle::VehicleState& sample, time::Stamp
 }
 
 void ObstacleTrackerService::hear(const aisle::Scan& sample, time::Stamp arrived) {
-  const time::Stamp begun = monotonic_now();
+  const time::Stamp begun = bus_.now();
   auto decoded = accepted("scan", wire::decode(sample));
   if (!decoded || (!only_scans_of_.empty() && decoded->agv_id != only_scans_of_)) return;
   const fleet::Origin by = wire::origin_of(sample);
@@ -127,7 +125,7 @@ void ObstacleTrackerService::hear(const aisle::Scan& sample, time::Stamp arrived
   coverage_.take(scan);
   dispose(result.lost);
   write_tracks(result.seen, begun);
-  write_status(begun, monotonic_now() - begun);
+  write_status(begun, bus_.now() - begun);
 }
 
 void ObstacleTrackerService::refuse(DropReason reason, const std::string& agv_id) {
@@ -189,7 +187,7 @@ void ObstacleTrackerService::write_status(time::Stamp now, time::Stamp took) {
 }
 
 void ObstacleTrackerService::write_coverage() {
-  for (CoverageTile tile : coverage_.due(monotonic_now())) {
+  for (CoverageTile tile : coverage_.due(bus_.now())) {
     tile.source_id = instance_id_;
     tile.map_id = map_.map_id();
     aisle::Coverage sample = wire::encode(tile);
@@ -208,14 +206,14 @@ void ObstacleTrackerService::dispose_coverage(std::uint32_t tile_x, std::uint32_
 
 /// When no scans come, what is overdue goes. No status then: who is blind must not be taken for one who sees nothing.
 void ObstacleTrackerService::tend() {
-  const time::Stamp now = monotonic_now();
+  const time::Stamp now = bus_.now();
   if (now - newest_scan_used_ < kTend) return;
   dispose(tracker_.give_up_overdue(now));
   write_tracks({}, now);
 }
 
 void ObstacleTrackerService::report() {
-  const time::Stamp now = monotonic_now();
+  const time::Stamp now = bus_.now();
   health_.map_id = map_.map_id();
   health_.map_revision = map_.revision();
   health_.map_hash = map_.hash();

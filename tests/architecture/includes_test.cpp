@@ -90,6 +90,22 @@ TEST(Architecture, MessageTypesStayAtTheEdge) {
   }
 }
 
+/// The bus holds the clocks, so that a whole site can run in virtual time. (Logging and a process's own CPU time are
+/// common/process's.)
+TEST(Architecture, ClocksAreTheBuss) {
+  const Strings bound{"services/", "common/", "tools/referee/"};
+  const Strings homes{"common/bus/", "common/time/", "common/process/"};
+  const std::regex clock(
+      R"(\b(steady_clock|system_clock|high_resolution_clock|clock_gettime|gettimeofday|monotonic_now)\b|\bprocess::wall_clock_ns\b)");
+  for (const Source& source : all_sources()) {
+    if (!begins_with_any(source.file, bound) || begins_with_any(source.file, homes)) continue;
+    for (const std::string& include : source.includes)
+      EXPECT_NE(include, "common/process/clock.hpp") << source.file << " includes " << include;
+    for (const std::string& line : source.code)
+      EXPECT_FALSE(std::regex_search(line, clock)) << source.file << ": " << line;
+  }
+}
+
 TEST(Architecture, CoresKnowNoDdsClockThreadOrLog) {
   const Strings refused{"idl/",   "common/bus/", "common/wire/", "common/service/",    "common/process/", "spdlog",
                         "thread", "mutex",       "shared_mutex", "condition_variable", "future"};

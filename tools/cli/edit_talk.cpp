@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "common/config/reader.hpp"
-#include "common/process/clock.hpp"
 #include "common/process/exit_code.hpp"
 #include "tools/cli/json/json.hpp"
 #include "tools/cli/text.hpp"
@@ -35,7 +34,7 @@ std::string text_of_result(const aisle::MapEditResult& result) {
 EditTalk::EditTalk(bus::Bus& bus)
     : bus_(bus),
       writer_(bus.writer<topics::MapEdit>()),
-      stamper_("aisle", static_cast<std::uint64_t>(process::wall_clock_ns()) / 1000) {
+      stamper_(bus, "aisle", static_cast<std::uint64_t>(bus.wall_clock_ns()) / 1000) {
   bus_.on<topics::MapInfo>([this](const aisle::MapInfo& sample, const bus::SampleInfo& info) {
     if (info.kind == bus::SampleKind::kData && map_id_.empty()) map_id_ = sample.map_id().to_string();
   });

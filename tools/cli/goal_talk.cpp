@@ -6,7 +6,6 @@
 
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
-#include "common/process/clock.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -21,7 +20,7 @@ GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
       agv_id_(agv_id),
       bus_(join(cli, "aisle-goal")),
       writer_(bus_->writer<topics::Goal>()),
-      stamper_("aisle", static_cast<std::uint64_t>(process::wall_clock_ns()) / 1000) {
+      stamper_(*bus_, "aisle", static_cast<std::uint64_t>(bus_->wall_clock_ns()) / 1000) {
   const auto is_data = [](const bus::SampleInfo& info) { return info.kind == bus::SampleKind::kData; };
   bus_->on<topics::VehicleInfo>([this, is_data](const aisle::VehicleInfo& sample, const bus::SampleInfo& info) {
     if (is_data(info)) vehicles_.insert(sample.agv_id().to_string());

@@ -222,7 +222,7 @@ class CliSite : public ::testing::Test {
   bus::Writer<topics::Track> tracks_{bus_.writer<topics::Track>()};
   bus::Writer<topics::Coverage> coverages_{bus_.writer<topics::Coverage>()};
   bus::Writer<topics::ServiceHealth> health_{bus_.writer<topics::ServiceHealth>()};
-  service::OriginStamper vehicle_stamper_{"fake-vehicle", 5};
+  service::OriginStamper vehicle_stamper_{bus_, "fake-vehicle", 5};
   NavigationStatus status_;
   int ticks_left_{0};
   std::vector<Goal> goals_;
@@ -490,7 +490,7 @@ TEST_F(CliSite, DoctorSaysWhatIsWrong) {
   clock_error_ns_ = 30'000'000'000;
   play_vehicles();
   play_service("global-planner", ServiceState::SERVICE_WAITING, "map_info");
-  service::OriginStamper other("truck", 6);
+  service::OriginStamper other(bus_, "truck", 6);
   bus_.every(
       milliseconds(70),
       [&] {  // out of step with the other, so that of a reader that keeps one sample neither is always the one lost

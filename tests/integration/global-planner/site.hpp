@@ -143,7 +143,7 @@ class Site {
     }
   }
 
-  service::OriginStamper origin_{"site", 1};
+  service::OriginStamper origin_{bus, "site", 1};
   bus::Writer<topics::MapInfo> infos_;
   bus::Writer<topics::MapTile> tiles_;
   bus::Writer<topics::VehicleInfo> vehicles_;

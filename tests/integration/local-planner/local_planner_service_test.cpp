@@ -33,8 +33,8 @@ bus::Settings site(int domain, const std::string& name) {
 struct PlannerProcess {
   PlannerProcess(int domain, std::uint64_t boot_id)
       : bus(site(domain, "local-planner")),
-        service(bus, "agv-1", service::OriginStamper("local-planner-agv-1", boot_id), health, "local-planner-agv-1",
-                {}) {}
+        service(bus, "agv-1", service::OriginStamper(bus, "local-planner-agv-1", boot_id), health,
+                "local-planner-agv-1", {}) {}
   bus::DdsBus bus;
   service::Health health;
   LocalPlannerService service;

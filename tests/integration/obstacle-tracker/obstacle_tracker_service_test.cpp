@@ -130,7 +130,7 @@ class Site {
   }
 
   test::Lidar lidar_;
-  service::OriginStamper origin_{"site", 1};
+  service::OriginStamper origin_{bus, "site", 1};
   bus::Writer<topics::MapInfo> infos_;
   bus::Writer<topics::MapTile> tiles_;
   bus::Writer<topics::VehicleInfo> vehicle_infos_;
