@@ -58,7 +58,8 @@ SharedMemory probe_shared_memory(const fs::path& folder) {
   const std::set<std::string> mapped = find_mapped(folder);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename();
-    // Lock files (…_el, …_sl) and semaphores are not mapped by whoever holds them; they go with their segment.
+    // Lock files (…_el, …_sl) and semaphores are not mapped by the processes that hold them; they go with their
+    // segment.
     const bool is_segment =
         name.rfind("sem.", 0) != 0 && name.find("_el") == std::string::npos && name.find("_sl") == std::string::npos;
     if (!is_of_fast_dds(name) || !is_segment || mapped.count(entry.path().string()) > 0 || !is_ours(entry.path()))

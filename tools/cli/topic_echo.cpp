@@ -46,7 +46,7 @@ int echo(const Cli& cli, const EchoOptions& options) {
   topic.subscribe(*bus, [&](const Received& received) {
     if (wanted > 0 && printed >= wanted) return;
     if (!options.key.empty() && received.key != options.key) return;
-    // Who asks for one sample wants to see one, not that its writer left.
+    // When a number of samples is asked for, only data counts, not that a writer left.
     if (wanted > 0 && received.info.kind != bus::SampleKind::kData) return;
     print_sample(cli, options, received);
     ++printed;

@@ -20,7 +20,7 @@ struct FusedDrive {
   std::string map;     // deploy/experiments/<map>.txt
   std::string global;  // of the global planner's variants
   local_planner::Variant local;
-  local_planner::PaperLimits limits;  // of the paper that is compared, whoever drives
+  local_planner::PaperLimits limits;  // of the paper that is compared, with every planner
   Surprises surprises;
   bool slows_on_the_way{true};  // by our profile of the way; false: by the critics alone
 };

@@ -16,8 +16,8 @@ struct WindowCase {
   std::string title;
   lockstep::Setup setup;
 };
-/// A crosser who passes ahead, one who passes behind, one on collision course, one who comes towards it, an unknown
-/// box, an aisle that is closed.
+/// A crosser that passes ahead, one that passes behind, one on collision course, an oncoming one, an unknown box, a
+/// closed aisle.
 std::vector<WindowCase> window_cases();
 
 struct WindowDrive {

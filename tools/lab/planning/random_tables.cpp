@@ -35,13 +35,13 @@ std::vector<Contestant> contestants() {
   return all;
 }
 
-void compare(Contestant& who, const Answer& answer, const Answer& astar) {
-  who.tally.add(answer, astar.figures.length_m);
-  ++who.maps;
-  who.shorter += answer.figures.length_m < astar.figures.length_m * (1.0 - 1e-9) ? 1 : 0;
-  who.straighter += answer.figures.turning_points < astar.figures.turning_points ? 1 : 0;
-  who.fewer_nodes += answer.figures.nodes < astar.figures.nodes ? 1 : 0;
-  who.fewer_expanded += answer.plan.expanded < astar.plan.expanded ? 1 : 0;
+void compare(Contestant& contestant, const Answer& answer, const Answer& astar) {
+  contestant.tally.add(answer, astar.figures.length_m);
+  ++contestant.maps;
+  contestant.shorter += answer.figures.length_m < astar.figures.length_m * (1.0 - 1e-9) ? 1 : 0;
+  contestant.straighter += answer.figures.turning_points < astar.figures.turning_points ? 1 : 0;
+  contestant.fewer_nodes += answer.figures.nodes < astar.figures.nodes ? 1 : 0;
+  contestant.fewer_expanded += answer.plan.expanded < astar.plan.expanded ? 1 : 0;
 }
 
 std::string percent(int part, int of) { return of == 0 ? "-" : digits(100.0 * part / of, 0) + " %"; }
@@ -138,21 +138,22 @@ std::string random_map_table(int occupied_percent, int maps, const Progress& pro
     const Answer baseline = ask(*astar, problem);
     if (baseline.plan.outcome != Outcome::kFound) continue;
     ++solvable;
-    for (Contestant& who : all) {
-      if (who.name == "ant-colony" && edge > kAntsUpTo) continue;
-      compare(who, ask(*who.planner, problem), baseline);
+    for (Contestant& contestant : all) {
+      if (contestant.name == "ant-colony" && edge > kAntsUpTo) continue;
+      compare(contestant, ask(*contestant.planner, problem), baseline);
     }
   }
   std::vector<std::vector<std::string>> table{{"planner", "maps", "faults", "length/optimum", "p99", "turns", "nodes",
                                                "expanded", "p99", "shorter", "fewer turns", "fewer nodes",
                                                "fewer expanded"}};
-  for (const Contestant& who : all) {
-    const Tally& t = who.tally;
-    table.push_back({who.name, std::to_string(t.solved()), std::to_string(t.checker_failures()),
+  for (const Contestant& contestant : all) {
+    const Tally& t = contestant.tally;
+    table.push_back({contestant.name, std::to_string(t.solved()), std::to_string(t.checker_failures()),
                      digits(t.length_ratio_mean(), 4), digits(t.length_ratio_p99(), 4),
                      digits(t.turning_points_mean(), 1), digits(t.nodes_mean(), 1), digits(t.expanded_mean(), 0),
-                     digits(t.expanded_p99(), 0), percent(who.shorter, who.maps), percent(who.straighter, who.maps),
-                     percent(who.fewer_nodes, who.maps), percent(who.fewer_expanded, who.maps)});
+                     digits(t.expanded_p99(), 0), percent(contestant.shorter, contestant.maps),
+                     percent(contestant.straighter, contestant.maps), percent(contestant.fewer_nodes, contestant.maps),
+                     percent(contestant.fewer_expanded, contestant.maps)});
   }
   return std::to_string(solvable) + " of " + std::to_string(maps) + " maps have a path; seeds " +
          std::to_string(occupied_percent * 100000) + " to " + std::to_string(occupied_percent * 100000 + maps - 1) +

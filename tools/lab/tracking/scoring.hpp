@@ -10,12 +10,12 @@
 
 namespace aisle::tracking {
 
-/// Somebody who truly is there.
+/// The true state of one person at one moment.
 struct Person {
   int id{0};
   geometry::Point2 position_in_map;
   geometry::Point2 velocity_in_map;
-  bool is_counted{true};  // false: nobody can be blamed for missing them; a track of theirs is neither right nor wrong
+  bool is_counted{true};  // false: no ray met the person; a track of it is neither right nor wrong, and none is no miss
 };
 
 /// What a tracker says is there.
@@ -44,7 +44,7 @@ struct Score {
   double velocity_rms_mps{0.0};  // of the velocity vector's error, matched tracks older than 1 s
   Honesty place, velocity;       // of those that say how sure they are
   double latency_scans{
-      0.0};  // mean number of moments from the first at which somebody counts to the first with a track
+      0.0};  // mean number of moments from the first at which a person counts to the first with a track
   double false_tracks_per_min{0.0};  // ids that were claimed and never anybody's
   double longest_false_s{0.0};
   std::int64_t people{0};  // of all moments
@@ -77,7 +77,7 @@ class Scorer {
   };
   struct Life {
     int claimed{0};
-    int right{0};  // matched with somebody, counted or not
+    int right{0};  // matched with a person, counted or not
   };
   std::vector<int> match(const std::vector<Person>& people, const std::vector<Claim>& claims) const;
   void judge(const Person& person, const Claim* claim);

@@ -151,7 +151,7 @@ Ghosts ghosts(const TrackingExperiment& orders, const Sensing& sensing) {
     const auto scene = tracking::driven_scenario(orders.empty_place, 0, seed, tracking::Cast::kVehiclesOnly);
     const double minutes = scene->duration_s() / 60.0;
     if (minutes <= 0.0)
-      throw config::BadInput(orders.empty_place.string() + ": nobody drives in it; name a scenario with missions");
+      throw config::BadInput(orders.empty_place.string() + ": no vehicle drives in it; name a scenario with missions");
     const Row row = tracking::run_trial(*scene, sensing, seed, contestants(false)).front();
     sum.begun += row.score.false_tracks_per_min * minutes;
     sum.longest_s = std::max(sum.longest_s, row.score.longest_false_s);

@@ -20,7 +20,7 @@ using obstacle_tracker::KnownVehicle;
 using obstacle_tracker::Scan;
 
 constexpr double kRound_s = 0.1;
-constexpr double kRemembered_s = 1.0;  // somebody counts this long after a ray touched them
+constexpr double kRemembered_s = 1.0;  // a person counts this long after a ray touched it
 constexpr double kRangeMin_m = 0.05;
 constexpr time::Stamp kStart = std::chrono::hours(1);
 
@@ -69,7 +69,7 @@ class Trial {
             geometry::wrap(base_in_map.yaw + draw(sensing_.yaw_noise_rad))};
   }
 
-  /// What the ray of vehicle `own` meets `ago_s` before now; notes whom it touches.
+  /// What the ray of vehicle `own` meets `ago_s` before now; notes the person that it touches.
   double cast(std::size_t own, const Pose2& base_in_map, double bearing_rad, double ago_s) {
     const Point2 from = base_in_map.position();
     double range_m = grid::cast_ray(scene_.walls(), from, bearing_rad, sensing_.range_m);

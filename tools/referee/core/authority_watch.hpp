@@ -12,7 +12,7 @@ struct VehicleReport {
   std::uint64_t boot_id{0};
   double t_s{0.0};
   double speed_mps{0.0};
-  bool holds{false};  // brakes by itself, obeys nobody
+  bool holds{false};  // brakes by itself, follows no command
   std::string command_agv_id;
   std::string command_source;
   std::uint64_t command_boot{0};
@@ -32,7 +32,8 @@ struct AuthorityViolation {
 /// Says whether a vehicle obeyed someone it should not have: a command for another vehicle, of an epoch lower than one
 /// it obeyed before, an older one of the same sender, or one of a plan that was replaced more than kGrace_s ago while
 /// it drives (kBrakingGrace_s where the newest plan is a refusal, or the command belongs to no plan: it may brake). A
-/// vehicle that holds obeys nobody. Each kind is reported once until it ends. A vehicle that restarts begins anew.
+/// vehicle that holds follows no command. Each kind is reported once until it ends. A vehicle that restarts begins
+/// anew.
 class AuthorityWatch {
  public:
   /// `plan_id` is the newest for this vehicle; `drivable`: a path was found.

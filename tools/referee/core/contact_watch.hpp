@@ -57,7 +57,7 @@ struct Clearances {
 };
 
 /// Judges contacts between vehicles, persons, blocks and walls from ground truth; person with person or wall is
-/// nobody's fault. Between two samples a body is taken to move straight, whatever their distance, so nothing slips
+/// no vehicle's fault. Between two samples a body is taken to move straight, whatever their distance, so nothing slips
 /// through between samples; pairs are compared on a common time, whatever the moments of their samples. A body that
 /// falls silent stays where it was (vehicles for good, others for kMemory_s). Touches of one pair that follow within
 /// kMerge_s are one contact.

@@ -46,7 +46,7 @@ struct HealthNews {
   double resident_mb{0.0};
 };
 
-/// What a run should do: for the end of it. Empty: nobody knows, and the run goes on until somebody stops it.
+/// What a run should do: for the end of it. Empty: it is not known, and the run goes on until it is stopped.
 struct Expectation {
   std::map<std::string, int> goals_of;  // by vehicle
   int goals() const;

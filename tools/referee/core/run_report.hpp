@@ -94,7 +94,7 @@ struct RunReport {
   double cpu_percent_total() const;  // of the services, not of the referee
   /// Did a vehicle and a person come nearer than the scenario allows?
   bool came_too_near() const;
-  /// Every goal reached, nothing touched, no person passed too near, nobody obeyed whom it should not.
+  /// Every goal reached, nothing touched, no person passed too near, no vehicle obeyed a command that it should refuse.
   bool passed() const;
 };
 

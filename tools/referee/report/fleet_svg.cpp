@@ -115,7 +115,7 @@ std::string outline(const MapFrame& f, const Shape& shape, const geometry::Pose2
          "\n";
 }
 
-/// One dot for each place, however often somebody walked there: dashes that overlap would look like a line.
+/// One dot for each place, however often the person walked there: dashes that overlap would look like a line.
 std::string steps(const MapFrame& f, const BodyTrace& body) {
   std::set<std::pair<long, long>> visited;
   const double step_m = kStepPx / f.px_per_m;

@@ -5,7 +5,7 @@
 
 namespace aisle::referee {
 
-/// report.json: one object; figures that nobody saw are null. Seconds, metres, milliseconds, as their names say.
+/// report.json: one object; figures that were not measured are null. Seconds, metres, milliseconds, as their names say.
 nlohmann::ordered_json to_json(const RunReport& report);
 
 }  // namespace aisle::referee
