@@ -9,34 +9,27 @@ Core::Core(std::uint64_t seed, const Options& options)
     : options_(options), now_(options.start), links_(seed, options.link) {}
 
 bool Core::step() {
-  if (events_.empty()) return false;
-  now_ = std::max(now_, events_.next_time());
+  if (is_idle()) return false;
+  now_ = next_time();
   while (!events_.empty() && events_.next_time() <= now_) events_.pop()();
   give_turns();
   return true;
 }
 
 void Core::advance_to(time::Stamp time) {
-  while (!events_.empty() && events_.next_time() <= time) step();
+  while (!is_idle() && next_time() <= time) step();
   now_ = std::max(now_, time);
 }
 
 bool Core::wait(time::Stamp limit, const std::function<bool()>& done) {
   while (!done()) {
-    if (events_.empty() || events_.next_time() > limit) {
+    if (is_idle() || next_time() > limit) {
       now_ = std::max(now_, limit);
       return done();
     }
     step();
   }
   return true;
-}
-
-/// In this moment still, after what else is due; an event, so that time stops here.
-void Core::give_turn(Process& process) {
-  if (!process.driven || process.gone) return;
-  const bool is_new = ready_.insert(process.id).second;
-  if (is_new) at(now_, [] {});
 }
 
 void Core::give_turns() {
@@ -49,20 +42,6 @@ void Core::give_turns() {
 
 bool Core::passes(const Process& from, const Process& to) const {
   return !from.frozen_since && !to.frozen_since && !links_.link(from.host, to.host).cut;
-}
-
-void Core::send(const Process& from, Process& to, std::function<void()> arrival) {
-  const Links::Fate fate = links_.send(from.host, to.host);
-  for (int i = 0; i < fate.copies; ++i) {
-    after(fate.after[i], [&to, arrival] {
-      if (to.gone) return;
-      if (to.frozen_since) {
-        to.held.push_back(arrival);
-      } else {
-        arrival();
-      }
-    });
-  }
 }
 
 void Core::tell(Process& from, Process& to, std::function<void()> arrival) {

@@ -29,11 +29,29 @@ class Core : public std::enable_shared_from_this<Core> {
   void advance_to(time::Stamp time);
   /// Lets time pass until `done`; false when `limit` came first.
   bool wait(time::Stamp limit, const std::function<bool()>& done);
-  void give_turn(Process& process);
+  void give_turn(Process& process) {
+    if (process.driven && !process.gone) ready_.insert(process.id);
+  }
 
   // Packets.
   /// Calls `arrival` when the packet arrives, as often as it does.
-  void send(const Process& from, Process& to, std::function<void()> arrival);
+  template <class Arrival>
+  void send(const Process& from, Process& to, const Arrival& arrival) {
+    const Links::Fate fate = links_.send(from.host, to.host);
+    for (int i = 0; i < fate.copies; ++i) {
+      after(fate.after[i], [&to, arrival] { take_in(to, arrival); });
+    }
+  }
+  /// A packet has arrived. A process that stands takes it when it goes on.
+  template <class Arrival>
+  static void take_in(Process& to, const Arrival& arrival) {
+    if (to.gone) return;
+    if (to.frozen_since) {
+      to.held.emplace_back(arrival);
+    } else {
+      arrival();
+    }
+  }
   /// As send(), but sent again until it arrives: what discovery's reliable endpoints say. Once.
   void tell(Process& from, Process& to, std::function<void()> arrival);
   bool passes(const Process& from, const Process& to) const;
@@ -57,6 +75,8 @@ class Core : public std::enable_shared_from_this<Core> {
   const Options& options() const { return options_; }
 
  private:
+  bool is_idle() const { return events_.empty() && ready_.empty(); }
+  time::Stamp next_time() const { return ready_.empty() ? std::max(now_, events_.next_time()) : now_; }
   void give_turns();
   void meet_soon(Process& a, Process& b, time::Stamp delay);
   void meet(Process& a, Process& b);

@@ -95,6 +95,8 @@ class WriterEnd {
   bool say(const void* sample, const InstanceId& instance, bool disposed);
   bool is_full() const;
   void keep(const ChangePtr& change);
+  void publish(const ChangePtr& change);
+  /// On a reliable match.
   void send(Match& match, const ChangePtr& change);
   void transmit(Match& match, std::uint64_t number);
   void begin_heartbeats(Match& match);
@@ -152,6 +154,7 @@ class ReaderEnd {
   /// Decides by strength and id among the writers of an instance that are alive.
   bool is_owner(const WriterEnd& writer, const InstanceId& instance);
   void lose_ownership(const WriterEnd& writer);
+  void wake();
   void note(const WriterEvent& event);
   void watch_lease(Match& match);
   void watch_deadlines();

@@ -37,10 +37,8 @@ void Process::wake_for_timers() {
 }
 
 bool Process::has_work() const {
-  if (!posted_.empty() || !incidents.empty()) return true;
-  if (std::any_of(timers_.begin(), timers_.end(), [&](const Timer& timer) { return timer.next <= core.now(); }))
-    return true;
-  return std::any_of(readers.begin(), readers.end(), [](const auto& entry) { return entry.second->has_work(); });
+  if (samples_wait || !posted_.empty() || !incidents.empty()) return true;
+  return std::any_of(timers_.begin(), timers_.end(), [&](const Timer& timer) { return timer.next <= core.now(); });
 }
 
 void Process::take_turn() {
@@ -93,9 +91,11 @@ bool Process::handle_incidents() {
 }
 
 bool Process::handle_readers() {
+  if (!std::exchange(samples_wait, false)) return false;
   bool handled = false;
   for (auto& [topic, reader] : readers) {  // a map: readers that a handler adds do not disturb
     handled |= reader->drain([this](const Incident& incident) { report(incident); });
+    samples_wait |= reader->has_work();
   }
   return handled;
 }

@@ -46,6 +46,7 @@ class Process {
   std::map<std::string, Announced> announced_as;
   std::vector<std::shared_ptr<WriterEnd>> writers;
   std::map<std::string, std::unique_ptr<ReaderEnd>> readers;  // by topic
+  bool samples_wait{false};                                   // some reader has something to hand over
   std::set<int> known;                                        // participants, by id
   bool driven{false}, hung{false}, gone{false}, crashed{false};
   std::optional<time::Stamp> frozen_since, crashed_at;

@@ -43,10 +43,15 @@ void ReaderEnd::stop() {
   handlers_.clear();
 }
 
+void ReaderEnd::wake() {
+  process.samples_wait = true;
+  core_.give_turn(process);
+}
+
 void ReaderEnd::note(const WriterEvent& event) {
   if (gone) return;
   events_.push_back(event);
-  core_.give_turn(process);
+  wake();
 }
 
 void ReaderEnd::accept(Match& match, const ChangePtr& change) {
@@ -66,7 +71,7 @@ void ReaderEnd::put(const ChangePtr& change, WriterEnd& writer) {
   std::deque<Cached>& waiting = cache_[change->instance];
   if (qos_.depth > 0 && waiting.size() >= static_cast<std::size_t>(qos_.depth)) waiting.pop_front();
   waiting.push_back({change, &writer});
-  core_.give_turn(process);
+  wake();
 }
 
 bool ReaderEnd::is_owner(const WriterEnd& writer, const InstanceId& instance) {
@@ -123,11 +128,12 @@ void ReaderEnd::check_deadlines() {
     // The owner lost this instance, until it writes again.
     if (qos_.ownership == Ownership::kExclusive) claims_[instance].clear();
   }
-  if (missed_ > 0) core_.give_turn(process);
+  if (missed_ > 0) wake();
   watch_deadlines();
 }
 
 bool ReaderEnd::drain(const Report& report) {
+  if (!has_work()) return false;
   const std::vector<WriterEvent> events = std::exchange(events_, {});  // before the samples: what a writer said last
   bool handled = drain_samples(report);                                // comes before its end
   for (std::size_t i = 0; i < events.size(); ++i) {

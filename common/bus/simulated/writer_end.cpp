@@ -48,10 +48,39 @@ bool WriterEnd::say(const void* sample, const InstanceId& instance, bool dispose
   if (!topic.codec.encode(sample, change->bytes)) return false;
   ++sequence_;
   keep(change);
-  for (Match* match : matches) {
-    if (match->at_writer) send(*match, change);
-  }
+  publish(change);
   return true;
+}
+
+/// Best effort: readers that a packet reaches at the same time share an event.
+void WriterEnd::publish(const ChangePtr& change) {
+  std::vector<std::pair<time::Stamp, std::vector<Match*>>> arrivals;
+  for (Match* match : matches) {
+    if (!match->at_writer) continue;
+    if (match->reliable) {
+      send(*match, change);
+      continue;
+    }
+    const Links::Fate fate = core_.links().send(process.host, match->reader.process.host);
+    for (int i = 0; i < fate.copies; ++i) {
+      const auto same = std::find_if(arrivals.begin(), arrivals.end(),
+                                     [&](const auto& arrival) { return arrival.first == fate.after[i]; });
+      if (same == arrivals.end()) {
+        arrivals.push_back({fate.after[i], {match}});
+      } else {
+        same->second.push_back(match);
+      }
+    }
+  }
+  for (auto& [after, reached] : arrivals) {
+    core_.after(after, [reached = std::move(reached), change] {
+      for (Match* match : reached) {
+        Core::take_in(match->reader.process, [match, change] {
+          if (match->at_reader) match->reader.accept(*match, change);
+        });
+      }
+    });
+  }
 }
 
 /// Queues are bounded by what the slowest reader has not acknowledged.
@@ -74,12 +103,6 @@ void WriterEnd::keep(const ChangePtr& change) {
 }
 
 void WriterEnd::send(Match& match, const ChangePtr& change) {
-  if (!match.reliable) {
-    core_.send(process, match.reader.process, [&match, change] {
-      if (match.at_reader) match.reader.accept(match, change);
-    });
-    return;
-  }
   // Keep last 1: what nobody has acknowledged of this instance is replaced. (All our topics keep 1, or everything.)
   if (announced.qos.depth > 0) {
     for (auto& [number, message] : match.unacknowledged) {
@@ -201,6 +224,7 @@ void WriterEnd::begin_stream(Match& match) {
   ++match.stream;
   match.next = 1;
   match.unacknowledged.clear();
+  if (!match.reliable) return;  // best effort: only what comes from now on
   for (const auto& [sequence, change] : owed) send(match, change);
 }
 
