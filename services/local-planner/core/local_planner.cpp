@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/kinematics/tricycle.hpp"
+#include "services/local-planner/core/right_of_way/claim.hpp"
 #include "services/local-planner/core/right_of_way/local_search.hpp"
 #include "services/local-planner/core/rolling_window.hpp"
 

@@ -12,45 +12,66 @@ using geometry::Pose2;
 using geometry::Twist2;
 
 constexpr double kReactionS = 0.15;  // a peer may speed up for so long before it sees what we see
-constexpr double kHonouredIntentS = 2.0;
 constexpr double kWalkedM = 0.75;  // what has come so far is no thing: another view of a thing moves its middle by less
+constexpr double kLongestCarriedS = 1.0;   // a track's motion is not carried on for longer
+constexpr double kMostSigmaM = 0.15;       // of a track's place; more uncertainty does not widen the margin
+constexpr double kMostSigmaMps = 0.3;      // of its velocity, likewise
+constexpr double kThingGrowthShare = 0.5;  // of a person's: what stands, and may be a person
+constexpr double kSweepStepS = 0.1;        // of a peer's braking
+constexpr double kPeerStandsMps = 0.02;    // a slower peer sweeps nothing
+constexpr double kPeerStoppedMps = 1e-3;   // its braking ends here
+constexpr double kStaysMps = 0.05;         // a slower peer without a goal stays where it is
+constexpr double kRoundingS = 1e-9;
 
+/// Rows of a track's covariance, 4 x 4 and row by row: x, y, vx, vy.
+constexpr int kVarianceX = 0, kVarianceY = 5, kVarianceVx = 10, kVarianceVy = 15;
+
+/// The root of the larger of two variances.
+double larger_sigma(double variance, double other) { return std::sqrt(std::max(0.0, std::max(variance, other))); }
+
+/// A track as a disc that moves on at constant velocity from when the next command acts. What stands has a small
+/// margin; what moves a wider one, by the standard deviations of its place and velocity.
 Mover mover_of(const SeenTrack& seen, const SurroundingsSettings& settings, time::Stamp now) {
   const auto& track = seen.track;
-  const double speed = geometry::norm(track.velocity_in_map);
-  const bool stands = track.is_static || speed < settings.standing_mps;
-  const double age = time::seconds(now - seen.arrived) + settings.track_latency_s + settings.dead_time_s;
+  const double speed_mps = geometry::norm(track.velocity_in_map);
+  const bool stands = track.is_static || speed_mps < settings.standing_mps;
+  const double age_s = time::seconds(now - seen.arrived) + settings.track_latency_s + settings.dead_time_s;
   Mover mover;
   mover.velocity_in_map = stands ? Point2{} : track.velocity_in_map;
-  mover.position_in_map = track.position_in_map + std::min(age, 1.0) * mover.velocity_in_map;
+  mover.position_in_map = track.position_in_map + std::min(age_s, kLongestCarriedS) * mover.velocity_in_map;
   mover.radius_m = track.radius_m;
   mover.may_walk = !track.is_static;
-  mover.unseen_s = std::min(age, 1.0);
+  mover.unseen_s = std::min(age_s, kLongestCarriedS);
+
   if (stands) {
     mover.margin_m = settings.standing_margin_m;
-    mover.growth_mps = track.is_static ? 0.0 : 0.5 * settings.mover_growth_mps;
+    mover.growth_mps = track.is_static ? 0.0 : kThingGrowthShare * settings.mover_growth_mps;
     return mover;
   }
-  const double sigma_m = std::sqrt(std::max(0.0, std::max(track.covariance[0], track.covariance[5])));
-  const double sigma_mps = std::sqrt(std::max(0.0, std::max(track.covariance[10], track.covariance[15])));
-  mover.margin_m = settings.mover_margin_m + std::min(0.15, sigma_m);
-  mover.growth_mps = settings.mover_growth_mps + std::min(0.3, sigma_mps);
+
+  const double sigma_m = larger_sigma(track.covariance[kVarianceX], track.covariance[kVarianceY]);
+  const double sigma_mps = larger_sigma(track.covariance[kVarianceVx], track.covariance[kVarianceVy]);
+  mover.margin_m = settings.mover_margin_m + std::min(kMostSigmaM, sigma_m);
+  mover.growth_mps = settings.mover_growth_mps + std::min(kMostSigmaMps, sigma_mps);
   return mover;
 }
 
-/// Where the peer can come while it brakes, after it went on for the time that it needs to react.
+/// Where the peer can come while it brakes, after it went on for the time that it needs to react: poses in map, every
+/// 0.1 s. Within a step of braking it is driven on with the mean of the speeds at the step's ends, along its arc.
 std::vector<Pose2> stopping_sweep(const PeerView& peer, const Peer& sample, double ahead_s) {
   std::vector<Pose2> sweep{peer.base_in_map};
   Twist2 twist = sample.state.twist;
-  if (std::abs(twist.linear_mps) < 0.02) return sweep;
+  if (std::abs(twist.linear_mps) < kPeerStandsMps) return sweep;
+
   Pose2 pose = peer.base_in_map;
-  const double dt = 0.1;
+  const double dt = kSweepStepS;
   const double reaction_s = kReactionS + ahead_s;
-  for (double t = 0.0; t < reaction_s - 1e-9; t += dt) {
+  for (double t = 0.0; t < reaction_s - kRoundingS; t += dt) {
     pose = kinematics::advance(pose, twist, std::min(dt, reaction_s - t));
     sweep.push_back(pose);
   }
-  while (std::abs(twist.linear_mps) > 1e-3) {
+
+  while (std::abs(twist.linear_mps) > kPeerStoppedMps) {
     const double next = std::max(0.0, std::abs(twist.linear_mps) - sample.limits.max_deceleration_mps2 * dt);
     const double share = next / std::abs(twist.linear_mps);
     pose = kinematics::advance(
@@ -61,65 +82,11 @@ std::vector<Pose2> stopping_sweep(const PeerView& peer, const Peer& sample, doub
   return sweep;
 }
 
-Pose2 claimed_at(const std::vector<IntentPoint>& claim, double t_s) {
-  for (std::size_t j = 1; j < claim.size(); ++j) {
-    if (claim[j].offset_s < t_s) continue;
-    const double span = claim[j].offset_s - claim[j - 1].offset_s;
-    const double share = span > 0.0 ? std::clamp((t_s - claim[j - 1].offset_s) / span, 0.0, 1.0) : 1.0;
-    const Pose2& a = claim[j - 1].base_in_map;
-    const Pose2& b = claim[j].base_in_map;
-    const Point2 p = a.position() + share * (b.position() - a.position());
-    return {p.x, p.y, geometry::wrap(a.yaw + share * geometry::wrap(b.yaw - a.yaw))};
-  }
-  return claim.back().base_in_map;
-}
-
 Point2 ahead_of(const Pose2& base_in_map, double ahead_m) {
   return ahead_m == 0.0 ? base_in_map.position() : geometry::to_map(base_in_map, {ahead_m, 0.0});
 }
 
-/// The claim from now on: the place now, then what is left of the intent.
-std::vector<IntentPoint> claim_of(const Peer& peer, const Pose2& base_in_map, time::Stamp now) {
-  std::vector<IntentPoint> claim{{0.0, base_in_map}};
-  const double age = time::seconds(now - peer.intent_arrived);
-  if (age > kHonouredIntentS) return claim;
-  // Drop what lies behind: up to the intent's point that is nearest to the peer within the next metres.
-  std::size_t nearest = 0;
-  double best = 1e18;
-  for (std::size_t j = 0; j < peer.intent.size() && j < 8; ++j) {
-    const double d = geometry::distance(peer.intent[j].base_in_map.position(), base_in_map.position());
-    if (d < best) best = d, nearest = j;
-  }
-  for (std::size_t j = nearest + 1; j < peer.intent.size(); ++j)
-    claim.push_back(
-        {std::max(0.05, peer.intent[j].offset_s - peer.intent[nearest].offset_s), peer.intent[j].base_in_map});
-  return claim;
-}
-
-bool means_to_move(Phase phase) {
-  return phase == Phase::kTurning || phase == Phase::kDriving || phase == Phase::kAvoiding || phase == Phase::kBlocked;
-}
-
 }  // namespace
-
-PeerView Observer::view(const Peer& peer, time::Stamp now) {
-  PeerView view;
-  const double age = time::seconds(now - peer.state_arrived);
-  const bool silent = age > settings_.peer_silent_s;
-  view.id = peer.id;
-  view.radius_m = peer.radius_m;
-  view.base_in_map =
-      silent ? peer.state.base_in_map : kinematics::advance(peer.state.base_in_map, peer.state.twist, age);
-  view.speed_mps = silent ? 0.0 : std::abs(peer.state.twist.linear_mps);
-  view.stopping_m = kinematics::stopping_distance_m(view.speed_mps, peer.limits.max_deceleration_mps2);
-  const bool yields = peer.phase == Phase::kWaiting && peer.reason == Reason::kYielding;
-  view.has_goal = !silent && (means_to_move(peer.phase) || yields);
-  auto [moved, first_seen] = moved_.try_emplace(peer.id, now);
-  if (view.speed_mps > 0.05 || (std::abs(peer.state.twist.angular_radps) > 0.1 && !silent)) moved->second = now;
-  view.standing_s = time::seconds(now - moved->second);
-  view.claim = silent ? std::vector<IntentPoint>{{0.0, view.base_in_map}} : claim_of(peer, view.base_in_map, now);
-  return view;
-}
 
 bool Observer::has_walked(const SeenTrack& seen) {
   const auto [first, is_new] = first_seen_in_map_.try_emplace(seen.track.id, seen.track.position_in_map);
@@ -141,30 +108,39 @@ Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, 
     Mover mover = mover_of(seen, settings_, now);
     mover.has_walked = has_walked(seen);
     out.movers.push_back(mover);
-    if (mover.velocity_in_map == Point2{}) out.standing.push_back({{mover.position_in_map, mover.radius_m}, {}});
+    if (mover.velocity_in_map == Point2{}) out.add_standing({mover.position_in_map, mover.radius_m}, {});
   }
   forget_all_but(inputs.tracks);
-  for (const Peer& peer : inputs.peers) {
-    if (peer.id == own_id) continue;
-    PeerView seen = view(peer, now);
-    const std::vector<Pose2> stopping_in_map = stopping_sweep(seen, peer, settings_.dead_time_s);
-    std::vector<Pose2> intended_in_map;
-    for (int k = 0; k <= steps; ++k)
-      intended_in_map.push_back(claimed_at(seen.claim, settings_.dead_time_s + k * step_s));
-    const bool stays = (!seen.has_goal && seen.speed_mps < 0.05) || seen.standing_s > settings_.peer_patience_s;
-    const geometry::CoveringDiscs discs =
-        geometry::covering_discs(peer.rectangle ? *peer.rectangle : geometry::disc(peer.radius_m));
-    for (const double ahead_m : discs.ahead_m) {
-      PeerMotion motion;
-      motion.radius_m = discs.radius_m;
-      for (const Pose2& pose : stopping_in_map) motion.stopping_in_map.push_back(ahead_of(pose, ahead_m));
-      for (const Pose2& pose : intended_in_map) motion.intended_in_map.push_back(ahead_of(pose, ahead_m));
-      if (stays) out.standing.push_back({{ahead_of(seen.base_in_map, ahead_m), discs.radius_m}, peer.id});
-      out.peer_motions.push_back(std::move(motion));
-    }
-    out.peers.push_back(std::move(seen));
-  }
+
+  for (const Peer& peer : inputs.peers)
+    if (peer.id != own_id) add_peer(out, peer, step_s, steps, now);
   return out;
+}
+
+void Observer::add_peer(Surroundings& out, const Peer& peer, double step_s, int steps, time::Stamp now) {
+  PeerView seen = peers_.view(peer, now);
+  const std::vector<Pose2> stopping_in_map = stopping_sweep(seen, peer, settings_.dead_time_s);
+  std::vector<Pose2> intended_in_map;
+  for (int k = 0; k <= steps; ++k)
+    intended_in_map.push_back(claimed_at(seen.claim, settings_.dead_time_s + k * step_s));
+
+  const bool stays = (!seen.has_goal && seen.speed_mps < kStaysMps) || seen.standing_s > settings_.peer_patience_s;
+  const geometry::CoveringDiscs discs =
+      geometry::covering_discs(peer.rectangle ? *peer.rectangle : geometry::disc(peer.radius_m));
+  for (const double ahead_m : discs.ahead_m) {
+    PeerMotion motion;
+    motion.radius_m = discs.radius_m;
+    for (const Pose2& pose : stopping_in_map) motion.stopping_in_map.push_back(ahead_of(pose, ahead_m));
+    for (const Pose2& pose : intended_in_map) motion.intended_in_map.push_back(ahead_of(pose, ahead_m));
+    if (stays) out.add_standing({ahead_of(seen.base_in_map, ahead_m), discs.radius_m}, peer.id);
+    out.peer_motions.push_back(std::move(motion));
+  }
+  out.peers.push_back(std::move(seen));
+}
+
+void Surroundings::add_standing(const Disc& disc, const std::string& vehicle_id) {
+  standing.push_back({disc, vehicle_id});
+  standing_discs.push_back(disc);
 }
 
 }  // namespace aisle::local_planner

@@ -5,7 +5,7 @@
 
 #include "services/local-planner/core/dwa.hpp"
 #include "services/local-planner/core/inputs.hpp"
-#include "services/local-planner/core/right_of_way/traffic.hpp"
+#include "services/local-planner/core/right_of_way/peers.hpp"
 #include "services/local-planner/core/room.hpp"
 
 namespace aisle::local_planner {
@@ -34,20 +34,25 @@ struct Surroundings {
   std::vector<PeerMotion> peer_motions;  // one of each disc that its footprint is covered by
   std::vector<PeerView> peers;
   std::vector<Standing> standing;
+  std::vector<Disc> standing_discs;  // of `standing`, in its order
+
+  void add_standing(const Disc& disc, const std::string& vehicle_id);
 };
 
 /// Remembers since when each peer stands, and where each track was first seen.
 class Observer {
  public:
-  explicit Observer(const SurroundingsSettings& settings) : settings_(settings) {}
+  explicit Observer(const SurroundingsSettings& settings) : settings_(settings), peers_(settings.peer_silent_s) {}
+  /// @param step_s, steps of the dynamic window's trajectories, for where peers will be
   Surroundings observe(const Inputs& inputs, const std::string& own_id, double step_s, int steps, time::Stamp now);
 
  private:
-  PeerView view(const Peer& peer, time::Stamp now);
+  void add_peer(Surroundings& out, const Peer& peer, double step_s, int steps, time::Stamp now);
   bool has_walked(const SeenTrack& seen);
   void forget_all_but(const std::vector<SeenTrack>& tracks);
+
   SurroundingsSettings settings_;
-  std::map<std::string, time::Stamp> moved_;                     // when each peer last moved
+  PeerObserver peers_;
   std::map<std::uint64_t, geometry::Point2> first_seen_in_map_;  // each track, by its id
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "services/local-planner/core/inputs.hpp"
 #include "services/local-planner/core/recovery.hpp"
@@ -32,14 +31,5 @@ void tell_why_it_stands(const Stop& stop, Output& out);
 
 /// What the vehicle avoids, in words; empty: nothing that is met.
 std::string told_avoidance(const Scene& scene);
-
-/// The way that it claims: points from `way.s_m()` to `end_m`, with the time when it is there at the profile's speeds,
-/// in s from now.
-struct Claim {
-  std::vector<IntentPoint> points;  // at most 62
-  double time_left_s{0.0};          // to the way's end, beyond the claim too
-};
-/// @param end_m of the current way, not claimed beyond; more than 24 m ahead is not claimed either
-Claim claim_of(const Way& way, double end_m);
 
 }  // namespace aisle::local_planner

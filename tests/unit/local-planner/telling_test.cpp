@@ -1,12 +1,9 @@
-// What the status says of a vehicle that stands, and the way that it claims.
+// What the status says of a vehicle that stands.
 #include "services/local-planner/core/telling.hpp"
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
 #include <optional>
-
-#include "tests/unit/local-planner/hall.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -57,34 +54,6 @@ TEST(WhyItStands, IsWhoeverRefusesEverySpeed) {
   EXPECT_EQ(stands.told(1.0).reason, Reason::kObstacle);
   stands.choice.rejected[static_cast<int>(Obstruction::kPeer)] = 1;
   EXPECT_EQ(stands.told(1.0).reason, Reason::kVehicle);
-}
-
-class ClaimedWay : public testing::Test {
- protected:
-  ClaimedWay() {
-    way.adopt(Route(resample({{2.0, 5.0}, {38.0, 5.0}}, 0.2)), {2.0, 5.0}, false);
-    way.profile(clearance, 0.35, {1.0, 1.2, 0.6, 0.6, true});
-  }
-  grid::ClearanceField clearance{hall(40.0, 10.0)};
-  Way way;
-};
-
-TEST_F(ClaimedWay, ReachAsFarAsTheyMayAndTellTheTimeToTheEnd) {
-  const Claim claim = claim_of(way, 1e18);
-  ASSERT_FALSE(claim.points.empty());
-  EXPECT_LE(claim.points.size(), 62u);
-  EXPECT_NEAR(claim.points.back().base_in_map.x, 26.0, 1e-6);
-  EXPECT_GT(claim.time_left_s, claim.points.back().offset_s + 10.0);
-  EXPECT_LT(claim.time_left_s, 45.0);
-}
-
-TEST_F(ClaimedWay, EndWhereItMustStop) {
-  const Claim claim = claim_of(way, 3.0);
-  ASSERT_FALSE(claim.points.empty());
-  EXPECT_NEAR(claim.points.back().base_in_map.x, 5.0, 1e-6);
-  EXPECT_TRUE(claim_of(way, 0.0).points.empty());
-  for (std::size_t i = 1; i < claim.points.size(); ++i)
-    EXPECT_GT(claim.points[i].offset_s, claim.points[i - 1].offset_s);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "services/local-planner/core/inputs.hpp"
+#include "services/local-planner/core/right_of_way/peers.hpp"
 #include "services/local-planner/core/route.hpp"
 
 namespace aisle::local_planner {
@@ -15,18 +15,6 @@ struct TrafficSettings {
       2.0};  // whoever must wait may go first when it is out of the conflict so long before the other comes
   double patience_s{4.0};  // a claim of a peer that stands, not in the conflict, is honoured for so long
   double following_gap_m{0.35};
-};
-
-/// A peer as this cycle sees it.
-struct PeerView {
-  std::string id;
-  double radius_m{0.35};
-  geometry::Pose2 base_in_map;  // now
-  double speed_mps{0.0};
-  double stopping_m{0.0};
-  double standing_s{0.0};          // how long it has stood
-  bool has_goal{false};            // means to move on
-  std::vector<IntentPoint> claim;  // from now on; the first is where it is
 };
 
 /// My way: from `s_m` on, at these speeds, standing or not.
