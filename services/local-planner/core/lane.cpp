@@ -8,10 +8,33 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kStepM = 0.2;
-constexpr double kReachM = 2.6;  // how far to both sides the aisle is measured
-constexpr double kSlope = 0.4;   // metres of shift a metre of way
-constexpr int kTangentSpan = 3;  // points to both sides
+constexpr double kStepM = kRouteStepM;
+constexpr double kReachM = 2.6;          // how far to both sides the aisle is measured
+constexpr double kSlope = 0.4;           // metres of shift a metre of way
+constexpr std::size_t kLeastPoints = 3;  // of a plan that can be shifted
+constexpr int kTangentSpan = 3;          // points to both sides
+constexpr double kReachStepM = 0.1;
+constexpr double kMostToMiddleM = 0.3;  // of shift, where two cannot pass
+constexpr double kQuarter = 0.25;       // of the aisle's width: the middle of its right half
+constexpr std::size_t kMeanSpan = 4;    // points to both sides, whose shifts are averaged
+constexpr double kLeastShiftM = 0.02;   // a smaller one is none
+constexpr double kShiftShrinks = 0.7;   // at a time, where the shifted point is too near to walls
+
+// Relaxing: each round moves a point by these shares of its bend and of the way to its target.
+constexpr int kRounds = 30;
+constexpr double kBendShare = 0.35;
+constexpr double kTargetShare = 0.04;
+constexpr double kRoundingM = 1e-9;
+constexpr double kBetweenPointsM = 0.03;  // between two points the lane may be so much nearer to walls
+
+// Speeds: 0.35 m/s where a wall is touched, and 2.2 m/s more a metre of gap.
+constexpr double kLeastGapMps = 0.35;
+constexpr double kGapRate = 2.2;
+constexpr double kBendSpanM = 0.4;       // to both sides, over which curvature is measured,
+constexpr double kLeastBendSpanM = 0.3;  // none where the route is shorter
+constexpr double kStraight = 1e-3;       // a smaller curvature, in rad/m, is none
+constexpr double kTurnShare = 0.6;       // of the turn rate, in bends: the rest corrects
+constexpr double kLeastBendMps = 0.15;
 
 Point2 right_of(const std::vector<Point2>& points, std::size_t i) {
   const std::size_t back = i >= kTangentSpan ? i - kTangentSpan : 0;
@@ -23,7 +46,8 @@ Point2 right_of(const std::vector<Point2>& points, std::size_t i) {
 /// How far a centre can move from `p` in this direction.
 double reach_m(const grid::ClearanceField& clearance, Point2 p, Point2 direction, double needed_m) {
   double reach = 0.0;
-  while (reach < kReachM && clearance.clearance_m(p + (reach + 0.1) * direction) >= needed_m) reach += 0.1;
+  while (reach < kReachM && clearance.clearance_m(p + (reach + kReachStepM) * direction) >= needed_m)
+    reach += kReachStepM;
   return reach;
 }
 
@@ -36,8 +60,8 @@ double wanted_shift_m(const grid::ClearanceField& clearance, Point2 p, Point2 ri
   const double room = to_left + to_right;
   const double middle = 0.5 * (to_right - to_left);
   const bool two_can_pass = room >= 2.0 * radius_m + settings.passing_gap_m;
-  if (!two_can_pass) return std::clamp(middle, -0.3, 0.3);
-  const double quarter = 0.25 * (room + 2.0 * (radius_m + settings.margin_m));
+  if (!two_can_pass) return std::clamp(middle, -kMostToMiddleM, kMostToMiddleM);
+  const double quarter = kQuarter * (room + 2.0 * (radius_m + settings.margin_m));
   const double half_spacing = std::min({0.5 * room, quarter, settings.half_spacing_m});
   return std::clamp(middle + half_spacing, -settings.shift_m, settings.shift_m);
 }
@@ -47,7 +71,9 @@ std::vector<double> smooth_shifts(std::vector<double> shifts) {
   for (std::size_t i = 0; i < shifts.size(); ++i) {
     double sum = 0.0;
     int count = 0;
-    for (std::size_t j = i >= 4 ? i - 4 : 0; j <= std::min(shifts.size() - 1, i + 4); ++j, ++count) sum += shifts[j];
+    for (std::size_t j = i >= kMeanSpan ? i - kMeanSpan : 0; j <= std::min(shifts.size() - 1, i + kMeanSpan);
+         ++j, ++count)
+      sum += shifts[j];
     averaged[i] = sum / count;
   }
   const double step = kSlope * kStepM;
@@ -65,10 +91,10 @@ std::vector<double> smooth_shifts(std::vector<double> shifts) {
 /// Pulls each point towards its neighbours and its own target; never closer to walls than `needed` or than it was.
 void relax(std::vector<Point2>& points, const std::vector<Point2>& targets, const grid::ClearanceField& clearance,
            double needed_m) {
-  for (int round = 0; round < 30; ++round)
+  for (int round = 0; round < kRounds; ++round)
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       const Point2 bend = points[i - 1] + points[i + 1] - 2.0 * points[i];
-      const Point2 moved = points[i] + 0.35 * bend + 0.04 * (targets[i] - points[i]);
+      const Point2 moved = points[i] + kBendShare * bend + kTargetShare * (targets[i] - points[i]);
       const double now = clearance.clearance_m(points[i]);
       if (clearance.clearance_m(moved) >= std::min(needed_m, now)) points[i] = moved;
     }
@@ -79,8 +105,8 @@ bool is_safe(const std::vector<Point2>& points, const std::vector<Point2>& plan,
   double plan_least = needed_m;
   for (const Point2 p : plan) plan_least = std::min(plan_least, clearance.clearance_m(p));
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    if (clearance.clearance_m(points[i]) < plan_least - 1e-9) return false;
-    if (clearance.clearance_m(0.5 * (points[i] + points[i + 1])) < plan_least - 0.03) return false;
+    if (clearance.clearance_m(points[i]) < plan_least - kRoundingM) return false;
+    if (clearance.clearance_m(0.5 * (points[i] + points[i + 1])) < plan_least - kBetweenPointsM) return false;
   }
   return true;
 }
@@ -90,7 +116,7 @@ bool is_safe(const std::vector<Point2>& points, const std::vector<Point2>& plan,
 Route make_lane(const std::vector<Point2>& waypoints_in_map, const grid::ClearanceField& clearance, double radius_m,
                 const LaneSettings& settings) {
   const std::vector<Point2> plan = resample(waypoints_in_map, kStepM);
-  if (plan.size() < 3) return Route(plan);
+  if (plan.size() < kLeastPoints) return Route(plan);
   const double needed = radius_m + settings.margin_m;
   std::vector<double> shifts(plan.size());
   for (std::size_t i = 0; i < plan.size(); ++i)
@@ -102,8 +128,9 @@ Route make_lane(const std::vector<Point2>& waypoints_in_map, const grid::Clearan
     const Point2 right = right_of(plan, i);
     double shift = shifts[i];
     const double least = std::min(needed, clearance.clearance_m(plan[i]));
-    while (std::abs(shift) > 0.02 && clearance.clearance_m(plan[i] + shift * right) < least) shift *= 0.7;
-    points[i] = plan[i] + (std::abs(shift) > 0.02 ? shift : 0.0) * right;
+    while (std::abs(shift) > kLeastShiftM && clearance.clearance_m(plan[i] + shift * right) < least)
+      shift *= kShiftShrinks;
+    points[i] = plan[i] + (std::abs(shift) > kLeastShiftM ? shift : 0.0) * right;
   }
   const std::vector<Point2> targets = points;
   relax(points, targets, clearance, needed);
@@ -116,16 +143,16 @@ std::vector<double> speed_profile(const Route& route, const grid::ClearanceField
   std::vector<double> speed(points.size(), limits.max_speed_mps);
   for (std::size_t i = 0; limits.slows_on_the_way && i < points.size(); ++i) {
     const double gap = std::max(0.0, clearance.clearance_m(points[i]) - radius_m);
-    speed[i] = std::min(speed[i], 0.35 + 2.2 * gap);
+    speed[i] = std::min(speed[i], kLeastGapMps + kGapRate * gap);
     const double s = route.along_m(i);
-    const double before = std::max(0.0, s - 0.4);
-    const double after = std::min(route.length_m(), s + 0.4);
-    if (after - before < 0.3) continue;
+    const double before = std::max(0.0, s - kBendSpanM);
+    const double after = std::min(route.length_m(), s + kBendSpanM);
+    if (after - before < kLeastBendSpanM) continue;
     const double turn = std::abs(geometry::wrap(route.heading_at(after) - route.heading_at(before)));
     const double curvature = turn / (after - before);
-    if (curvature < 1e-3) continue;
+    if (curvature < kStraight) continue;
     speed[i] = std::min({speed[i], std::sqrt(limits.lateral_mps2 / curvature),
-                         std::max(0.15, 0.6 * limits.max_turn_radps / curvature)});
+                         std::max(kLeastBendMps, kTurnShare * limits.max_turn_radps / curvature)});
   }
   if (!speed.empty()) speed.back() = 0.0;
   for (std::size_t i = speed.size(); i-- > 1;) {

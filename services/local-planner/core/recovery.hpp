@@ -1,4 +1,5 @@
 #pragma once
+#include <limits>
 #include <optional>
 
 #include "common/time/stamp.hpp"
@@ -64,9 +65,9 @@ class Patience {
   Grade look(const Attempt& attempt, time::Stamp now);
 
  private:
-  time::Stamp progressed_{};   // when the distance left last shrank by a good piece
-  double least_left_m_{1e18};  // since the last recovery
-  double best_left_m_{1e18};   // since the way began
+  time::Stamp progressed_{};                                      // when the distance left last shrank by a good piece
+  double least_left_m_{std::numeric_limits<double>::infinity()};  // since the last recovery
+  double best_left_m_{std::numeric_limits<double>::infinity()};   // since the way began
   int recoveries_{0};
 };
 

@@ -11,10 +11,12 @@ using geometry::Point2;
 constexpr double kStepM = 0.2;     // along the route
 constexpr double kLeastMps = 0.4;  // at which who stands is expected to drive on
 constexpr double kLeastWindowM = 0.5;
-constexpr double kDirectionRad = 0.08;  // apart are the directions looked in,
-constexpr int kDirections = 10;         // so many to each side of the route's,
-constexpr double kMostTurnRad = 0.8;    // none so far from the heading that the vehicle would stop to turn there
-constexpr double kAlongCosine = 0.7;    // of the angle between two directions that count as one line
+constexpr double kWindowShares[] = {1.0, 0.7, 0.5, 0.35, 0.25, 0.15};  // of the largest window, tried in this order
+constexpr double kLongestGrowthS = 1.0;                                // a margin does not grow for longer
+constexpr double kDirectionRad = 0.08;                                 // apart are the directions looked in,
+constexpr int kDirections = 10;                                        // so many to each side of the route's,
+constexpr double kMostTurnRad = 0.8;  // none so far from the heading that the vehicle would stop to turn there
+constexpr double kAlongCosine = 0.7;  // of the angle between two directions that count as one line
 
 Encounter kind_of(Point2 own_velocity, Point2 its_velocity) {
   const double own = geometry::norm(own_velocity);
@@ -61,8 +63,8 @@ Meeting predict_meeting(const Scene& scene, double window_m, double horizon_s) {
     const Point2 p = mover.position_in_map - here;
     if (geometry::norm(p) > window_m) continue;
     const Approach approach = closest_approach(p, mover.velocity_in_map - velocity, horizon_s);
-    const double needed_m =
-        scene.radius_m + mover.radius_m + mover.margin_m + mover.growth_mps * std::min(approach.time_s, 1.0);
+    const double needed_m = scene.radius_m + mover.radius_m + mover.margin_m +
+                            mover.growth_mps * std::min(approach.time_s, kLongestGrowthS);
     if (approach.distance_m >= needed_m) continue;
     if (first.encounter != Encounter::kNone && approach.time_s >= first.approach.time_s) continue;
     first = {kind_of(velocity, mover.velocity_in_map), approach,
@@ -95,7 +97,7 @@ Point2 exit_in_map(const Window& window, double radius_m) {
 std::optional<Point2> local_sub_target(const Window& window) {
   const Point2 here = window.scene.base_in_map.position();
   const double goal_m = geometry::distance(window.route.points().back(), here);
-  for (const double share : {1.0, 0.7, 0.5, 0.35, 0.25, 0.15}) {
+  for (const double share : kWindowShares) {
     const Point2 exit = exit_in_map(window, share * std::min(window.radius_m, std::max(goal_m, kLeastWindowM)));
     for (int i = 0; i <= 2 * kDirections; ++i) {  // straight at it, then ever farther to either side
       const double bearing = geometry::bearing(here, exit) + (i % 2 == 0 ? i / 2 : -(i + 1) / 2) * kDirectionRad;

@@ -7,10 +7,14 @@ namespace aisle::local_planner {
 
 using geometry::Point2;
 
+namespace {
+constexpr double kSamePointM = 0.01;  // nearer points are one
+}
+
 Route::Route(const std::vector<Point2>& points_in_map) {
   for (const Point2 p : points_in_map) {
     const double step = points_.empty() ? 0.0 : geometry::distance(points_.back(), p);
-    if (!points_.empty() && step < 0.01) continue;
+    if (!points_.empty() && step < kSamePointM) continue;
     along_m_.push_back(points_.empty() ? 0.0 : along_m_.back() + step);
     points_.push_back(p);
   }

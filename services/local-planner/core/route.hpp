@@ -6,6 +6,9 @@
 
 namespace aisle::local_planner {
 
+/// Between the points of lanes, detours and ways aside.
+inline constexpr double kRouteStepM = 0.2;
+
 /// A polyline in map that is driven along, addressed by its arc length s in metres from its first point.
 class Route {
  public:

@@ -5,9 +5,40 @@
 namespace aisle::local_planner {
 namespace {
 
-constexpr double kJustStoppedS = 0.5;  // standing for less says nothing yet
+constexpr double kAvoidsWithinM = 0.4;  // it avoids what is nearer than this to its trajectory
+constexpr double kJustStoppedS = 0.5;   // standing for less says nothing yet
 
 }  // namespace
+
+Output told_driving(const Driving& driving) {
+  Output out;
+  out.twist = driving.speed.wanted;
+  const bool is_near = driving.speed.choice.mover_gap_m < kAvoidsWithinM;
+  out.phase = driving.leaves_lane || is_near ? Phase::kAvoiding : Phase::kDriving;
+
+  const Grade grade = driving.backs_off ? Grade::kBackOff : driving.speed.grade;
+  if (grade != Grade::kNone)
+    out.detail = told(grade);
+  else if (out.phase == Phase::kAvoiding)
+    out.detail = told_avoidance(driving.scene);
+  return out;
+}
+
+Output told_turning(const geometry::Twist2& wanted) {
+  Output out;
+  out.phase = Phase::kTurning;
+  out.twist = wanted;
+  return out;
+}
+
+Output told_off_path(geometry::Point2 here_in_map) {
+  Output out;
+  out.phase = Phase::kBlocked;
+  out.reason = Reason::kOffPath;
+  out.detail = "cannot get back to the plan without turning on the spot";
+  out.blocked_at_in_map = here_in_map;
+  return out;
+}
 
 void tell_why_it_stands(const Stop& stop, Output& out) {
   if (!stop.advice.yields_to.empty() && !stop.blocked) {

@@ -3,17 +3,29 @@
 #include <string>
 
 #include "services/local-planner/core/inputs.hpp"
-#include "services/local-planner/core/recovery.hpp"
+#include "services/local-planner/core/right_of_way/detours.hpp"
 #include "services/local-planner/core/right_of_way/traffic.hpp"
-#include "services/local-planner/core/way.hpp"
+#include "services/local-planner/core/speed_choice.hpp"
 
 namespace aisle::local_planner {
 
-/// The way is obstructed and no detour was found.
-struct Blocked {
-  Obstructed where;
-  std::string vehicle_id;  // of what stands there; empty: not a vehicle
+/// A vehicle that drives by the dynamic window.
+struct Driving {
+  const Scene& scene;
+  const SpeedChoice& speed;
+  bool backs_off{false};    // along a way aside
+  bool leaves_lane{false};  // on a detour or a way aside
 };
+
+/// Its status: driving, or avoiding while it leaves its lane or something is near; the recovery or what is avoided in
+/// the detail; the wanted twist.
+Output told_driving(const Driving& driving);
+
+/// The status of one that turns on the spot.
+Output told_turning(const geometry::Twist2& wanted);
+
+/// The status of one that has left its path for good: it stops and asks for another plan from where it is.
+Output told_off_path(geometry::Point2 here_in_map);
 
 /// A vehicle that stands while it is under way.
 struct Stop {

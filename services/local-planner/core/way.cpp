@@ -6,6 +6,20 @@ namespace aisle::local_planner {
 
 using geometry::Point2;
 
+namespace {
+
+constexpr double kBackM = 0.3;       // the vehicle is looked for so far back on its way,
+constexpr double kAheadM = 1.5;      // and so far ahead
+constexpr double kSoonAheadM = 0.5;  // where it will be in a moment
+constexpr double kAboutM = 5.0;      // around where it should be on a new lane
+constexpr double kElsewhereM = 1.5;  // farther from there it may be anywhere on the lane
+constexpr double kLookStepM = 0.2;   // between the points that may be obstructed
+constexpr double kFreeForM = 0.35;   // an obstructed stretch ends where the way is free for so long
+constexpr double kLongestM = 10.0;   // of an obstructed stretch, looked at
+constexpr double kNoEndM = 1.0;      // beyond the route's end: no room was found
+
+}  // namespace
+
 void Way::clear() {
   lane_ = {};
   aside_.reset();
@@ -18,21 +32,23 @@ void Way::adopt(Route lane, Point2 position_in_map, bool is_same_plan) {
   detour_end_m_ = 0.0;
   if (lane_.route.empty()) return;
   const double about_m = is_same_plan ? lane_.route.length_m() - left_m : 0.0;
-  lane_.s_m = lane_.route.project(position_in_map, about_m - 5.0, about_m + 5.0);
+  lane_.s_m = lane_.route.project(position_in_map, about_m - kAboutM, about_m + kAboutM);
   // A plan that was kept while we were not there to follow it, e.g. over a restart: we are somewhere along it.
-  if (geometry::distance(lane_.route.at(lane_.s_m), position_in_map) > 1.5)
+  if (geometry::distance(lane_.route.at(lane_.s_m), position_in_map) > kElsewhereM)
     lane_.s_m = lane_.route.project(position_in_map, 0.0, lane_.route.length_m());
 }
 
 void Way::detour(const std::vector<Point2>& points, double rejoin_m) {
   const double head_m = Route(points).length_m();
-  lane_.route = lane_.route.spliced(resample(points, 0.2), rejoin_m);
+  lane_.route = lane_.route.spliced(resample(points, kRouteStepM), rejoin_m);
   lane_.s_m = 0.0;
   lane_.profile_mps.clear();
   detour_end_m_ = head_m;
 }
 
-void Way::step_aside(const std::vector<Point2>& points) { aside_ = Part{Route(resample(points, 0.2)), 0.0, {}}; }
+void Way::step_aside(const std::vector<Point2>& points) {
+  aside_ = Part{Route(resample(points, kRouteStepM)), 0.0, {}};
+}
 
 double Way::speed_at(double s_m) const {
   const auto& speeds = profile_mps();
@@ -44,11 +60,13 @@ double Way::speed_at(double s_m) const {
   return speeds[i] + share * (speeds[i + 1] - speeds[i]);
 }
 
+double Way::s_near_m(Point2 p_in_map) const { return current().project(p_in_map, s_m(), s_m() + kSoonAheadM); }
+
 void Way::progress(Point2 position_in_map) {
   if (!lane_.route.empty() && !aside_)
-    lane_.s_m = lane_.route.project(position_in_map, lane_.s_m - 0.3, lane_.s_m + 1.5);
+    lane_.s_m = lane_.route.project(position_in_map, lane_.s_m - kBackM, lane_.s_m + kAheadM);
   if (aside_ && !aside_->route.empty())
-    aside_->s_m = aside_->route.project(position_in_map, aside_->s_m - 0.3, aside_->s_m + 1.5);
+    aside_->s_m = aside_->route.project(position_in_map, aside_->s_m - kBackM, aside_->s_m + kAheadM);
 }
 
 void Way::profile(const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits) {
@@ -62,20 +80,20 @@ std::optional<Obstructed> first_obstructed(const Route& route, double s_m, doubl
                                            double least_spare_m) {
   if (route.empty()) return std::nullopt;
   std::optional<Obstructed> found;
-  double free_since = -1.0;
-  for (double s = s_m; s <= route.length_m() + 0.2; s += 0.2) {
+  std::optional<double> free_since_m;
+  for (double s = s_m; s <= route.length_m() + kLookStepM; s += kLookStepM) {
     const bool last = s >= route.length_m();
     const bool is_free = room.spare_m(route.at(s)) >= (found ? 0.0 : least_spare_m);
     if (!found && s > s_m + ahead_m) return std::nullopt;
-    if (!found && !is_free) found = Obstructed{s, route.length_m() + 1.0, route.at(s)};
+    if (!found && !is_free) found = Obstructed{s, route.length_m() + kNoEndM, route.at(s)};
     if (!found) continue;
-    if (!is_free) free_since = -1.0;
-    if (is_free && free_since < 0.0) free_since = s;
-    if (is_free && (s - free_since > 0.35 || last)) {
+    if (!is_free) free_since_m.reset();
+    if (is_free && !free_since_m) free_since_m = s;
+    if (is_free && (s - *free_since_m > kFreeForM || last)) {
       found->end_m = std::min(s, route.length_m());
       return found;
     }
-    if (s > found->begin_m + 10.0) return found;
+    if (s > found->begin_m + kLongestM) return found;
   }
   return found;
 }

@@ -37,6 +37,10 @@ class Way {
   const std::vector<double>& profile_mps() const { return aside_ ? aside_->profile_mps : lane_.profile_mps; }
   double speed_at(double s_m) const;
 
+  /// The s of the current route that is nearest to a point within the next half metre: where the vehicle will be in a
+  /// moment.
+  double s_near_m(geometry::Point2 p_in_map) const;
+
   /// Moves s on to where the vehicle is.
   void progress(geometry::Point2 position_in_map);
   void profile(const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 namespace aisle::local_planner {
@@ -10,7 +11,13 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kStepM = 0.2;
+constexpr double kStepM = 0.2;          // of the lattice
+constexpr double kLongestPieceM = 4.0;  // of a straightened way
+constexpr double kRoundingM = 1e-9;
+constexpr double kTightM = 0.1;       // less to spare than this: the middle between two nodes is looked at too
+constexpr double kDearM = 0.3;        // less to spare than this is dearer, up to twice the length
+constexpr double kLeftM2 = 0.1;       // of the cross product: this and more is left of the line ahead,
+constexpr double kLeftDearer = 0.15;  // and by this share dearer
 
 /// A square of (2 n + 1)^2 nodes around the start.
 class Lattice {
@@ -37,7 +44,7 @@ std::vector<Point2> straighten(const Room& room, const std::vector<Point2>& way)
   std::size_t kept = 0;
   while (kept + 1 < way.size()) {
     std::size_t next = kept + 1;
-    while (next + 1 < way.size() && geometry::distance(way[kept], way[next + 1]) < 4.0 &&
+    while (next + 1 < way.size() && geometry::distance(way[kept], way[next + 1]) < kLongestPieceM &&
            room.is_line_free(way[kept], way[next + 1]))
       ++next;
     out.push_back(way[next]);
@@ -51,8 +58,8 @@ std::vector<Point2> straighten(const Room& room, const std::vector<Point2>& way)
 std::vector<Point2> search_way(const Room& room, Point2 from, Point2 towards, double reach_m,
                                const std::function<bool(Point2)>& accepts) {
   const Lattice lattice(from, reach_m);
-  constexpr double kUnknown = -1e9;
-  std::vector<double> cost(lattice.size(), 1e18);
+  constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+  std::vector<double> cost(lattice.size(), std::numeric_limits<double>::infinity());
   std::vector<double> spare(lattice.size(), kUnknown);
   std::vector<std::size_t> parent(lattice.size(), lattice.size());
   using Entry = std::pair<double, std::size_t>;
@@ -82,12 +89,13 @@ std::vector<Point2> search_way(const Room& room, Point2 from, Point2 towards, do
         if ((dx == 0 && dy == 0) || !lattice.contains(x, y)) continue;
         const std::size_t k = lattice.index(x, y);
         const double here = spare_at(k);
-        if (here < 0.0 && here < spare_at(i) + 1e-9) continue;  // out of too little room, never deeper into it
+        if (here < 0.0 && here < spare_at(i) + kRoundingM) continue;  // out of too little room, never deeper into it
         const Point2 p = lattice.at(k);
-        if (here >= 0.0 && here < 0.1 && spare_at(i) >= 0.0 && room.spare_m(0.5 * (lattice.at(i) + p)) < 0.0) continue;
-        const double near = std::max(0.0, 0.3 - here) / 0.3;
-        const bool left = geometry::cross(ahead, p - from) > 0.1;
-        const double total = so_far + kStepM * std::hypot(dx, dy) * (1.0 + near + (left ? 0.15 : 0.0));
+        if (here >= 0.0 && here < kTightM && spare_at(i) >= 0.0 && room.spare_m(0.5 * (lattice.at(i) + p)) < 0.0)
+          continue;
+        const double near = std::max(0.0, kDearM - here) / kDearM;
+        const bool left = geometry::cross(ahead, p - from) > kLeftM2;
+        const double total = so_far + kStepM * std::hypot(dx, dy) * (1.0 + near + (left ? kLeftDearer : 0.0));
         if (total < cost[k]) cost[k] = total, parent[k] = i, open.push({total, k});
       }
   }

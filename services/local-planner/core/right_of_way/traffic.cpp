@@ -9,18 +9,28 @@ namespace {
 
 using geometry::Point2;
 
-constexpr double kStepM = 0.2;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr double kStepM = 0.2;        // between the points of the own way that are looked at
+constexpr double kSlowestMps = 0.25;  // for times: it will not stand there for long
+constexpr double kRoundingM = 1e-9;
+constexpr double kHeadingAheadM = 0.1;  // the way's direction is looked at so far ahead
+constexpr double kArrivesS = 1.5;       // a peer that comes later can still brake
+constexpr double kFollowStepM = 0.1;
+constexpr double kInsideM = 0.05;          // so little before a conflict, besides braking, is inside it
+constexpr double kSameWayCosine = 0.5;     // of the angle between two ways that lead the same way
+constexpr double kBeforeConflictM = 0.25;  // who waits stops so far before the conflict
 
 /// Where a claim passes a point: how near, when, and in which direction.
 struct Pass {
-  double distance_m{1e18};
+  double distance_m{kInfinity};
   double time_s{0.0};
   Point2 direction;
 };
 
 /// Axis-parallel, around points.
 struct Box {
-  Point2 low{1e18, 1e18}, high{-1e18, -1e18};
+  Point2 low{kInfinity, kInfinity}, high{-kInfinity, -kInfinity};
 
   void hold(Point2 p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
@@ -30,12 +40,12 @@ struct Box {
   bool is_within(double distance_m, const Box& other) const {
     const Point2 apart{std::max({0.0, low.x - other.high.x, other.low.x - high.x}),
                        std::max({0.0, low.y - other.high.y, other.low.y - high.y})};
-    const double reach_m = distance_m + kRounding_m;
+    const double reach_m = distance_m + kBoxRoundingM;
     return geometry::dot(apart, apart) < reach_m * reach_m;
   }
 
  private:
-  static constexpr double kRounding_m = 1e-6;
+  static constexpr double kBoxRoundingM = 1e-6;
 };
 
 /// A claim, looked at from many points: groups of its segments with a box around each, so that what lies far off is
@@ -95,7 +105,7 @@ class ClaimedWay {
 struct Conflict {
   double begin_m{0.0}, end_m{0.0};  // s
   double my_in_s{0.0}, my_out_s{0.0};
-  double its_in_s{1e18}, its_out_s{0.0};
+  double its_in_s{kInfinity}, its_out_s{0.0};
   double alignment{0.0};  // mean cosine between the two directions
   int points{0};
   bool it_is_inside{false};  // it stands on this stretch or cannot stop before it
@@ -116,9 +126,9 @@ struct OwnStretch {
     const double end = std::min(own.route.length_m(), own.s_m + look_ahead_m);
     double time = 0.0;
     std::size_t profile_index = 0;
-    for (double s = own.s_m; s <= end + 1e-9; s += kStepM) {
+    for (double s = own.s_m; s <= end + kRoundingM; s += kStepM) {
       while (profile_index + 1 < own.profile_mps.size() && own.route.along_m(profile_index) < s) ++profile_index;
-      if (!points.empty()) time += kStepM / std::max(0.25, own.profile_mps[profile_index]);
+      if (!points.empty()) time += kStepM / std::max(kSlowestMps, own.profile_mps[profile_index]);
       points.push_back({s, points.empty() ? own.position_in_map : own.route.at(s), time});
       box.hold(points.back().in_map);
     }
@@ -138,19 +148,19 @@ std::vector<Conflict> conflicts_with(const OwnWay& own, const OwnStretch& stretc
       open = false;
       continue;
     }
-    if (!open) found.push_back({s, s, time, time, 1e18, 0.0, 0.0, 0, false, false});
+    if (!open) found.push_back({s, s, time, time, kInfinity, 0.0, 0.0, 0, false, false});
     open = true;
     Conflict& c = found.back();
     c.end_m = s;
     c.my_out_s = time;
     c.its_in_s = std::min(c.its_in_s, pass.time_s);
     c.its_out_s = std::max(c.its_out_s, pass.time_s);
-    const double yaw = own.route.heading_at(s + 0.1);
+    const double yaw = own.route.heading_at(s + kHeadingAheadM);
     c.alignment += geometry::dot(pass.direction, {std::cos(yaw), std::sin(yaw)});
     ++c.points;
     c.reaches_me = c.reaches_me || s == own.s_m;
     c.it_is_inside = c.it_is_inside || geometry::distance(p, peer.base_in_map.position()) <
-                                           near + peer.stopping_m * (pass.time_s < 1.5 ? 1.0 : 0.0);
+                                           near + peer.stopping_m * (pass.time_s < kArrivesS ? 1.0 : 0.0);
   }
   for (Conflict& c : found) c.alignment /= c.points;
   return found;
@@ -159,13 +169,13 @@ std::vector<Conflict> conflicts_with(const OwnWay& own, const OwnStretch& stretc
 /// First s at which my disc would be nearer to the peer's than the following gap, less its braking distance.
 double behind_m(const OwnWay& own, const PeerView& peer, const TrafficSettings& settings) {
   const double gap = own.radius_m + peer.radius_m + settings.following_gap_m;
-  for (double s = own.s_m; s <= own.route.length_m() && s < own.s_m + settings.look_ahead_m; s += 0.1)
+  for (double s = own.s_m; s <= own.route.length_m() && s < own.s_m + settings.look_ahead_m; s += kFollowStepM)
     if (geometry::distance(own.route.at(s), peer.base_in_map.position()) < gap) return s + peer.stopping_m;
   return std::numeric_limits<double>::infinity();
 }
 
 bool is_behind_me(const OwnWay& own, const PeerView& peer) {
-  const double yaw = own.route.heading_at(own.s_m + 0.1);
+  const double yaw = own.route.heading_at(own.s_m + kHeadingAheadM);
   const Point2 d = peer.base_in_map.position() - own.position_in_map;
   return geometry::dot(d, {std::cos(yaw), std::sin(yaw)}) < 0.0;
 }
@@ -173,8 +183,8 @@ bool is_behind_me(const OwnWay& own, const PeerView& peer) {
 enum class Right { kMine, kFollow, kWait, kGiveWay };
 
 Right right_of_way(const OwnWay& own, const PeerView& peer, const Conflict& c, const TrafficSettings& settings) {
-  const bool i_am_inside = c.reaches_me || c.begin_m - own.s_m < own.stopping_m + 0.05;
-  const bool same_way = c.alignment > 0.5;
+  const bool i_am_inside = c.reaches_me || c.begin_m - own.s_m < own.stopping_m + kInsideM;
+  const bool same_way = c.alignment > kSameWayCosine;
   const bool i_go_first = outranks(own.id, peer.id);
   if (same_way && c.it_is_inside && !is_behind_me(own, peer)) return Right::kFollow;
   if (same_way && i_am_inside) return Right::kMine;
@@ -206,7 +216,8 @@ Advice advise(const OwnWay& own, const std::vector<PeerView>& peers, const Traff
         advice.gives_way_to.push_back(peer.id);
         continue;
       }
-      const double stop = right == Right::kFollow ? behind_m(own, peer, settings) : std::max(own.s_m, c.begin_m - 0.25);
+      const double stop =
+          right == Right::kFollow ? behind_m(own, peer, settings) : std::max(own.s_m, c.begin_m - kBeforeConflictM);
       if (stop < advice.stop_at_m) {
         advice.stop_at_m = stop;
         advice.yields_to = peer.id;

@@ -1,0 +1,52 @@
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/local-planner/core/lane.hpp"
+#include "services/local-planner/core/moment.hpp"
+#include "services/local-planner/core/surroundings.hpp"
+#include "services/local-planner/core/way.hpp"
+
+namespace aisle::local_planner {
+
+/// The way is obstructed and no detour was found.
+struct Blocked {
+  Obstructed where;
+  std::string vehicle_id;  // of what stands there; empty: not a vehicle
+};
+
+/// A way that leaves the lane at once and comes back to it.
+struct Detour {
+  std::vector<geometry::Point2> points_in_map;
+  double rejoin_m{0.0};            // of the lane
+  bool is_around_something{true};  // else the vehicle was off its lane
+};
+
+/// Looks for a way around what stands on the lane, or back to the lane where the vehicle is off it, five times a
+/// second: the lattice search to a point of the lane behind what obstructs it, with the usual room, then with less.
+class Detours {
+ public:
+  explicit Detours(const LaneSettings& lane) : lane_(lane) {}
+
+  /// A new lane: what was found of the old one says nothing.
+  void begin();
+  /// The next look is due at once.
+  void hasten() { searched_ = {}; }
+
+  /// @pre no way aside is being driven
+  std::optional<Detour> look(const Moment& moment, const Surroundings& around, const Way& way);
+
+  /// What obstructs the lane since the last look that found no way around.
+  const std::optional<Blocked>& blocked() const { return blocked_; }
+
+ private:
+  std::optional<Detour> search(const Moment& moment, const Surroundings& around, const Way& way,
+                               const std::optional<Obstructed>& obstructed) const;
+
+  LaneSettings lane_;
+  time::Stamp searched_{};  // when last; 0: not since it is due
+  std::optional<Blocked> blocked_;
+};
+
+}  // namespace aisle::local_planner

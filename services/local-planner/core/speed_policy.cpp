@@ -1,0 +1,74 @@
+#include "services/local-planner/core/speed_policy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace aisle::local_planner {
+namespace {
+
+using geometry::Point2;
+
+constexpr double kLateralMps2 = 0.6;         // in bends
+constexpr double kLeastProfileMps = 0.1;     // a way's end is reached at this speed, not at none
+constexpr double kStopMarginM = 0.02;        // before the point that is not passed
+constexpr double kTurnedAwayRad = 0.35;      // a target farther off the heading slows it down,
+constexpr double kTurnedAwayShare = 0.8;     // to this share of the full speed's part towards the target,
+constexpr double kLeastTurnedAwayMps = 0.2;  // and no further
+constexpr double kBesidePersonM = 0.25;      // so near to a person who stood for long it creeps: they set off first
+constexpr double kPersonAheadS[] = {0.0, 0.5, 1.0};  // a walker's nearest place of these times counts
+constexpr double kPersonGapM = 0.2;                  // nearer to a person than this it drives at the least speed:
+constexpr double kLeastPersonMps = 0.25;
+constexpr double kPersonGapRate = 0.5;  // m/s a metre of gap beyond
+
+double bounded_by_braking_mps(double distance_m, double braking_mps2) {
+  return std::sqrt(2.0 * braking_mps2 * std::max(0.0, distance_m));
+}
+
+/// Beside something that stood for long: a creep where it once walked, else no bound.
+double cap_beside_standing_mps(const Moment& moment, const Mover& mover) {
+  if (!mover.has_walked) return std::numeric_limits<double>::infinity();
+  return kCreepMps + std::max(0.0, moment.gap_then_m(mover) - kBesidePersonM);
+}
+
+double cap_beside_person_mps(const Moment& moment, const Mover& mover) {
+  const Point2 then = moment.motion.base_then.position();
+  double distance_m = std::numeric_limits<double>::infinity();
+  for (const double t_s : kPersonAheadS)
+    distance_m = std::min(distance_m, geometry::distance(then, mover.position_in_map + t_s * mover.velocity_in_map));
+  const double gap_m = std::max(0.0, distance_m - moment.vehicle.reach_m() - mover.radius_m - kPersonGapM);
+  return kLeastPersonMps + kPersonGapRate * gap_m;
+}
+
+/// Where the target is far off the heading: the part of the full speed that leads towards it.
+double cap_turned_away_mps(const Moment& moment, Point2 target_in_map) {
+  const geometry::Pose2& then = moment.motion.base_then;
+  const double error_rad = std::abs(geometry::wrap(geometry::bearing(then.position(), target_in_map) - then.yaw));
+  if (error_rad <= kTurnedAwayRad) return std::numeric_limits<double>::infinity();
+  return std::max(kLeastTurnedAwayMps, moment.vehicle.limits.max_speed_mps * std::cos(error_rad) * kTurnedAwayShare);
+}
+
+}  // namespace
+
+ProfileLimits profile_limits(const kinematics::Limits& limits, const Settings& settings) {
+  return {limits.max_speed_mps, limits.max_turn_radps, std::min(settings.comfort_mps2, limits.max_deceleration_mps2),
+          kLateralMps2, settings.slows_on_the_way};
+}
+
+double speed_cap_mps(const SpeedQuestion& question, const Settings& settings) {
+  const Moment& moment = question.moment;
+  const Way& way = question.way;
+  const double s_m = way.is_aside() ? way.s_m() : way.s_near_m(moment.motion.base_then.position());
+  double cap = std::max(kLeastProfileMps, way.speed_at(s_m));
+  cap = std::min(cap, bounded_by_braking_mps(question.stop_at_m - s_m - kStopMarginM, settings.comfort_mps2));
+  cap = std::min(cap, cap_turned_away_mps(moment, question.target_in_map));
+
+  const bool is_of_an_older_map = moment.inputs.plan->map_revision != moment.inputs.map_revision;
+  if (is_of_an_older_map) cap = std::min(cap, settings.cautious_mps);
+
+  for (const Mover& mover : question.around.movers)
+    cap = std::min(cap, mover.may_walk ? cap_beside_person_mps(moment, mover) : cap_beside_standing_mps(moment, mover));
+  return cap;
+}
+
+}  // namespace aisle::local_planner

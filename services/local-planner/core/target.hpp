@@ -1,0 +1,42 @@
+#pragma once
+#include <optional>
+
+#include "services/local-planner/core/critic.hpp"
+#include "services/local-planner/core/moment.hpp"
+#include "services/local-planner/core/settings.hpp"
+#include "services/local-planner/core/surroundings.hpp"
+#include "services/local-planner/core/way.hpp"
+
+namespace aisle::local_planner {
+
+/// A way that is driven, and how fast.
+struct OnWay {
+  const Moment& moment;
+  const Way& way;
+  const Surroundings& around;
+  geometry::Twist2 in_force;  // the twist before this cycle's command
+};
+
+/// What is driven at, as the vehicle will see it when the command acts.
+struct Target {
+  geometry::Point2 in_map;
+  double error_rad{0.0};  // from the heading to it, to the left
+  double distance_m{0.0};
+};
+Target target_at(geometry::Point2 in_map, const OwnMotion& motion);
+
+/// The way's farthest point that is in sight, 0.7 to 1.8 m ahead, the farther the faster: from there straight on there
+/// is room. Of a planner that knows no path: the way's end. In map.
+geometry::Point2 target_in_sight(const OnWay& on_way, bool knows_path);
+
+/// WU's rolling window: the sub-target beside the way, where driving on at `target_in_map` would end in a collision.
+/// None: keep to the way; also while others are let past, and for a vehicle that cannot turn back to its way on the
+/// spot.
+std::optional<geometry::Point2> sub_target_beside(const OnWay& on_way, const Scene& scene,
+                                                  geometry::Point2 target_in_map);
+
+/// The target as the dynamic window's critics look at it: with LI's sub-target on the way, the way ahead where they ask
+/// for it, and as much room at the walls as the way itself has.
+Aim aim_at(geometry::Point2 target_in_map, const OnWay& on_way, const Variant& variant, const DwaSettings& settings);
+
+}  // namespace aisle::local_planner

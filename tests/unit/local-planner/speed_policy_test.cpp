@@ -1,0 +1,84 @@
+// The highest speed of a cycle: each bound by itself.
+#include "services/local-planner/core/speed_policy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/unit/local-planner/stage.hpp"
+
+namespace aisle::local_planner {
+namespace {
+
+class SpeedCap : public testing::Test {
+ protected:
+  double cap() const {
+    const Moment moment = stage.moment();
+    const Way way = stage.straight_way();
+    return speed_cap_mps({moment, way, stage.around, target, stop_at_m}, settings);
+  }
+  static Mover mover(geometry::Point2 position, bool may_walk, bool has_walked) {
+    Mover mover;
+    mover.position_in_map = position;
+    mover.may_walk = may_walk;
+    mover.has_walked = has_walked;
+    return mover;
+  }
+
+  Stage stage;
+  Settings settings;
+  geometry::Point2 target{5.0, 5.0};
+  double stop_at_m{std::numeric_limits<double>::infinity()};
+};
+
+TEST_F(SpeedCap, IsTheWaysProfileWhereNothingElseBounds) {
+  EXPECT_NEAR(cap(), stage.straight_way().speed_at(0.0), 1e-9);
+  EXPECT_GT(cap(), 0.9);
+}
+
+TEST_F(SpeedCap, BrakesInComfortBeforeWhereItMustStop) {
+  stop_at_m = 0.5;
+  EXPECT_NEAR(cap(), std::sqrt(2.0 * settings.comfort_mps2 * 0.48), 1e-9);
+  stop_at_m = 0.0;
+  EXPECT_EQ(cap(), 0.0);
+}
+
+TEST_F(SpeedCap, SlowsWhereTheTargetIsFarOffTheHeading) {
+  target = {4.0, 6.0};
+  const double full_mps = stage.inputs.vehicle->limits.max_speed_mps;
+  EXPECT_NEAR(cap(), 0.8 * full_mps * std::cos(geometry::kPi / 4.0), 1e-9);
+  target = {3.0, 6.0};
+  EXPECT_NEAR(cap(), 0.2, 1e-9);
+}
+
+TEST_F(SpeedCap, IsCarefulWhileThePlanIsOfAnOlderMap) {
+  stage.inputs.map_revision = 2;
+  EXPECT_DOUBLE_EQ(cap(), settings.cautious_mps);
+}
+
+TEST_F(SpeedCap, LeavesRoomToPeople) {
+  stage.around.movers = {mover({5.0, 5.0}, true, false)};
+  EXPECT_NEAR(cap(), 0.25 + 0.5 * (2.0 - 0.35 - 0.25 - 0.2), 1e-9);
+  stage.around.movers[0].velocity_in_map = {-1.0, 0.0};
+  EXPECT_NEAR(cap(), 0.25 + 0.5 * (1.0 - 0.35 - 0.25 - 0.2), 1e-9) << "where it will be in a second counts";
+}
+
+TEST_F(SpeedCap, CreepsBesideWhatStoodForLongOnlyWhereItOnceWalked) {
+  stage.around.movers = {mover({3.0, 5.7}, false, false)};
+  const double free_mps = cap();
+  EXPECT_GT(free_mps, 0.9);
+  stage.around.movers[0].has_walked = true;
+  EXPECT_NEAR(cap(), kCreepMps, 1e-9);
+}
+
+TEST(ProfileLimits, BrakeNoHarderThanTheVehicleCan) {
+  Settings settings;
+  kinematics::Limits limits;
+  settings.comfort_mps2 = 0.6;
+  limits.max_deceleration_mps2 = 0.4;
+  EXPECT_DOUBLE_EQ(profile_limits(limits, settings).comfort_mps2, 0.4);
+}
+
+}  // namespace
+}  // namespace aisle::local_planner
