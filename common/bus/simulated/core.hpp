@@ -36,21 +36,23 @@ class Core : public std::enable_shared_from_this<Core> {
   // Packets.
   /// Calls `arrival` when the packet arrives, as often as it does.
   template <class Arrival>
-  void send(const Process& from, Process& to, const Arrival& arrival) {
+  void send(const Process& from, Process& to, std::size_t bytes, const Arrival& arrival) {
     const Links::Fate fate = links_.send(from.host, to.host);
     for (int i = 0; i < fate.copies; ++i) {
-      after(fate.after[i], [&to, arrival] { take_in(to, arrival); });
+      after(fate.after[i], [this, &to, bytes, arrival] { take_in(to, bytes, arrival); });
     }
   }
-  /// A packet has arrived. A process that stands takes it when it goes on.
+  /// A packet has arrived. A process that stands takes it when it goes on, if its socket's buffer could hold it.
   template <class Arrival>
-  static void take_in(Process& to, const Arrival& arrival) {
+  void take_in(Process& to, std::size_t bytes, const Arrival& arrival) {
     if (to.gone) return;
-    if (to.frozen_since) {
-      to.held.emplace_back(arrival);
-    } else {
-      arrival();
+    if (!to.frozen_since) return arrival();
+    if (to.held_bytes + bytes > options_.socket_buffer_bytes) {
+      ++links_.tally().lost;
+      return;
     }
+    to.held_bytes += bytes;
+    to.held.emplace_back(arrival);
   }
   /// As send(), but sent again until it arrives: what discovery's reliable endpoints say. Once.
   void tell(Process& from, Process& to, std::function<void()> arrival);

@@ -145,6 +145,7 @@ void Core::freeze(Process& process, bool frozen) {
     return;
   }
   process.frozen_since.reset();
+  process.held_bytes = 0;
   for (const auto& packet : std::exchange(process.held, {})) packet();
   give_turn(process);
 }

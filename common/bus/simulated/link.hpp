@@ -19,7 +19,7 @@ struct Link {
 /// What was done to packets, since the network began.
 struct Tally {
   std::uint64_t sent{0};        // packets handed to a link
-  std::uint64_t lost{0};        // by Link::loss
+  std::uint64_t lost{0};        // by Link::loss, or at the full socket of a process that stands
   std::uint64_t duplicated{0};  // by Link::duplicate
   std::uint64_t reordered{0};   // held back by Link::reorder
   std::uint64_t delayed{0};     // took longer than the network's default link takes

@@ -1,5 +1,6 @@
 #pragma once
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -22,6 +23,7 @@ struct Options {
   std::chrono::nanoseconds announcement{500'000'000};  // participants that could not meet try again this often
   std::chrono::nanoseconds participant_lease{5'000'000'000};    // a participant silent for longer is forgotten
   std::chrono::nanoseconds heartbeat{50'000'000};               // of reliable writers with unacknowledged samples
+  std::size_t socket_buffer_bytes{4U << 20};                    // what is kept for a process that stands
   time::Stamp start{std::chrono::hours(1)};                     // Bus::now() at the beginning
   std::int64_t wall_clock_start_ns{1'767'225'600'000'000'000};  // Bus::wall_clock_ns() at the beginning: 2026-01-01 UTC
 };

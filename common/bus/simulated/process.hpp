@@ -51,6 +51,7 @@ class Process {
   bool driven{false}, hung{false}, gone{false}, crashed{false};
   std::optional<time::Stamp> frozen_since, crashed_at;
   std::vector<std::function<void()>> held;  // packets for a process that stands
+  std::size_t held_bytes{0};
   std::function<void()> turn;
   time::Stamp turn_time{};
 

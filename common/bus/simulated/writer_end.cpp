@@ -94,7 +94,6 @@ bool WriterEnd::is_full() const {
 void WriterEnd::keep(const ChangePtr& change) {
   if (announced.qos.durability != Durability::kTransientLocal) return;
   if (change->disposed) {
-    kept_.erase(change->instance);
     return;
   }
   std::deque<ChangePtr>& kept = kept_[change->instance];

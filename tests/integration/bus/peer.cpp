@@ -2,6 +2,7 @@
 //   plan      writes a plan for agv-1 with STRENGTH every 50 ms, source NAME
 //   member    writes vehicle_state of NAME at 10 Hz, and reads everybody's
 //   track     writes track 7 every 50 ms
+//   map-counter  writes a track every 50 ms, whose id is the number of map ids heard on map_info
 //   edit-reader  reads map_edit
 //   site      writes map_info, map_tile, vehicle_info, vehicle_state, plan and coverage at 10 Hz
 #include <sys/prctl.h>

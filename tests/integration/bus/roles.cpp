@@ -2,6 +2,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <memory>
+#include <set>
+#include <string>
 
 namespace aisle::bus_test {
 namespace {
@@ -92,6 +95,18 @@ void write_a_track(bus::Bus& bus) {
   bus.every(50ms, [track, tracks = bus.writer<topics::Track>()]() mutable { tracks.write(track); });
 }
 
+/// Says how many maps were heard of: the id of its track.
+void count_maps(bus::Bus& bus) {
+  const auto maps = std::make_shared<std::set<std::string>>();
+  bus.on<topics::MapInfo>(
+      [maps](const MapInfo& info, const bus::SampleInfo&) { maps->insert(info.map_id().to_string()); });
+  bus.every(50ms, [maps, tracks = bus.writer<topics::Track>()]() mutable {
+    Track track;
+    track.track_id(maps->size());
+    tracks.write(track);
+  });
+}
+
 }  // namespace
 
 bool play_role(bus::Bus& bus, const std::string& role, const std::string& name, int strength) {
@@ -99,8 +114,10 @@ bool play_role(bus::Bus& bus, const std::string& role, const std::string& name, 
   if (role == "site" || role == "member") take_part(bus, name);
   if (role == "site") be_a_site(bus, name);
   if (role == "track") write_a_track(bus);
+  if (role == "map-counter") count_maps(bus);
   if (role == "edit-reader") bus.on<topics::MapEdit>([](const MapEdit&, const bus::SampleInfo&) {});
-  return role == "plan" || role == "site" || role == "member" || role == "track" || role == "edit-reader";
+  return role == "plan" || role == "site" || role == "member" || role == "track" || role == "map-counter" ||
+         role == "edit-reader";
 }
 
 }  // namespace aisle::bus_test

@@ -148,6 +148,27 @@ TEST_P(Conformance, KeysAreTakenInAnOrderOfTheirOwn) {
   EXPECT_THAT(ear.heard, ::testing::UnorderedElementsAreArray(sent));
 }
 
+TEST_P(Conformance, WhatAStandingProcessCouldNotHoldIsSentAgain) {
+  constexpr std::uint64_t kMaps = 60;  // 8 MB, twice a socket's buffer
+  const auto sender = join("sender");
+  const auto counter = site_->start("counter", "map-counter");
+  auto infos = sender->writer<topics::MapInfo>();
+  TrackEar ear(*sender);
+  ASSERT_TRUE(run_until({sender.get()}, [&] { return infos.matched_readers() == 1 && ear.count("0 data") > 0; }));
+  counter->freeze(true);
+  site_->idle(20ms);
+  aisle::MapInfo info;
+  info.tile_hashes().resize(16384, 1);
+  for (std::uint64_t i = 0; i < kMaps; ++i) {
+    info.map_id("map-" + std::to_string(i));
+    if (i + 1 == kMaps) info.tile_hashes().resize(1);  // small: it finds room where those before it did not
+    ASSERT_TRUE(infos.write(info));
+  }
+  site_->idle(100ms);
+  counter->freeze(false);
+  EXPECT_TRUE(run_until({sender.get()}, [&] { return ear.newest.track_id() == kMaps; })) << ear.newest.track_id();
+}
+
 TEST_P(Conformance, ASampleArrivesWithItsFieldsAndItsWriter) {
   const auto sender = join("sender"), receiver = join("receiver");
   auto goals = sender->writer<topics::Goal>();
