@@ -7,6 +7,7 @@ namespace {
 
 /// A message is not sent again sooner, however often it is asked for.
 constexpr time::Stamp kResendAfter = std::chrono::milliseconds(10);
+constexpr std::size_t kProtocolBytes = 100;  // of a heartbeat, an acknowledgement, an assertion
 
 }  // namespace
 
@@ -73,9 +74,9 @@ void WriterEnd::publish(const ChangePtr& change) {
     }
   }
   for (auto& [after, reached] : arrivals) {
-    core_.after(after, [reached = std::move(reached), change] {
+    core_.after(after, [this, reached = std::move(reached), change] {
       for (Match* match : reached) {
-        Core::take_in(match->reader.process, [match, change] {
+        core_.take_in(match->reader.process, change->bytes.size(), [match, change] {
           if (match->at_reader) match->reader.accept(*match, change);
         });
       }
@@ -94,6 +95,7 @@ bool WriterEnd::is_full() const {
 void WriterEnd::keep(const ChangePtr& change) {
   if (announced.qos.durability != Durability::kTransientLocal) return;
   if (change->disposed) {
+    kept_.erase(change->instance);
     return;
   }
   std::deque<ChangePtr>& kept = kept_[change->instance];
@@ -136,7 +138,7 @@ void WriterEnd::transmit(Match& match, std::uint64_t number) {
     }
     answer(match);
   };
-  core_.send(process, match.reader.process, arrival);
+  core_.send(process, match.reader.process, message.change ? message.change->bytes.size() : kProtocolBytes, arrival);
 }
 
 /// The reader says what it has, and what it misses of what it knows to be there.
@@ -145,7 +147,7 @@ void WriterEnd::answer(Match& match) {
   for (std::uint64_t number = match.expected; number <= match.announced; ++number) {
     if (match.early.count(number) == 0) missing.push_back(number);
   }
-  core_.send(match.reader.process, process,
+  core_.send(match.reader.process, process, kProtocolBytes,
              [this, &match, stream = match.heard_stream, expected = match.expected, missing = std::move(missing)] {
                acknowledged(match, stream, expected, missing);
              });
@@ -173,18 +175,19 @@ void WriterEnd::heartbeat(Match& match) {
   match.heartbeats = false;
   if (gone || !match.at_writer || match.unacknowledged.empty()) return;
   if (!process.frozen_since) {
-    core_.send(process, match.reader.process, [this, &match, stream = match.stream, last = match.next - 1] {
-      if (!match.at_reader || stream < match.heard_stream) return;
-      if (stream == match.heard_stream) {
-        match.announced = std::max(match.announced, last);
-      } else {
-        match.heard_stream = stream;
-        match.expected = 1;
-        match.announced = last;
-        match.early.clear();
-      }
-      answer(match);
-    });
+    core_.send(process, match.reader.process, kProtocolBytes,
+               [this, &match, stream = match.stream, last = match.next - 1] {
+                 if (!match.at_reader || stream < match.heard_stream) return;
+                 if (stream == match.heard_stream) {
+                   match.announced = std::max(match.announced, last);
+                 } else {
+                   match.heard_stream = stream;
+                   match.expected = 1;
+                   match.announced = last;
+                   match.early.clear();
+                 }
+                 answer(match);
+               });
   }
   begin_heartbeats(match);
 }
@@ -194,7 +197,7 @@ void WriterEnd::assert_liveliness() {
   if (gone || announced.qos.liveliness_lease.count() == 0) return;
   for (Match* match : matches) {
     if (!match->at_writer || !match->reliable) continue;
-    core_.send(process, match->reader.process, [match] {
+    core_.send(process, match->reader.process, kProtocolBytes, [match] {
       if (match->at_reader) match->reader.assert_liveliness(*match);
     });
   }
