@@ -12,6 +12,8 @@ namespace {
 
 using Kind = FaultAction::Kind;
 
+constexpr int kMostDraws = 100;  // until the ends of a cut differ
+
 class Layout {
  public:
   Layout(const FaultPlan& plan, const std::vector<std::string>& services, const std::vector<std::string>& others,
@@ -45,12 +47,14 @@ class Layout {
     }
   }
 
-  std::string one_of(const std::string& pattern) {
-    std::vector<std::string> fitting;
+  /// `reaches_others`: a pattern that fits no service may mean the world's processes.
+  std::string one_of(const std::string& pattern, bool reaches_others = false) {
+    std::vector<std::string> fitting, others;
     for (const std::string& name : services_)
       if (is_named(pattern, name)) fitting.push_back(name);
     for (const std::string& name : others_)
-      if (pattern == name) fitting.push_back(name);
+      if (pattern == name || (fitting.empty() && reaches_others && is_named(pattern, name))) others.push_back(name);
+    if (fitting.empty()) fitting = others;
     if (fitting.empty()) refuse(pattern);
     return fitting[random_() % fitting.size()];
   }
@@ -75,9 +79,9 @@ class Layout {
 
   void add_cut(const Cut& cut) {
     for (const double t_s : times_of(cut)) {
-      const std::string from = one_of(cut.from);
-      std::string to = one_of(cut.to);
-      while (to == from && cut.to.find('*') != std::string::npos && services_.size() > 1) to = one_of(cut.to);
+      const std::string from = one_of(cut.from, true);
+      std::string to = one_of(cut.to, true);
+      for (int i = 0; to == from && i < kMostDraws; ++i) to = one_of(cut.to, true);
       actions_.push_back({t_s, Kind::kCut, from, to, cut.both_ways});
       actions_.push_back({std::min(t_s + cut.for_s, plan_.stop_s), Kind::kHeal, from, to, cut.both_ways});
     }

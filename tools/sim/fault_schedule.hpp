@@ -38,7 +38,8 @@ const char* name_of(FaultAction::Kind kind);
 /// each occasion; the draw depends on plan, names and seed only. In the order of time; nothing begins at or after the
 /// plan's stop_s, and what is still under way then ends there.
 /// @param services names of the processes that may be hit by a pattern
-/// @param others further names that may be hit where the plan names them in full
+/// @param others further names that may be hit where the plan names them in full, or, as ends of cuts, by a pattern
+///   that fits no service
 /// @throws config::BadInput for a name or pattern that fits none of them
 std::vector<FaultAction> schedule(const FaultPlan& plan, const std::vector<std::string>& services,
                                   const std::vector<std::string>& others, std::uint64_t seed);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "common/config/yaml_reader.hpp"
+#include "tests/support/places.hpp"
 
 namespace aisle::sim {
 namespace {
@@ -82,7 +83,8 @@ TEST(FaultPlan, APlanFromASeedIsTheSamePlanEachTimeAndFromItsOwnText) {
 
 TEST(FaultPlan, TheSamplesAreRead) {
   for (const char* name : {"loss", "crashes", "delays", "cuts"}) {
-    const FaultPlan plan = read_fault_plan(std::string(AISLE_SOURCE_DIR "/deploy/faults/") + name + ".yaml");
+    const FaultPlan plan =
+        read_fault_plan(test_support::source_folder() / "deploy/faults" / (std::string(name) + ".yaml"));
     EXPECT_EQ(plan.stop_s, 60.0) << name;
     EXPECT_FALSE(plan.is_empty()) << name;
   }

@@ -85,6 +85,17 @@ TEST(FaultSchedule, ACutJoinsTwoDifferentProcesses) {
   for (const FaultAction& action : schedule(plan, kServices, kWorld, 1)) EXPECT_NE(action.process, action.to);
 }
 
+TEST(FaultSchedule, TheEndOfACutMayBeAPatternOfTheWorldsProcesses) {
+  FaultPlan plan;
+  plan.cuts.resize(1);
+  plan.cuts[0].from = "fake-vehicle-*";
+  plan.cuts[0].to = "map";
+  EXPECT_EQ(schedule(plan, kServices, kWorld, 1).front().process, "fake-vehicle-agv-1");
+  plan.crashes.resize(1);
+  plan.crashes[0].process = "fake-vehicle-*";
+  EXPECT_THROW(schedule(plan, kServices, kWorld, 1), config::BadInput) << "a crash must name it in full";
+}
+
 TEST(FaultSchedule, ANameThatFitsNobodyIsRefusedWithTheNearest) {
   FaultPlan plan;
   plan.crashes.resize(1);

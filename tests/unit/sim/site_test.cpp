@@ -1,0 +1,218 @@
+// A whole site in virtual time: all services, the referee, and faults.
+#include "tools/sim/site.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tools/lockstep/building.hpp"
+
+namespace aisle::sim {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// Two vehicles that pass each other in a hall, and a person who walks to and fro.
+lockstep::Setup hall_with_two_vehicles(std::uint64_t seed) {
+  lockstep::Setup setup;
+  setup.grid = lockstep::hall(16.0, 8.0, 0.1);
+  setup.scenario.name = "hall";
+  setup.scenario.duration_s = 90.0;
+  setup.scenario.start_jitter_m = 0.1;
+  lockstep::add_vehicle(setup, 1, {2.0, 3.0, 0.0}, {{13.0, 3.0, 0.0}});
+  lockstep::add_vehicle(setup, 2, {14.0, 5.0, 3.1}, {{3.0, 5.0, 0.0}});
+  lockstep::add_mover(setup, 1.0, 0.0, true, {{8.0, 1.0}, {8.0, 7.0}});
+  setup.seed = seed;
+  return setup;
+}
+
+Faults faults_of(const FaultPlan& plan) { return {plan, 7}; }
+
+template <class T>
+T once(double at_s, const std::string& process) {
+  T occasion;
+  occasion.at_s = at_s;
+  occasion.process = process;
+  return occasion;
+}
+
+void expect_a_good_run(const Outcome& outcome) {
+  EXPECT_EQ(outcome.result.goals_reached, 2);
+  EXPECT_EQ(outcome.report.contacts_moving_vehicle(), 0);
+  EXPECT_TRUE(outcome.report.violations.empty());
+  EXPECT_EQ(outcome.report.ended_because, "all missions are over");
+}
+
+TEST(Site, TheSameSeedDrivesTheSameTraceAndAnotherAnother) {
+  const Outcome one = drive(hall_with_two_vehicles(1));
+  const Outcome again = drive(hall_with_two_vehicles(1));
+  const Outcome other = drive(hall_with_two_vehicles(2));
+  expect_a_good_run(one);
+  EXPECT_TRUE(one.report.passed());
+  EXPECT_TRUE(one.faults.empty());
+  EXPECT_EQ(one.result.trace_hash, again.result.trace_hash);
+  EXPECT_EQ(one.messages, again.messages);
+  EXPECT_NE(one.result.trace_hash, other.result.trace_hash);
+}
+
+TEST(Site, AStandInMayTellTheTruthInTheTrackersPlace) {
+  lockstep::Setup setup = hall_with_two_vehicles(1);
+  setup.perception = lockstep::Perception::kTruth;
+  const Outcome outcome = drive(setup);
+  expect_a_good_run(outcome);
+  EXPECT_GT(outcome.result.distance_m, 18.0);
+  EXPECT_GT(outcome.result.planned_m, 18.0);
+  EXPECT_GT(outcome.result.jerk_samples, 1000u);
+}
+
+TEST(Site, AGoalInAWallFailsWithItsReason) {
+  lockstep::Setup setup = hall_with_two_vehicles(1);
+  setup.scenario.missions.front().goals_in_map = {{0.05, 0.05, 0.0}};
+  setup.scenario.duration_s = 40.0;
+  const Outcome outcome = drive(setup);
+  EXPECT_EQ(outcome.result.goals_reached, 1);
+  EXPECT_EQ(outcome.report.goals_missed(), 1);
+  ASSERT_FALSE(outcome.report.goals.empty());
+  bool told = false;
+  for (const referee::GoalRecord& goal : outcome.report.goals)
+    told = told || (goal.agv_id == "agv-1" && goal.reason.find("clearance") != std::string::npos);
+  EXPECT_TRUE(told);
+}
+
+TEST(Site, EndsWhenItsUserHasEnough) {
+  const Outcome outcome = drive(hall_with_two_vehicles(1), {}, [](double t_s) { return t_s < 3.0; });
+  EXPECT_EQ(outcome.report.ended_because, "stopped");
+  EXPECT_LT(outcome.report.duration_s, 5.0);
+}
+
+TEST(SiteFaults, LossDelayDuplicatesAndOtherOrderAreCountedAndRepeatedExactly) {
+  FaultPlan plan;
+  plan.links.resize(1);
+  plan.links[0].loss = 0.1;
+  plan.links[0].delay_ms = 20.0;
+  plan.links[0].jitter_ms = 10.0;
+  plan.links[0].duplicates = 0.05;
+  plan.links[0].reordered = 0.05;
+  const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+  const Outcome again = drive(hall_with_two_vehicles(1), faults_of(plan));
+  expect_a_good_run(outcome);
+  for (const char* kind : {"lost_packets", "delayed_packets", "duplicated_packets", "reordered_packets"})
+    EXPECT_GT(outcome.faults.at(kind), 0u) << kind;
+  EXPECT_EQ(outcome.faults, again.faults);
+  EXPECT_EQ(outcome.result.trace_hash, again.result.trace_hash);
+  EXPECT_NE(outcome.result.trace_hash, drive(hall_with_two_vehicles(1), {plan, 8}).result.trace_hash)
+      << "another seed hits other packets";
+}
+
+TEST(SiteFaults, EveryServiceMayCrashOnceAndTheFleetGoesOn) {
+  FaultPlan plan;
+  double at_s = 2.0;
+  for (const char* name :
+       {"map", "global-planner", "obstacle-tracker", "local-planner-agv-1", "local-planner-agv-2", "dispatcher"}) {
+    plan.crashes.push_back(once<Crash>(at_s, name));
+    at_s += 2.0;
+  }
+  const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+  expect_a_good_run(outcome);
+  EXPECT_EQ(outcome.faults.at("crash"), 6u);
+  for (const auto& [instance, row] : outcome.report.services) {
+    const bool was_hit = instance.find("fake-") != 0 && instance != "referee";
+    EXPECT_EQ(row.starts, was_hit ? 2 : 1) << instance;
+  }
+}
+
+TEST(SiteFaults, APartOfTheWorldThatCrashesGoesOnWhereItWas) {
+  FaultPlan plan;
+  plan.crashes.push_back(once<Crash>(4.0, "fake-vehicle-agv-1"));
+  plan.crashes.push_back(once<Crash>(6.0, "fake-world"));
+  const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+  expect_a_good_run(outcome);
+}
+
+TEST(SiteFaults, AVehicleStandsWhileItsPlannerHangs) {
+  FaultPlan plan;
+  plan.hangs.push_back(once<Hang>(5.0, "local-planner-agv-1"));
+  plan.hangs.front().for_s = 5.0;
+  const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+  expect_a_good_run(outcome);
+  EXPECT_EQ(outcome.faults.at("hang"), 1u);
+  EXPECT_GT(outcome.result.done_s.at(0), drive(hall_with_two_vehicles(1)).result.done_s.at(0) + 4.0);
+}
+
+TEST(SiteFaults, ACutKeepsCommandsFromTheVehicleUntilItHeals) {
+  FaultPlan plan;
+  Cut cut;
+  cut.at_s = 5.0;
+  cut.for_s = 4.0;
+  cut.from = "local-planner-agv-1";
+  cut.to = "fake-vehicle-agv-1";
+  cut.both_ways = false;
+  plan.cuts.push_back(cut);
+  const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+  expect_a_good_run(outcome);
+  EXPECT_GT(outcome.faults.at("cut_packets"), 100u);
+  EXPECT_GT(outcome.result.done_s.at(0), drive(hall_with_two_vehicles(1)).result.done_s.at(0) + 3.0);
+}
+
+TEST(SiteFaults, AWallClockMayJumpEitherWay) {
+  for (const double by_s : {-3600.0, 3600.0}) {
+    FaultPlan plan;
+    for (const char* name : {"map", "global-planner", "obstacle-tracker", "local-planner-agv-1", "dispatcher"}) {
+      plan.clock_jumps.push_back(once<ClockJump>(5.0, name));
+      plan.clock_jumps.back().by_s = by_s;
+    }
+    const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+    expect_a_good_run(outcome);
+    EXPECT_EQ(outcome.faults.at("clock_jump"), 5u);
+  }
+}
+
+TEST(SiteFaults, AFullDiskRefusesAMapEditAndTheFleetDrivesOn) {
+  lockstep::Setup setup = hall_with_two_vehicles(1);
+  setup.scenario.map_edits.push_back({4.0, true, {6.0, 6.5}, {7.0, 7.5}});
+  FaultPlan plan;
+  plan.disks.push_back(once<DiskFault>(2.0, "map"));
+  plan.disks.back().for_s = 30.0;
+  const Outcome outcome = drive(setup, faults_of(plan));
+  expect_a_good_run(outcome);
+  ASSERT_EQ(outcome.report.edits.size(), 1u);
+  EXPECT_THAT(outcome.report.edits.front().outcome, HasSubstr("refused"));
+  EXPECT_THAT(drive(setup).report.edits.front().outcome, HasSubstr("applied"));
+}
+
+TEST(SiteFaults, AMapEditSurvivesACrashOfTheMap) {
+  lockstep::Setup setup = hall_with_two_vehicles(1);
+  setup.scenario.map_edits.push_back({3.0, true, {6.0, 6.5}, {7.0, 7.5}});
+  FaultPlan plan;
+  plan.crashes.push_back(once<Crash>(6.0, "map"));
+  const Outcome outcome = drive(setup, faults_of(plan));
+  expect_a_good_run(outcome);
+  ASSERT_EQ(outcome.report.edits.size(), 1u);
+  EXPECT_EQ(outcome.report.edits.front().outcome, "applied");
+}
+
+TEST(SiteFaults, TornAndLostFilesCostNoContact) {
+  for (const char* kind : {"torn", "lost"}) {
+    FaultPlan plan;
+    plan.disks.push_back(once<DiskFault>(5.0, "dispatcher"));
+    plan.disks.back().kind = kind;
+    const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+    expect_a_good_run(outcome);
+  }
+}
+
+TEST(SiteFaults, AProcessThatDoesNotExistIsNamed) {
+  FaultPlan plan;
+  plan.crashes.push_back(once<Crash>(5.0, "local-planer-agv-1"));
+  try {
+    drive(hall_with_two_vehicles(1), faults_of(plan));
+    FAIL() << "was driven";
+  } catch (const config::BadInput& refused) {
+    EXPECT_THAT(refused.what(), HasSubstr("did you mean 'local-planner-agv-1'"));
+  }
+}
+
+}  // namespace
+}  // namespace aisle::sim

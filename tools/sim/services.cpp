@@ -1,0 +1,157 @@
+// What each service's main() does, with a scenario that was read already instead of flags and files.
+#include "tools/sim/services.hpp"
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "common/scenario/variation.hpp"
+#include "services/dispatcher/dispatcher_service.hpp"
+#include "services/fake-vehicle/fake_vehicle_service.hpp"
+#include "services/fake-world/fake_world_service.hpp"
+#include "services/global-planner/global_planner_service.hpp"
+#include "services/local-planner/local_planner_service.hpp"
+#include "services/map/map_service.hpp"
+#include "services/obstacle-tracker/obstacle_tracker_service.hpp"
+#include "tools/sim/truth_tracker.hpp"
+
+namespace aisle::sim {
+namespace {
+
+using lockstep::Perception;
+using lockstep::Setup;
+
+constexpr const char* kStateFile = "state";
+constexpr const char* kJournalFile = "map.sqlite";
+constexpr const char* kMapId = "site";
+constexpr int kFewestRays = 8;  // where nobody looks at scans
+
+/// A service in its shell.
+template <class Service, class Config>
+std::shared_ptr<void> make_service(service::Shell& shell, Config config) {
+  if constexpr (std::is_constructible_v<Service, service::Shell&, Config>) {
+    return std::make_shared<Service>(shell, std::move(config));
+  } else {
+    return std::make_shared<Service>(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(),
+                                     std::move(config));
+  }
+}
+
+/// A service for one vehicle in its shell.
+template <class Service, class Config>
+std::shared_ptr<void> make_vehicle_service(service::Shell& shell, Config config) {
+  if constexpr (std::is_constructible_v<Service, service::Shell&, Config>) {
+    return std::make_shared<Service>(shell, std::move(config));
+  } else if constexpr (std::is_same_v<Config, local_planner::ServiceConfig>) {
+    return std::make_shared<Service>(shell.bus(), shell.agv_id(),
+                                     service::OriginStamper(shell.bus(), shell.instance_id(), shell.boot_id()),
+                                     shell.health(), shell.instance_id(), std::move(config));
+  } else {
+    return std::make_shared<Service>(shell.bus(), shell.agv_id(), shell.instance_id(), shell.boot_id(), shell.health(),
+                                     std::move(config));
+  }
+}
+
+std::shared_ptr<void> make_map(const Setup& setup, service::Shell& shell) {
+  map::SiteMap base(kMapId, setup.grid);
+  auto journal = std::make_unique<map::Journal>(kJournalFile, kMapId, base.summary().hash, map::Journal::Options{});
+  return make_service<map::MapService>(shell, map::MapStore(std::move(base), std::move(journal), {}));
+}
+
+std::shared_ptr<void> make_global_planner(const Setup& setup, service::Shell& shell) {
+  global_planner::ServiceConfig config;
+  config.planner = setup.planner;
+  return make_service<global_planner::GlobalPlannerService>(shell, config);
+}
+
+std::shared_ptr<void> make_tracker(const Setup& setup, service::Shell& shell) {
+  if (setup.perception == Perception::kTruth)
+    return std::make_shared<TruthTracker>(shell, setup.vehicle.lidar.range_max_m, setup.seed);
+  obstacle_tracker::ServiceParams params;
+  params.only_scans_of = setup.only_scans_of;
+  return make_service<obstacle_tracker::ObstacleTrackerService>(shell, params);
+}
+
+std::shared_ptr<void> make_world(const Setup& setup, service::Shell& shell) {
+  fake_world::ServiceConfig config;
+  config.scenario = setup.scenario;
+  config.seed = setup.seed;
+  config.state_file = kStateFile;
+  return make_service<fake_world::FakeWorldService>(shell, config);
+}
+
+const local_planner::Variant& variant_of(const Setup& setup) {
+  return setup.own_variant ? *setup.own_variant : *local_planner::find_variant(setup.local);
+}
+
+/// With the scenario's outline, speed and model, and the limits of the local planner's paper where they are asked for.
+fake_vehicle::Parameters parameters_of(const Setup& setup, const scenario::Vehicle& vehicle) {
+  fake_vehicle::Parameters parameters = setup.vehicle;
+  parameters.radius_m = vehicle.radius_m;
+  parameters.length_m = vehicle.length_m;
+  parameters.width_m = vehicle.width_m;
+  parameters.ahead_m = vehicle.ahead_m;
+  parameters.limits.max_speed_mps = vehicle.max_speed_mps;
+  parameters.limits.model = vehicle.kinematic_model();
+  parameters.limits.axle = vehicle.axle;
+  if (setup.perception == Perception::kTruth) parameters.lidar.rays = kFewestRays;
+  if (!setup.paper_limits) return parameters;
+  const local_planner::PaperLimits& paper = variant_of(setup).paper;
+  parameters.limits = {paper.max_speed_mps,         0.0,
+                       paper.max_turn_radps,        paper.max_acceleration_mps2,
+                       paper.max_deceleration_mps2, paper.max_turn_acceleration_radps2,
+                       vehicle.kinematic_model(),   vehicle.axle};
+  return parameters;
+}
+
+std::shared_ptr<void> make_vehicle(const Setup& setup, const scenario::Vehicle& vehicle, service::Shell& shell) {
+  fake_vehicle::ServiceConfig config;
+  config.vehicle = parameters_of(setup, vehicle);
+  config.seed = setup.seed;
+  config.run = setup.scenario.name + "/" + vehicle.id;
+  config.start_in_map = scenario::varied_start(vehicle, setup.scenario.start_jitter_m, setup.seed);
+  config.state_file = kStateFile;
+  return make_vehicle_service<fake_vehicle::FakeVehicleService>(shell, config);
+}
+
+std::shared_ptr<void> make_local_planner(const Setup& setup, service::Shell& shell) {
+  local_planner::ServiceConfig config;
+  config.planner = setup.local;
+  config.settings = setup.settings;
+  if (setup.paper_limits) {
+    const local_planner::PaperLimits& paper = variant_of(setup).paper;
+    config.settings.dwa.horizon_s = paper.horizon_s;
+    config.settings.comfort_mps2 = std::min(config.settings.comfort_mps2, paper.max_deceleration_mps2);
+  }
+  return make_vehicle_service<local_planner::LocalPlannerService>(shell, config);
+}
+
+std::shared_ptr<void> make_dispatcher(const Setup& setup, service::Shell& shell) {
+  dispatcher::ServiceConfig config;
+  config.scenario = setup.scenario;
+  config.state_file = kStateFile;
+  return make_service<dispatcher::DispatcherService>(shell, config);
+}
+
+}  // namespace
+
+std::vector<Blueprint> blueprints_of(const Setup& setup) {
+  constexpr bool kIsWorld = true;
+  const auto with = [&setup](auto make) {
+    return [&setup, make](service::Shell& shell) { return make(setup, shell); };
+  };
+  std::vector<Blueprint> all;
+  all.push_back({"map", "", !kIsWorld, with(make_map)});
+  all.push_back({"global-planner", "", !kIsWorld, with(make_global_planner)});
+  all.push_back({"obstacle-tracker", "", !kIsWorld, with(make_tracker)});
+  all.push_back({"fake-world", "", kIsWorld, with(make_world)});
+  for (const scenario::Vehicle& vehicle : setup.scenario.vehicles) {
+    all.push_back({"fake-vehicle", vehicle.id, kIsWorld,
+                   [&setup, &vehicle](service::Shell& shell) { return make_vehicle(setup, vehicle, shell); }});
+    all.push_back({"local-planner", vehicle.id, !kIsWorld, with(make_local_planner)});
+  }
+  all.push_back({"dispatcher", "", !kIsWorld, with(make_dispatcher)});
+  return all;
+}
+
+}  // namespace aisle::sim

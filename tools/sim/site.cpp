@@ -1,0 +1,309 @@
+#include "tools/sim/site.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/details/null_mutex.h>
+#include <spdlog/logger.h>
+#include <spdlog/sinks/base_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <utility>
+
+#include "tools/referee/referee_service.hpp"
+#include "tools/sim/drive_recorder.hpp"
+#include "tools/sim/fault_schedule.hpp"
+#include "tools/sim/process.hpp"
+#include "tools/sim/services.hpp"
+#include "tools/sim/sqlite_on_disk.hpp"
+
+namespace aisle::sim {
+namespace {
+
+using bus::simulated::Link;
+using bus::simulated::Network;
+using std::chrono::milliseconds;
+using std::chrono::nanoseconds;
+using std::chrono::seconds;
+
+constexpr milliseconds kBetweenStarts{7};  // as a supervisor starts processes: each has a boot id of its own
+constexpr milliseconds kLook{50};          // whether the run is over
+constexpr seconds kRestart{1};             // of a process that ended by itself
+constexpr const char* kReferee = "referee";
+
+/// Hands what services log to the run's own ears.
+class LineSink final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
+ public:
+  explicit LineSink(std::function<void(const std::string&)> say) : say_(std::move(say)) {}
+
+ protected:
+  void sink_it_(const spdlog::details::log_msg& line) override {
+    say_(std::string(line.logger_name.begin(), line.logger_name.end()) + ": " +
+         std::string(line.payload.begin(), line.payload.end()));
+  }
+  void flush_() override {}
+
+ private:
+  std::function<void(const std::string&)> say_;
+};
+
+/// While it lives, what is logged without a name goes the same way.
+class ScopedDefaultLogger {
+ public:
+  explicit ScopedDefaultLogger(std::shared_ptr<spdlog::logger> logger) : before_(spdlog::default_logger()) {
+    spdlog::set_default_logger(std::move(logger));
+  }
+  ~ScopedDefaultLogger() { spdlog::set_default_logger(before_); }
+  ScopedDefaultLogger(const ScopedDefaultLogger&) = delete;
+  ScopedDefaultLogger& operator=(const ScopedDefaultLogger&) = delete;
+
+ private:
+  std::shared_ptr<spdlog::logger> before_;
+};
+
+nanoseconds of_seconds(double s) { return nanoseconds(static_cast<std::int64_t>(s * 1e9)); }
+nanoseconds of_milliseconds(double ms) { return nanoseconds(static_cast<std::int64_t>(ms * 1e6)); }
+
+referee::Expectation expectation_of(const scenario::Scenario& scenario) {
+  referee::Expectation expectation;
+  for (const scenario::Mission& mission : scenario.missions)
+    expectation.goals_of[mission.vehicle] += static_cast<int>(mission.goals_in_map.size()) * mission.loops;
+  return expectation;
+}
+
+class Site {
+ public:
+  using Says = std::function<void(const std::string&)>;
+
+  Site(const lockstep::Setup& setup, const Faults& faults, Says says)
+      : setup_(setup),
+        faults_(faults),
+        says_(std::move(says)),
+        log_(std::make_shared<spdlog::logger>("site", std::make_shared<LineSink>([this](const auto& l) { say(l); }))),
+        default_logger_(log_),
+        network_(setup.seed * 1'000'003 + faults.seed),
+        begun_(network_.now()),
+        walls_(setup.grid),
+        referee_bus_(network_.join(settings_of(kReferee), kReferee)),
+        referee_shell_(*referee_bus_, {kReferee, kReferee, "", 1, kReferee, 1}, {log_->clone(kReferee), {}, {}}),
+        referee_(*referee_bus_, referee_shell_.health(), walls_, expectation_of(setup.scenario)),
+        recorder_(referee_shell_) {
+    log_->set_level(says_ ? spdlog::level::info : spdlog::level::off);
+    put_sqlite_on_simulated_disks();
+    referee_bus_->drive();
+    for (Blueprint& blueprint : blueprints_of(setup)) add(std::move(blueprint));
+    plan_faults();
+  }
+
+  Outcome run(const std::function<bool(double)>& goes_on) {
+    std::string because;
+    double asked_s = -1.0;
+    while (because.empty()) {
+      network_.advance_to(network_.now() + kLook);
+      const double t_s = now_s();
+      if (referee_.is_over()) because = "all missions are over";
+      if (t_s >= setup_.scenario.duration_s) because = fmt::format("{:.0f} s are over", setup_.scenario.duration_s);
+      if (goes_on && t_s - asked_s >= 1.0 && !goes_on(asked_s = t_s)) because = "stopped";
+    }
+    return outcome(because);
+  }
+
+ private:
+  static bus::Settings settings_of(const std::string& name) {
+    bus::Settings settings;
+    settings.participant_name = name;
+    return settings;
+  }
+
+  double now_s() const { return std::chrono::duration<double>(network_.now() - begun_).count(); }
+
+  void say(const std::string& text) {
+    if (says_) says_(fmt::format("{:8.3f} {}", now_s(), text));
+  }
+
+  void add(Blueprint blueprint) {
+    const std::string name = blueprint.name();
+    auto process = std::make_unique<Process>(
+        network_, std::move(blueprint), log_->clone(name), [this, name](const std::string& why) {
+          say(name + " ended: " + why);
+          ++counts_["ended_by_itself"];
+          network_.at(network_.now() + kRestart, [this, name] { find(name).start(); });
+        });
+    Process& added = *processes_.emplace_back(std::move(process));
+    const auto number = static_cast<int>(processes_.size());
+    network_.at(begun_ + number * kBetweenStarts, [&added] { added.start(); });
+  }
+
+  Process& find(const std::string& name) {
+    return **std::find_if(processes_.begin(), processes_.end(), [&](const auto& p) { return p->name() == name; });
+  }
+
+  void plan_faults() {
+    std::vector<std::string> services, others;
+    for (const auto& process : processes_)
+      (process->blueprint().is_world ? others : services).push_back(process->name());
+    for (const FaultAction& action : schedule(faults_.plan, services, others, faults_.seed))
+      network_.at(begun_ + of_seconds(action.t_s), [this, action] { apply(action); });
+  }
+
+  void apply(const FaultAction& action) {
+    using Kind = FaultAction::Kind;
+    const std::string name = name_of(action.kind);
+    if (!name.empty()) {
+      ++counts_[name];
+      say(name + " " + action.process + (action.to.empty() ? "" : (action.both_ways ? " <-> " : " -> ") + action.to));
+    }
+    switch (action.kind) {
+      case Kind::kLinksChange:
+        return set_links();
+      case Kind::kCut:
+      case Kind::kHeal:
+        return set_cut(action);
+      case Kind::kCrash:
+        return find(action.process).crash();
+      case Kind::kStart:
+        return find(action.process).start();
+      case Kind::kHang:
+      case Kind::kGoOn:
+        return find(action.process).hang(action.kind == Kind::kHang);
+      case Kind::kClockJump:
+        clock_offsets_[action.process] += of_seconds(action.by_s);
+        return network_.set_wall_clock_offset(action.process, clock_offsets_[action.process]);
+      case Kind::kDiskFull:
+      case Kind::kDiskFree:
+        return find(action.process).disk().set_full(action.kind == Kind::kDiskFull);
+      case Kind::kFilesTorn:
+      case Kind::kFilesLost:
+        return harm_files(find(action.process), action.kind == Kind::kFilesTorn);
+    }
+  }
+
+  /// Files change while nobody has them open: the host lost its power, and the process with it.
+  void harm_files(Process& process, bool torn) {
+    const bool was_up = process.is_up();
+    process.crash();
+    if (torn) {
+      process.disk().tear_files();
+    } else {
+      process.disk().lose_files();
+    }
+    if (was_up) network_.at(network_.now() + kRestart, [&process] { process.start(); });
+  }
+
+  void set_cut(const FaultAction& action) {
+    const int more = action.kind == FaultAction::Kind::kCut ? 1 : -1;
+    cuts_[{action.process, action.to}] += more;
+    if (action.both_ways) cuts_[{action.to, action.process}] += more;
+    set_links();
+  }
+
+  /// The laws of nature between the parts of the world are spared, and so is all that the referee hears.
+  void set_links() {
+    for (const auto& from : processes_) {
+      for (const auto& to : processes_) {
+        if (from == to || (from->blueprint().is_world && to->blueprint().is_world)) continue;
+        network_.set_link(from->name(), to->name(), link_now(from->name(), to->name()));
+      }
+    }
+  }
+
+  Link link_now(const std::string& from, const std::string& to) {
+    const LinkFault harm = harm_at(faults_.plan, now_s(), from, to);
+    Link link = network_.options().link;
+    link.latency += of_milliseconds(harm.delay_ms);
+    link.jitter += of_milliseconds(harm.jitter_ms);
+    link.loss = harm.loss;
+    link.duplicate = harm.duplicates;
+    link.reorder = harm.reordered;
+    if (harm.reordered > 0.0) link.hold_back = of_milliseconds(harm.reorder_ms);
+    const auto cut = cuts_.find({from, to});
+    link.cut = cut != cuts_.end() && cut->second > 0;
+    return link;
+  }
+
+  Outcome outcome(const std::string& because) {
+    Outcome all;
+    all.report = referee_.finish();
+    all.report.ended_because = because;
+    all.report.scenario = setup_.scenario.name;
+    all.report.seed = setup_.seed;
+    all.report.person_clearance_m = setup_.scenario.person_clearance_m;
+    all.report.people_give_way = setup_.scenario.recordings.empty();
+    recorder_.fill(all.result);
+    fill_result(all.report, all.result);
+    const bus::simulated::Tally& tally = network_.tally();
+    all.messages = tally.samples;
+    all.faults = counts_;
+    const std::pair<const char*, std::uint64_t> packets[] = {{"lost_packets", tally.lost},
+                                                             {"delayed_packets", tally.delayed},
+                                                             {"duplicated_packets", tally.duplicated},
+                                                             {"reordered_packets", tally.reordered},
+                                                             {"cut_packets", tally.cut}};
+    for (const auto& [name, count] : packets)
+      if (count > 0) all.faults[name] = count;
+    return all;
+  }
+
+  void fill_result(const referee::RunReport& report, lockstep::Result& result) const {
+    result.goals_assigned = report.goals_expected;
+    result.goals_reached = report.count(referee::GoalOutcome::kReached);
+    result.contacts = static_cast<int>(report.contacts.size());
+    result.contacts_moving_vehicle = report.contacts_moving_vehicle();
+    result.distance_m = report.distance_m();
+    const bool anybody_drove = result.distance_m > 0.0;  // else it is the scenario's clearance, not the drivers'
+    result.least_clearance_m =
+        anybody_drove ? report.clearances.overall_m().value_or(lockstep::kNothingNearM) : lockstep::kNothingNearM;
+    result.time_s = report.duration_s;
+    result.replans = report.replans();
+    for (const scenario::Vehicle& vehicle : setup_.scenario.vehicles) {
+      int reached = 0;
+      int assigned = 0;
+      double done_s = -1.0;
+      for (const referee::GoalRecord& goal : report.goals) {
+        if (goal.agv_id != vehicle.id) continue;
+        ++assigned;
+        if (goal.outcome != referee::GoalOutcome::kReached) continue;
+        ++reached;
+        done_s = std::max(done_s, goal.decided_s);
+      }
+      result.reached.push_back(reached);
+      result.done_s.push_back(reached == assigned ? done_s : -1.0);
+      const auto row = report.vehicles.find(vehicle.id);
+      result.replanned.push_back(row == report.vehicles.end() ? 0 : row->second.replans);
+    }
+    for (const referee::Contact& c : report.contacts)
+      result.log.push_back(
+          fmt::format("{:8.3f} CONTACT {} {} {}", c.begin_s, c.a, c.b, c.vehicle_moved() ? "moving" : "standing"));
+    for (const referee::GoalRecord& goal : report.goals)
+      if (goal.outcome == referee::GoalOutcome::kFailed)
+        result.log.push_back(
+            fmt::format("{:8.3f} {} goal missed: {} {}", report.duration_s, goal.agv_id, goal.goal_id, goal.reason));
+  }
+
+  const lockstep::Setup& setup_;
+  const Faults& faults_;
+  Says says_;
+  std::shared_ptr<spdlog::logger> log_;
+  ScopedDefaultLogger default_logger_;
+  Network network_;
+  time::Stamp begun_;
+  referee::Walls walls_;
+  std::unique_ptr<bus::simulated::SimulatedBus> referee_bus_;
+  service::Shell referee_shell_;
+  referee::RefereeService referee_;
+  DriveRecorder recorder_;
+  std::vector<std::unique_ptr<Process>> processes_;
+  std::map<std::string, nanoseconds> clock_offsets_;
+  std::map<std::pair<std::string, std::string>, int> cuts_;  // how many cuts lie on each way now
+  std::map<std::string, std::uint64_t> counts_;
+};
+
+}  // namespace
+
+Outcome drive(const lockstep::Setup& setup, const Faults& faults, const std::function<bool(double t_s)>& goes_on,
+              const std::function<void(const std::string& line)>& says) {
+  return Site(setup, faults, says).run(goes_on);
+}
+
+}  // namespace aisle::sim

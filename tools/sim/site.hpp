@@ -1,0 +1,41 @@
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tools/lockstep/simulation.hpp"
+#include "tools/referee/core/run_report.hpp"
+#include "tools/sim/fault_plan.hpp"
+
+namespace aisle::sim {
+
+/// What goes wrong in a run, and by which seed. The seed draws which processes are hit and which packets.
+struct Faults {
+  FaultPlan plan;
+  std::uint64_t seed{1};
+};
+
+/// What a run gave. `report` is the referee's; `result` repeats its counts beside the figures of how vehicles drove.
+struct Outcome {
+  lockstep::Result result;
+  referee::RunReport report;
+  std::map<std::string, std::uint64_t> faults;  // what was done, by kind: "crash", "lost_packets", ...
+  std::uint64_t messages{0};                    // samples handed to services
+};
+
+/// Runs a scenario with all its services, as they are, on a simulated network in this thread: map, planners, tracker
+/// (or its stand-in, Perception::kTruth), fake vehicles and world, dispatcher, referee. Ends when the referee says so,
+/// when the scenario's time is over, or when `goes_on`, asked each simulated second, says no. The same setup and faults
+/// give the same outcome to the bit.
+///
+/// @param says gets a line for each thing that is done to the site, and, where the log level lets them through, what
+///   services log
+/// @throws config::BadInput for a fault plan that names a process which does not exist
+Outcome drive(const lockstep::Setup& setup, const Faults& faults = {},
+              const std::function<bool(double t_s)>& goes_on = {},
+              const std::function<void(const std::string& line)>& says = {});
+
+}  // namespace aisle::sim
