@@ -1,9 +1,11 @@
-// aisle drive: a scenario in lock-step, without DDS, with the services' own cores from scan to motion.
+// aisle drive: a scenario with all its services on a simulated network, in virtual time and without DDS.
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -15,13 +17,16 @@
 #include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/critic.hpp"
 #include "tools/cli/cli.hpp"
-#include "tools/cli/drive_picture.hpp"
 #include "tools/cli/json/json.hpp"
 #include "tools/cli/progress_line.hpp"
 #include "tools/cli/text.hpp"
 #include "tools/lab/planning/output_file.hpp"
 #include "tools/lockstep/families.hpp"
 #include "tools/lockstep/totals.hpp"
+#include "tools/referee/core/walls.hpp"
+#include "tools/referee/report/fleet_svg.hpp"
+#include "tools/referee/report/report_json.hpp"
+#include "tools/sim/site.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -34,6 +39,8 @@ struct Options {
   int runs{1};
   std::string svg;
   std::string only_scans_of;
+  std::string faults;
+  int fault_seed{0};
   bool truth{false};
   bool paper_limits{false};
   bool verbose{false};
@@ -79,7 +86,27 @@ lockstep::Setup setup_of(const Options& options, int run) {
   return setup;
 }
 
-void print(const Cli& cli, const Options& options, const lockstep::Totals& totals, double realtime_factor) {
+/// What several runs gave.
+struct Driven {
+  lockstep::Totals totals;
+  double took_s{0.0};  // of this process's CPU time: what else the machine does is no matter
+  std::map<std::string, std::uint64_t> faults;
+  Json goals_failed = Json::array();
+  Json violations = Json::array();
+
+  void add(const sim::Outcome& outcome) {
+    totals.add(outcome.result);
+    for (const auto& [kind, count] : outcome.faults) faults[kind] += count;
+    const Json report = referee::to_json(outcome.report);
+    for (const Json& goal : report.at("goals_failed")) goals_failed.push_back(goal);
+    for (const Json& violation : report.at("authority_violation_list")) violations.push_back(violation);
+  }
+  bool is_good() const { return totals.is_good() && violations.empty(); }
+};
+
+void print(const Cli& cli, const Options& options, const Driven& driven) {
+  const lockstep::Totals& totals = driven.totals;
+  const double realtime_factor = driven.took_s > 0.0 ? totals.time_s / driven.took_s : 0.0;
   const std::string hash = fmt::format("{:016x}", totals.trace_hash);
   const bool has_least = totals.least_clearance_m < lockstep::kNothingNearM;
   if (cli.json) {
@@ -98,7 +125,10 @@ void print(const Cli& cli, const Options& options, const lockstep::Totals& total
                                 {"omega_sign_changes", totals.omega_sign_changes},
                                 {"jerk_rms", totals.jerk_rms},
                                 {"realtime_factor", realtime_factor},
-                                {"trace_hash", hash}})
+                                {"trace_hash", hash},
+                                {"faults", driven.faults},
+                                {"goals_failed", driven.goals_failed},
+                                {"violations", driven.violations}})
                     .c_str());
     return;
   }
@@ -112,31 +142,46 @@ void print(const Cli& cli, const Options& options, const lockstep::Totals& total
   std::printf("%.0f x real time by CPU time, trace %s\n", realtime_factor, hash.c_str());
 }
 
-struct Driven {
-  lockstep::Totals totals;
-  double took_s{0.0};  // of this process's CPU time: what else the machine does is no matter
-};
+/// Of --faults or --fault-seed. The run's own seed draws which processes and packets are hit.
+sim::Faults faults_of(const Options& options, std::uint64_t seed) {
+  if (!options.faults.empty() && options.fault_seed > 0)
+    throw config::BadInput("--faults and --fault-seed name two fault plans: give one of them");
+  if (!options.faults.empty()) return {sim::read_fault_plan(options.faults), seed};
+  if (options.fault_seed > 0) return {sim::random_fault_plan(static_cast<std::uint64_t>(options.fault_seed)), seed};
+  return {};
+}
 
 /// One run, with its picture where one is asked for. @returns false when the user stopped it
 bool drive_once(const Options& options, int run, ProgressLine& progress, Driven& driven) {
   const lockstep::Setup setup = setup_of(options, run);
-  DrivePicture picture(setup);
-  const bool draws = !options.svg.empty() && run == 0;
+  const sim::Faults faults = faults_of(options, setup.seed);
+  const std::string prefix = options.runs > 1 ? fmt::format("seed {}: ", setup.seed) : "";
+  const auto say = [&](const std::string& line) {
+    progress.clear();
+    std::fprintf(stderr, "%s%s\n", prefix.c_str(), printable(line).c_str());
+  };
   const std::chrono::nanoseconds begun = process::cpu_time();
-  const lockstep::Result result = lockstep::run(setup, draws ? picture.watch() : lockstep::Watch{}, [&](double t_s) {
-    progress.tell(fmt::format("run {} of {}: {:.0f} s of at most {:.0f} s simulated", run + 1, options.runs, t_s,
-                              setup.scenario.duration_s));
-    return !is_interrupted();
-  });
+  const sim::Outcome outcome = sim::drive(
+      setup, faults,
+      [&](double t_s) {
+        progress.tell(fmt::format("run {} of {}: {:.0f} s of at most {:.0f} s simulated", run + 1, options.runs, t_s,
+                                  setup.scenario.duration_s));
+        return !is_interrupted();
+      },
+      options.verbose ? say : std::function<void(const std::string&)>{});
   if (is_interrupted()) return false;
   driven.took_s += Seconds(process::cpu_time() - begun).count();
-  driven.totals.add(result);
+  driven.add(outcome);
   progress.clear();
-  if (draws) write_output_file(options.svg, picture.svg(result));
-  for (const std::string& line : result.log)
-    if (options.verbose || lockstep::is_verdict(line))
-      std::fprintf(stderr, "%s%s\n", options.runs > 1 ? fmt::format("seed {}: ", setup.seed).c_str() : "",
-                   printable(line).c_str());
+  if (!options.svg.empty() && run == 0)
+    write_output_file(options.svg, referee::fleet_svg(outcome.report, referee::Walls(setup.grid)));
+  for (const std::string& line : outcome.result.log) say(line);
+  const bool is_good = outcome.report.goals_missed() == 0 && outcome.report.contacts_moving_vehicle() == 0 &&
+                       outcome.report.violations.empty();
+  if (options.fault_seed > 0 && (options.verbose || !is_good))
+    std::fprintf(stderr, "# --seed %llu --fault-seed %d is --seed %llu --faults with this file:\n%s",
+                 static_cast<unsigned long long>(setup.seed), options.fault_seed,
+                 static_cast<unsigned long long>(setup.seed), sim::to_yaml(faults.plan).c_str());
   return true;
 }
 
@@ -152,8 +197,8 @@ int drive(const Cli& cli, const Options& options) {
   for (int run = 0; run < options.runs && goes_on; ++run) goes_on = drive_once(options, run, progress, driven);
   progress.clear();
   if (!goes_on) std::fprintf(stderr, "aisle drive: stopped after %d of %d runs\n", driven.totals.runs, options.runs);
-  print(cli, options, driven.totals, driven.took_s > 0.0 ? driven.totals.time_s / driven.took_s : 0.0);
-  return goes_on && driven.totals.is_good() ? process::kDone : process::kNegative;
+  print(cli, options, driven);
+  return goes_on && driven.is_good() ? process::kDone : process::kNegative;
 }
 
 }  // namespace
@@ -161,8 +206,8 @@ int drive(const Cli& cli, const Options& options) {
 void add_drive(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<Options>();
   Verb(parent, cli, "drive",
-       "drive a scenario in lock-step, without DDS; exit code 1 when a goal was missed or a moving vehicle touched "
-       "something")
+       "drive a scenario with all services on a simulated network, without DDS; exit code 1 when a goal was missed, a "
+       "moving vehicle touched something, or a vehicle obeyed a command that it should not have")
       .option("--scenario", options->scenario, "a scenario file, or one of " + listed(lockstep::families()))
       .option("--local", options->local,
               "local planner: " + local_planner::variant_names() + "; default: " + options->local)
@@ -173,6 +218,9 @@ void add_drive(CLI::App& parent, Cli& cli) {
       .option("--svg", options->svg, "file for a picture of the first run")
       .option("--only-scans-of", options->only_scans_of,
               "the one vehicle whose scans the obstacle tracker takes; default: all")
+      .option("--faults", options->faults, "file that says what goes wrong, e.g. deploy/faults/loss.yaml")
+      .option("--fault-seed", options->fault_seed, 1, 1'000'000'000,
+              "makes such a plan up, the same for the same number")
       .flag("--truth", options->truth, "tracks from the truth in sight, not from simulated scans")
       .flag("--paper-limits", options->paper_limits, "vehicles as in the local planner's paper")
       .flag("--verbose", options->verbose, "what happened, on stderr")

@@ -47,6 +47,17 @@ TEST(Drive, TheSameSeedDrivesTheSameTraceAndAnotherAnother) {
   EXPECT_GT(once["least_clearance_m"], 0.0);
 }
 
+TEST(Drive, AFaultPlanIsRepeatedExactlyAndWhatWasDoneIsCounted) {
+  const std::vector<std::string> arguments{"--scenario", "crossing", "--seed", "3", "--fault-seed", "2"};
+  const nlohmann::json once = drive(arguments);
+  const nlohmann::json again = drive(arguments);
+  EXPECT_EQ(once["trace_hash"], again["trace_hash"]);
+  EXPECT_EQ(once["faults"], again["faults"]);
+  EXPECT_FALSE(once["faults"].empty());
+  EXPECT_TRUE(once["violations"].empty());
+  EXPECT_TRUE(drive({"--scenario", "crossing", "--seed", "3"})["faults"].is_object());
+}
+
 TEST(Drive, TakesPlannersByNameAndDrawsThePicture) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("aisle-drive-" + std::to_string(getpid()) + ".svg");
@@ -87,6 +98,7 @@ TEST(Drive, NamesWhatIsMisspelt) {
   EXPECT_THAT(bad_input({}), HasSubstr("--scenario is missing"));
   EXPECT_THAT(bad_input({"--scenario", "crossing", "--seed", "-1"}), HasSubstr("--seed"));
   EXPECT_THAT(bad_input({"--scenario", "crossing", "--runs", "0"}), HasSubstr("--runs"));
+  EXPECT_THAT(bad_input({"--scenario", "crossing", "--faults", "none.yaml"}), HasSubstr("none.yaml"));
 }
 
 TEST(Drive, APictureThatCannotBeWrittenIsRefusedBeforeTheRun) {
@@ -148,9 +160,11 @@ TEST(Drive, AGoalThatCannotBeReachedIsMissedWithItsReason) {
   const OwnScenario scenario("{id: agv-1, start: [4.0, 5.0]}", "[0.1, 0.1]");
   ChildProcess aisle({test_support::program("aisle"), "drive", "--json", "--scenario", scenario.file()});
   EXPECT_EQ(aisle.wait(seconds(60)), 1);
-  EXPECT_THAT(aisle.err(), HasSubstr("goal missed: failed, unreachable the goal (0.10, 0.10) has 0.00 m of clearance"));
+  EXPECT_THAT(aisle.err(), HasSubstr("the goal (0.10, 0.10) has 0.00 m of clearance"));
   const nlohmann::json report = nlohmann::json::parse(aisle.out());
   EXPECT_EQ(report["goals_reached"], 0);
+  ASSERT_EQ(report["goals_failed"].size(), 1u);
+  EXPECT_EQ(report["goals_failed"][0]["agv"], "agv-1");
   EXPECT_TRUE(report["least_clearance_m"].is_null()) << "it never moved";
 }
 
