@@ -11,9 +11,10 @@
 namespace aisle::cli {
 namespace {
 
-constexpr double kFarthestM = 1e6;
-constexpr double kLargest_m = 100.0;  // of a vehicle
+constexpr double kFarthestM = 1e6;   // of a coordinate
+constexpr double kLargestM = 100.0;  // of a vehicle's length or width
 
+/// Finite numbers between commas; blanks before a number are left out.
 std::vector<double> split_numbers(const std::string& what, const std::string& text, const std::string& example) {
   const auto fail = [&](const std::string& why) {
     throw config::BadInput(what + ": '" + text + "' " + why + "; write e.g. " + example);
@@ -55,7 +56,7 @@ geometry::Footprint parse_footprint(const std::string& what, const std::string& 
   if (numbers.size() != 2 && numbers.size() != 3) fail("has " + std::to_string(numbers.size()) + " numbers");
   if (numbers[0] <= 0.0 || numbers[1] <= 0.0) fail("has a length or width that is not above 0");
   for (const double number : numbers) {
-    if (std::abs(number) > kLargest_m) fail("is more than 100 m");
+    if (std::abs(number) > kLargestM) fail("is more than 100 m");
   }
   return geometry::rectangle(numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0);
 }

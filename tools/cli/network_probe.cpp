@@ -16,6 +16,7 @@ namespace {
 constexpr const char* kGroup = "239.255.0.1";  // the one that RTPS discovery uses
 constexpr int kPatienceMs = 300;
 
+/// A datagram socket that closes itself.
 class Socket {
  public:
   Socket() : fd_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {}
@@ -34,6 +35,8 @@ class Socket {
   int fd_;
 };
 
+/// Joins the group on this interface, sends one datagram to it that may not leave the host, and waits for it to come
+/// back.
 bool multicast_works(in_addr address) {
   Socket socket;
   ip_mreq membership{};
@@ -43,15 +46,18 @@ bool multicast_works(in_addr address) {
   if (!socket.set(IP_ADD_MEMBERSHIP, membership) || !socket.set(IP_MULTICAST_IF, address) ||
       !socket.set(IP_MULTICAST_TTL, nowhere))
     return false;
+
   sockaddr_in here{};
   here.sin_family = AF_INET;
   here.sin_addr.s_addr = htonl(INADDR_ANY);
   socklen_t length = sizeof here;
   if (bind(socket.fd(), reinterpret_cast<sockaddr*>(&here), sizeof here) != 0) return false;
   if (getsockname(socket.fd(), reinterpret_cast<sockaddr*>(&here), &length) != 0) return false;
+
   here.sin_addr = membership.imr_multiaddr;
   const char word[] = "aisle doctor";
   if (sendto(socket.fd(), word, sizeof word, 0, reinterpret_cast<sockaddr*>(&here), sizeof here) < 0) return false;
+
   pollfd waiting{socket.fd(), POLLIN, 0};
   return poll(&waiting, 1, kPatienceMs) == 1;
 }

@@ -12,9 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kShownElements = 8;
-constexpr std::size_t kWidestLine = 110;
+constexpr std::size_t kShownElements = 8;  // of a long list
+constexpr std::size_t kWidestLine = 110;   // characters; longer structures get a line for each member
 
+/// A value that is neither list nor structure.
 std::string scalar(const Json& value) {
   if (value.is_string()) {
     const std::string text = printable(value.get_ref<const std::string&>());
@@ -51,6 +52,7 @@ bool is_picture(const std::string& key, const Json& value) {
   return key == "picture" && value.is_array() && !value.empty() && value.front().is_string();
 }
 
+/// One line a member; structures and lists of structures that are too long for a line go on below, indented.
 void add_lines(const Json& object, Length length, const std::string& indent, std::string& out) {
   for (const auto& [key, value] : object.items()) {
     if (is_picture(key, value)) {

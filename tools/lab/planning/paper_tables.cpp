@@ -100,12 +100,13 @@ const std::vector<Case> kCases{
     {"wang-map-3", "WANG table 3, map 3, 40x40, 74 blocks", "wang", Heuristic::kChebyshev, Moves::kEight, 0.0, {}},
 };
 
-/// In a file of its own, so that a table says nothing that another run of the same map would not say.
+/// One planner on the map of a case.
 struct Row {
   std::string name;
   Answer answer;
 };
 
+/// What an answer has in that line of the table.
 double figure_of(const Answer& answer, Figure figure) {
   switch (figure) {
     case Figure::kLength:
@@ -139,12 +140,14 @@ std::string pair(Figure figure, double from, double to) {
   return digits(from, after_point) + " -> " + digits(to, after_point);
 }
 
+/// Does the figure change in the way that the paper reports?
 std::string verdict(const Published& published, double ours_from, double ours_to) {
   const bool claims_less = published.improved < published.traditional;
   if (ours_to == ours_from) return "equal";
   return (ours_to < ours_from) == claims_less ? "same direction" : "**other direction**";
 }
 
+/// A paper's map with every planner's answer.
 class PaperCase {
  public:
   PaperCase(const Case& of, const std::filesystem::path& maps)
@@ -169,6 +172,7 @@ class PaperCase {
     return rows_.front().answer;
   }
 
+  /// The paper's figures beside ours.
   std::vector<std::vector<std::string>> compared() const {
     std::vector<std::vector<std::string>> lines;
     for (const Published& published : case_.published) {
@@ -182,6 +186,7 @@ class PaperCase {
     return lines;
   }
 
+  /// A row for each planner.
   std::string all_planners() const {
     std::vector<std::vector<std::string>> table{
         {"planner", "length m", "nodes", "turning points", "turned rad", "expanded", "least clearance m"}};
@@ -194,6 +199,7 @@ class PaperCase {
     return markdown_table(table);
   }
 
+  /// The map with the baseline's path, the paper's and the shortest.
   std::string picture() const {
     return plan_svg(map_.grid, {{"traditional A*", rows_.front().answer.plan.waypoints_in_map},
                                 {case_.planner, of(case_.planner).plan.waypoints_in_map},

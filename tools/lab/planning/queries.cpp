@@ -9,12 +9,14 @@
 namespace aisle::lab {
 namespace {
 
+/// One line of a file, in cells counted from the top row.
 struct Line {
   int width{0}, height{0};  // of the map that the line was made for; 0: not said
   int start_x{0}, start_y{0}, goal_x{0}, goal_y{0};
   double optimum_cells{0.0};
 };
 
+/// False when the text is no such line.
 bool read_line(const std::string& text, bool is_scenario, Line& line) {
   std::istringstream in(text);
   std::string bucket, map;
@@ -24,6 +26,7 @@ bool read_line(const std::string& text, bool is_scenario, Line& line) {
   return !(in >> rest) && std::isfinite(line.optimum_cells);
 }
 
+/// Rows count from the top in the file and from the bottom in the map.
 Query query_of(const Line& line, const grid::Geometry& geometry) {
   const auto center = [&](int x, int y_from_top) {
     return geometry.center_in_map({x, geometry.height - 1 - y_from_top});
@@ -52,12 +55,14 @@ std::vector<Query> read_queries(const std::filesystem::path& file, const grid::G
     const auto fail = [&](const std::string& why) {
       throw config::BadInput(file.string() + ":" + std::to_string(number) + ": " + why);
     };
+
     if (!text.empty() && text.back() == '\r') text.pop_back();
     if (number == 1 && text.rfind("version", 0) == 0) {
       is_scenario = true;
       continue;
     }
     if (text.find_first_not_of(" \t") == std::string::npos) continue;
+
     Line line;
     if (!read_line(text, is_scenario, line)) {
       fail(is_scenario ? "expected bucket, map, width, height, start x y, goal x y and optimal length"

@@ -14,10 +14,9 @@ struct Query {
   double optimum_m{0.0};  // 8-connected, no corner cut, for a point; 0: not known
 };
 
-/// Reads scenarios of Moving AI (`version 1`, then bucket, map, width, height, start, goal, optimum) or lines of `sx sy
-/// gx gy optimum`
-/// (`.q`), in cells of the map counted from the top row; start and goal become the centres of their cells. At most
-/// `limit`, evenly spread over the file.
+/// Reads scenarios of Moving AI (`version 1`, then bucket, map, width, height, start, goal, optimum) or lines of
+/// `sx sy gx gy optimum` (`.q`), in cells of the map counted from the top row; start and goal become the centres of
+/// their cells. At most `limit`, evenly spread over the file.
 /// @throws config::BadInput with file and line: not such a file, a map of another size, a cell outside it
 std::vector<Query> read_queries(const std::filesystem::path& file, const grid::Geometry& geometry, std::size_t limit);
 

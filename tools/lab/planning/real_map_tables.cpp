@@ -11,6 +11,7 @@
 namespace aisle::lab {
 namespace {
 
+/// A map of the reference data.
 struct RealMap {
   const char* name;
   bool is_ros;
@@ -28,8 +29,11 @@ constexpr RealMap kMaps[]{{"warehouse-10-20-10-2-1", false, 0.9422},
                           {"nav2_warehouse", true, 0.9516},
                           {"nav2_tb3_sandbox", true, 0.0},
                           {"aws_small_warehouse_005", true, 0.0}};
-constexpr double kRadius_m = 0.3;
+constexpr double kRadius_m = 0.3;        // of the vehicle on the ROS maps
+constexpr double kFarthestLook_m = 5.0;  // clearances are known this far
 
+/// A row for each planner over all queries that this radius can drive at all. For a point the file knows the optimum,
+/// for a disc jump points find it.
 std::string table_of(const grid::ClearanceField& clearance, const std::vector<Query>& queries, double radius_m,
                      const std::string& what, const Progress& progress) {
   std::vector<std::vector<std::string>> table{{"planner", "asked", "solved", "faults", "length/optimum", "max", "nodes",
@@ -67,7 +71,7 @@ std::string real_map_tables(const std::filesystem::path& data, int queries, cons
     const std::string name = map.name;
     const grid::OccupancyGrid grid =
         grid::read_map_file(map.is_ros ? data / "ros" / (name + ".yaml") : data / "movingai" / (name + ".map"));
-    const grid::ClearanceField clearance(grid, 5.0);
+    const grid::ClearanceField clearance(grid, kFarthestLook_m);
     const std::vector<Query> some =
         read_queries(data / "queries" / (name + ".q"), grid.geometry(), static_cast<std::size_t>(queries));
     text += "#### " + name + ", for a point\n\n";

@@ -8,8 +8,10 @@
 
 namespace aisle::lab {
 namespace {
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-}
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  // nothing was solved
+
+}  // namespace
 
 Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem,
            const global_planner::Outline& outline) {
@@ -17,6 +19,7 @@ Answer ask(global_planner::Planner& planner, const global_planner::Problem& prob
   const auto begun = std::chrono::steady_clock::now();
   answer.plan = planner.plan(problem, nullptr);
   answer.time_us = 1e6 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+
   if (answer.plan.outcome != global_planner::Outcome::kFound) return answer;
   answer.figures = global_planner::path_figures(problem.clearance, answer.plan.waypoints_in_map);
   answer.fault = global_planner::why_not_drivable(problem, answer.plan, outline);
@@ -27,6 +30,7 @@ void Tally::add(const Answer& answer, double optimum_m) {
   ++asked_;
   time_us_.push_back(answer.time_us);
   if (answer.plan.outcome != global_planner::Outcome::kFound) return;
+
   ++solved_;
   if (!answer.fault.empty()) {
     if (checker_failures_++ == 0) first_fault_ = answer.fault;

@@ -13,14 +13,16 @@ namespace {
 using geometry::Point2;
 using obstacle_tracker::Hit;
 
-constexpr double kGap_m = 0.3;
-constexpr double kGate_m = 0.6;
-constexpr double kAlpha = 0.5;
-constexpr double kBeta = 0.15;
+constexpr double kGap_m = 0.3;            // between neighbouring rays: a new cluster begins
+constexpr double kGate_m = 0.6;           // from a track to a cluster that it may take
+constexpr double kAlpha = 0.5;            // share of the residual that the position takes
+constexpr double kBeta = 0.15;            // and the velocity, over the time step
+constexpr double kShortestStep_s = 0.05;  // bounds of that time step
 constexpr double kLongestStep_s = 0.2;
-constexpr double kKeep_s = 0.5;
-constexpr int kConfirming = 3;
+constexpr double kKeep_s = 0.5;  // a track that was not seen for longer is dropped
+constexpr int kConfirming = 3;   // clusters until a track is published
 
+/// Runs of hits, each nearer than the gap to the one before; hits come in the order of their rays.
 std::vector<Point2> means_of_clusters(const std::vector<Hit>& hits) {
   std::vector<Point2> means;
   for (std::size_t i = 0; i < hits.size();) {
@@ -43,8 +45,10 @@ class NearestNeighbour final : public Contestant {
     const time::Stamp end = scan.stamp + time::from_seconds(scan.sweep_s);
     for (Entry& entry : entries_) entry.position = entry.position + time::seconds(end - moment_) * entry.velocity;
     moment_ = end;
+
     const auto sorted = obstacle_tracker::sort_rays(scan, clearance, vehicles, {}, {});
     for (const Point2 mean : means_of_clusters(sorted.hits)) give(mean);
+
     for (Entry& entry : entries_) entry.is_taken = false;
     const auto is_old = [&](const Entry& entry) { return time::seconds(moment_ - entry.seen) > kKeep_s; };
     entries_.erase(std::remove_if(entries_.begin(), entries_.end(), is_old), entries_.end());
@@ -66,6 +70,7 @@ class NearestNeighbour final : public Contestant {
   }
 
  private:
+  /// A track; position and velocity in map at the end of the newest scan.
   struct Entry {
     std::uint64_t id;
     Point2 position;
@@ -73,9 +78,10 @@ class NearestNeighbour final : public Contestant {
     time::Stamp born;
     time::Stamp seen;
     int scans;
-    bool is_taken;
+    bool is_taken;  // by a cluster of this scan
   };
 
+  /// To the nearest track within the gate that has no cluster of this scan yet; else a new track begins.
   void give(Point2 mean) {
     Entry* nearest = nullptr;
     double nearest_m = kGate_m;
@@ -85,11 +91,13 @@ class NearestNeighbour final : public Contestant {
       nearest_m = away_m;
       nearest = &entry;
     }
+
     if (nearest == nullptr) {
       entries_.push_back({next_id_++, mean, {}, moment_, moment_, 1, true});
       return;
     }
-    const double dt_s = std::clamp(time::seconds(moment_ - nearest->seen), 0.05, kLongestStep_s);
+
+    const double dt_s = std::clamp(time::seconds(moment_ - nearest->seen), kShortestStep_s, kLongestStep_s);
     const Point2 residual = mean - nearest->position;
     nearest->position = nearest->position + kAlpha * residual;
     nearest->velocity = nearest->velocity + (kBeta / dt_s) * residual;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/config/reader.hpp"
 #include "services/fake-world/core/recording.hpp"
@@ -13,16 +14,19 @@ using fake_world::RecordedPerson;
 using geometry::Point2;
 using geometry::Pose2;
 
-constexpr double kHallMargin_m = 3.0;
+constexpr double kHallMargin_m = 3.0;  // from the people's area to the hall's walls
 constexpr double kCell_m = 0.05;
-constexpr double kSpeed_mps = 0.8;
+constexpr double kSpeed_mps = 0.8;  // of vehicles that drive
 constexpr double kPersonRadius_m = 0.25;
 constexpr double kCarrierRadius_m = 0.35;
 constexpr int kSteps = 720;  // of the ellipse
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The least rectangle that holds all places.
 struct Area {
-  Point2 low{1e9, 1e9};
-  Point2 high{-1e9, -1e9};
+  Point2 low{kInfinity, kInfinity};
+  Point2 high{-kInfinity, -kInfinity};
 };
 
 Area area_of(const std::vector<RecordedPerson>& people) {
@@ -36,6 +40,7 @@ Area area_of(const std::vector<RecordedPerson>& people) {
   return area;
 }
 
+/// A hall whose only walls are its edge.
 grid::OccupancyGrid hall_around(const Area& area) {
   grid::Geometry geometry;
   geometry.resolution_m = kCell_m;
@@ -66,8 +71,11 @@ class Ellipse {
     for (int i = 1; i <= kSteps; ++i)
       along_m_.push_back(along_m_.back() + geometry::distance(point(angle(i - 1)), point(angle(i))));
   }
+
   double length_m() const { return along_m_.back(); }
 
+  /// At `way_m` along the ellipse, heading along it. Turn rate of a drive: v ab / ((a sin)^2 + (b cos)^2)^(3/2), speed
+  /// times curvature, with a and b the half axes.
   Carrier carrier_at(double way_m, bool drives) const {
     const double left_m = std::fmod(way_m, length_m());
     const auto later = std::upper_bound(along_m_.begin(), along_m_.end() - 1, left_m);
@@ -92,6 +100,8 @@ class Ellipse {
   std::vector<double> along_m_;
 };
 
+/// People as recorded, vehicles on an ellipse among them. A person that walks through a vehicle is not there meanwhile
+/// and is somebody new after it.
 class RecordedPeople final : public Scene {
  public:
   RecordedPeople(const std::vector<RecordedPerson>& people, int vehicles, bool drive, double hurry)
@@ -147,13 +157,15 @@ class RecordedPeople final : public Scene {
     });
   }
 
+  /// Puts the first vehicle where vehicles and people overlap least over the whole recording.
   void choose_place() {
     constexpr int kPlaces = 24;
+    constexpr double kRow_s = 0.4;  // of the recordings
     std::size_t fewest = static_cast<std::size_t>(-1);
     for (int i = 0; i < kPlaces; ++i) {
       const double place_m = i * ellipse_.length_m() / (kPlaces * std::max(1, vehicles_));
       std::size_t inside = 0;
-      for (double t_s = 0.0; t_s < duration_s_; t_s += 0.4) {
+      for (double t_s = 0.0; t_s < duration_s_; t_s += kRow_s) {
         const std::vector<Carrier> there = carriers(t_s, place_m);
         for (const SmoothWalk& person : people_) {
           const auto motion = person.at(t_s);

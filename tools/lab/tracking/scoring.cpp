@@ -12,12 +12,15 @@ using obstacle_tracker::Candidate;
 
 namespace {
 
+/// `part` of `whole` in [0, 1]; 0 of nothing.
 double share(std::int64_t part, std::int64_t whole) {
   return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0.0;
 }
 
 }  // namespace
 
+/// For each person the index of its claim, or -1. First what still matches keeps matching, as CLEAR MOT asks: it is the
+/// change of a pair that counts as a switch. Then the rest is assigned with the least total distance.
 std::vector<int> Scorer::match(const std::vector<Person>& people, const std::vector<Claim>& claims) const {
   std::vector<int> claim_of(people.size(), -1);
   std::vector<char> is_taken(claims.size(), 0);
@@ -31,6 +34,7 @@ std::vector<int> Scorer::match(const std::vector<Person>& people, const std::vec
       is_taken[c] = 1;
     }
   }
+
   std::vector<Candidate> candidates;
   for (std::size_t p = 0; p < people.size(); ++p) {
     for (std::size_t c = 0; c < claims.size() && claim_of[p] < 0; ++c) {
@@ -38,7 +42,8 @@ std::vector<int> Scorer::match(const std::vector<Person>& people, const std::vec
       if (!is_taken[c] && away_m <= gate_m_) candidates.push_back({static_cast<int>(p), static_cast<int>(c), away_m});
     }
   }
-  // Alone costs much more than any distance: as many pairs as possible, and among those the nearest.
+
+  // To be left alone costs much more than any distance: as many pairs as possible, and among those the nearest.
   const std::vector<int> rest = obstacle_tracker::assign(static_cast<int>(people.size()),
                                                          static_cast<int>(claims.size()), candidates, 1e3 * gate_m_);
   for (std::size_t p = 0; p < people.size(); ++p) {
@@ -58,9 +63,12 @@ Honesty Scorer::Weighing::honesty() const {
   return {count > 0 ? sum / static_cast<double>(count) : 0.0, share(inside, count)};
 }
 
+/// Normalised estimation error squared: e^T P^-1 e, of place and of velocity apart. Claims without a covariance say
+/// nothing about how sure they are.
 void Scorer::weigh(const Person& person, const Claim& claim) {
   const Eigen::Matrix4d covariance = Eigen::Map<const Eigen::Matrix4d>(claim.covariance.data());
   if (covariance.diagonal().minCoeff() <= 0.0) return;
+
   const geometry::Point2 away = claim.position_in_map - person.position_in_map;
   const geometry::Point2 faster = claim.velocity_in_map - person.velocity_in_map;
   const Eigen::Vector2d place(away.x, away.y);
@@ -69,10 +77,12 @@ void Scorer::weigh(const Person& person, const Claim& claim) {
   velocity_.add(velocity.dot(covariance.bottomRightCorner<2, 2>().inverse() * velocity));
 }
 
+/// Counts one person at one moment; `claim` is none when it was missed.
 void Scorer::judge(const Person& person, const Claim* claim) {
   constexpr double kOldEnough_s = 1.0;
   History& history = histories_[person.id];
   if (person.is_counted) ++people_;
+
   if (claim == nullptr) {
     if (!person.is_counted) return;
     ++misses_;
@@ -80,6 +90,7 @@ void Scorer::judge(const Person& person, const Claim* claim) {
     if (!history.has_track) ++history.waited;
     return;
   }
+
   if (person.is_counted) {
     if (history.has_track && history.track != claim->id) ++switches_;
     if (history.is_lost) ++fragments_;
@@ -93,10 +104,12 @@ void Scorer::judge(const Person& person, const Claim* claim) {
       weigh(person, *claim);
     }
   }
+
   history.has_track = true;
   history.track = claim->id;
 }
 
+/// Counts each claim: right, false, or of a person that does not count; and how long which ids were together, for IDF1.
 void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Claim>& claims,
                       const std::vector<int>& claim_of) {
   std::vector<int> person_of(claims.size(), -1);
@@ -127,7 +140,8 @@ void Scorer::look(const std::vector<Person>& people, const std::vector<Claim>& c
   note_ids(people, claims, claim_of);
 }
 
-/// The most moments that one track a person and one person a track can explain.
+/// The most moments that one lasting pairing of people and tracks can explain: an assignment with the moments that two
+/// ids spent together as gain (Ristani et al. 2016).
 std::int64_t Scorer::ids_explained() const {
   std::map<int, int> rows;
   std::map<std::uint64_t, int> columns;
@@ -137,8 +151,10 @@ std::int64_t Scorer::ids_explained() const {
     const int column = columns.try_emplace(ids.second, static_cast<int>(columns.size())).first->second;
     candidates.push_back({row, column, -static_cast<double>(moments)});
   }
+
   const std::vector<int> track_of =
       obstacle_tracker::assign(static_cast<int>(rows.size()), static_cast<int>(columns.size()), candidates, 0.0);
+
   std::int64_t explained = 0;
   for (const Candidate& candidate : candidates) {
     if (track_of[static_cast<std::size_t>(candidate.row)] == candidate.column)
@@ -160,6 +176,7 @@ Score Scorer::score() const {
   score.velocity_rms_mps = velocities_ > 0 ? std::sqrt(velocity_squares_ / static_cast<double>(velocities_)) : 0.0;
   score.place = place_.honesty();
   score.velocity = velocity_.honesty();
+
   int found = 0;
   for (const auto& [id, history] : histories_) {
     if (!history.has_track) continue;
@@ -167,6 +184,7 @@ Score Scorer::score() const {
     score.latency_scans += history.waited;
   }
   if (found > 0) score.latency_scans /= found;
+
   int false_tracks = 0;
   for (const auto& [id, life] : lives_) {
     if (life.right > 0) continue;

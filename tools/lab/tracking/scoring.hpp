@@ -36,16 +36,15 @@ struct Honesty {
 
 /// Figures over all moments so far; shares in [0, 1] but for mota, which is negative where errors outnumber people.
 struct Score {
-  double mota{0.0};              // 1 - (misses + false claims + switches) / people
-  double motp_m{0.0};            // mean distance of matched pairs
-  double idf1{0.0};              // share of claims and people that one lasting pairing of ids explains
-  int id_switches{0};            // a person's track is another than last time
-  int fragments{0};              // a person is lost while counted, and found again
-  double velocity_rms_mps{0.0};  // of the velocity vector's error, matched tracks older than 1 s
-  Honesty place, velocity;       // of those that say how sure they are
-  double latency_scans{
-      0.0};  // mean number of moments from the first at which a person counts to the first with a track
-  double false_tracks_per_min{0.0};  // ids that were claimed and never anybody's
+  double mota{0.0};                  // 1 - (misses + false claims + switches) / people
+  double motp_m{0.0};                // mean distance of matched pairs
+  double idf1{0.0};                  // share of claims and people that one lasting pairing of ids explains
+  int id_switches{0};                // a person's track is another than last time
+  int fragments{0};                  // a person is lost while counted, and found again
+  double velocity_rms_mps{0.0};      // of the velocity vector's error, matched tracks older than 1 s
+  Honesty place, velocity;           // of those that say how sure they are
+  double latency_scans{0.0};         // moments from the first at which a person counts to the first with a track
+  double false_tracks_per_min{0.0};  // ids that were claimed and never matched
   double longest_false_s{0.0};
   std::int64_t people{0};  // of all moments
   std::int64_t misses{0};
@@ -59,25 +58,29 @@ class Scorer {
  public:
   explicit Scorer(double period_s, double gate_m = 0.5) : period_s_(period_s), gate_m_(gate_m) {}
 
+  /// The next moment, `period_s` after the one before.
   void look(const std::vector<Person>& people, const std::vector<Claim>& claims);
   Score score() const;
 
  private:
+  /// What is known of one person.
   struct History {
     bool has_track{false};
     std::uint64_t track{0};  // the last one matched
     bool is_lost{false};     // missed since
     int waited{0};           // moments it counted before it first had a track
   };
+  /// Sums of normalised errors.
   struct Weighing {
     double sum{0.0};
     std::int64_t inside{0}, count{0};
     void add(double nees);
     Honesty honesty() const;
   };
+  /// Of one id that a tracker said.
   struct Life {
-    int claimed{0};
-    int right{0};  // matched with a person, counted or not
+    int claimed{0};  // moments
+    int right{0};    // matched with a person, counted or not
   };
   std::vector<int> match(const std::vector<Person>& people, const std::vector<Claim>& claims) const;
   void judge(const Person& person, const Claim* claim);

@@ -19,11 +19,12 @@ using geometry::Pose2;
 using obstacle_tracker::KnownVehicle;
 using obstacle_tracker::Scan;
 
-constexpr double kRound_s = 0.1;
+constexpr double kRound_s = 0.1;       // every vehicle scans once; then the trackers are judged
 constexpr double kRemembered_s = 1.0;  // a person counts this long after a ray touched it
 constexpr double kRangeMin_m = 0.05;
-constexpr time::Stamp kStart = std::chrono::hours(1);
+constexpr time::Stamp kStart = std::chrono::hours(1);  // clocks do not begin at 0
 
+/// Computing time of this thread.
 double thread_ms() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -37,6 +38,8 @@ double percentile(std::vector<double> values, double part) {
   return *nth;
 }
 
+/// One run: vehicles scan in turn, evenly spread over a round; every contestant gets every scan, and after each round
+/// what it says is compared with the truth.
 class Trial {
  public:
   Trial(Scene& scene, const Sensing& sensing, std::uint64_t seed,
@@ -64,6 +67,7 @@ class Trial {
   time::Stamp stamp(double t_s) const { return kStart + time::from_seconds(t_s); }
   double draw(double sigma) { return sigma > 0.0 ? sigma * normal_(random_) : 0.0; }
 
+  /// With the error of a vehicle's localisation.
   Pose2 believed(const Pose2& base_in_map) {
     return {base_in_map.x + draw(sensing_.pose_noise_m), base_in_map.y + draw(sensing_.pose_noise_m),
             geometry::wrap(base_in_map.yaw + draw(sensing_.yaw_noise_rad))};
@@ -80,6 +84,7 @@ class Trial {
       range_m = hit_m;
       return true;
     };
+
     for (std::size_t v = 0; v < truth_.vehicles.size(); ++v) {
       if (v == own) continue;
       disc.base_in_map = kinematics::advance(truth_.vehicles[v].base_in_map, truth_.vehicles[v].twist, -ago_s);
@@ -87,6 +92,7 @@ class Trial {
       shorten(disc);
     }
     for (const Body& block : truth_.blocks) shorten(block);
+
     const Walking* touched = nullptr;
     for (const Walking& person : truth_.people) {
       const Point2 then = person.position_in_map - ago_s * person.velocity_in_map;
@@ -114,6 +120,8 @@ class Trial {
     scan.angle_step_rad = 2.0 * geometry::kPi / sensing_.rays;
     scan.range_min_m = kRangeMin_m;
     scan.range_max_m = sensing_.range_m;
+
+    // Each ray from the pose of its own moment: the vehicle drives on during the sweep.
     for (int ray = 0; ray < sensing_.rays; ++ray) {
       const double since_s = sensing_.sweep_s * ray / (sensing_.rays - 1);
       const Pose2 base = kinematics::advance(at_first, carrier.twist, since_s);
@@ -126,6 +134,7 @@ class Trial {
     return scan;
   }
 
+  /// Gives the scan to every contestant, with what the fleet says of its vehicles, and measures the time.
   void hand_out(const Scan& scan) {
     std::vector<KnownVehicle> known;
     for (const Carrier& carrier : truth_.vehicles) {
@@ -139,6 +148,7 @@ class Trial {
     }
   }
 
+  /// The truth, as the scorers need it.
   std::vector<Person> people() {
     std::vector<Person> people;
     for (const Walking& person : truth_.people) {
@@ -151,6 +161,7 @@ class Trial {
     return people;
   }
 
+  /// Compares what every contestant says now with the truth.
   void judge(const std::function<void(const Glance&)>& watch) {
     constexpr double kBlockMargin_m = 0.5;  // discs that cover a block are no claims of people
     const std::vector<Person> there = people();
