@@ -169,7 +169,7 @@ class ReaderEnd {
 
   Core& core_;
   const Qos& qos_;
-  std::map<InstanceId, std::deque<Cached>> cache_;  // not yet taken
+  std::map<InstanceId, std::vector<Cached>> cache_;  // not yet taken
   std::vector<WriterEvent> events_;
   std::map<InstanceId, std::vector<const WriterEnd*>> claims_;  // by instance: alive writers, of exclusive ownership
   std::map<InstanceId, time::Stamp> deadlines_;                 // by instance

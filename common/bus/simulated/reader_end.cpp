@@ -68,8 +68,8 @@ void ReaderEnd::accept(Match& match, const ChangePtr& change) {
 }
 
 void ReaderEnd::put(const ChangePtr& change, WriterEnd& writer) {
-  std::deque<Cached>& waiting = cache_[change->instance];
-  if (qos_.depth > 0 && waiting.size() >= static_cast<std::size_t>(qos_.depth)) waiting.pop_front();
+  std::vector<Cached>& waiting = cache_[change->instance];
+  if (qos_.depth > 0 && waiting.size() >= static_cast<std::size_t>(qos_.depth)) waiting.erase(waiting.begin());
   waiting.push_back({change, &writer});
   wake();
 }
@@ -155,9 +155,10 @@ bool ReaderEnd::drain_samples(const Report& report) {
   int taken = 0;
   while (taken < kSamplesPerTurn && !cache_.empty()) {
     const auto first = cache_.begin();
-    const Cached cached = std::move(first->second.front());
-    first->second.pop_front();
-    if (first->second.empty()) cache_.erase(first);
+    std::vector<Cached>& waiting = first->second;
+    const Cached cached = std::move(waiting.front());
+    waiting.erase(waiting.begin());
+    if (waiting.empty()) cache_.erase(first);
     take(cached, report);
     ++taken;
   }

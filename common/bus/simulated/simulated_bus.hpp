@@ -47,7 +47,7 @@ class SimulatedBus final : public Bus {
   /// The whole process stands, as under SIGSTOP: nothing of it goes on, what arrives is taken when it continues.
   void freeze(bool frozen);
   /// Gone without a word, as by `kill -9`: others notice by leases. The bus is of no use afterwards but to be
-  /// destroyed, and its handlers are not called again. Not from within its own turn.
+  /// destroyed, and its handlers are not called again. Not from within its own turn, nor while it waits in one.
   void crash();
   bool has_crashed() const;
   /// Writers and readers of `topic` made from now on announce this instead: another release, or a foreign peer.
