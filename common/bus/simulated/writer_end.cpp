@@ -31,15 +31,17 @@ WriterEnd::WriterEnd(Core& core, Process& its_process, Topic& its_topic, Announc
       core_(core) {}
 
 bool WriterEnd::write(const void* sample) {
+  if (gone) return false;  // its topic may be gone too
   const InstanceId instance = topic.instance_of(sample);
-  if (gone || !say(sample, instance, false)) return false;
+  if (!say(sample, instance, false)) return false;
   if (instance.number >= 0) written_.insert(instance);
   return true;
 }
 
 bool WriterEnd::dispose(const void* sample) {
+  if (gone) return false;
   const InstanceId instance = topic.instance_of(sample);
-  if (gone || written_.erase(instance) == 0) return false;
+  if (written_.erase(instance) == 0) return false;
   return say(sample, instance, true);
 }
 
