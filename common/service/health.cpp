@@ -19,6 +19,12 @@ void Health::count(const std::string& name, std::uint64_t by) {
   }
 }
 
+void Health::tell_map(const std::string& id, std::uint64_t revision, std::uint64_t hash) {
+  map_id = id;
+  map_revision = revision;
+  map_hash = hash;
+}
+
 void Health::wait_for(const std::string& what) {
   if (waits_for.size() >= kLongestWait) return;
   waits_for += (waits_for.empty() ? "" : ", ") + what;

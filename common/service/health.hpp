@@ -13,6 +13,8 @@ struct Health : fleet::ServiceHealth {
 
   /// At most 32 names; further ones are left out.
   void count(const std::string& name, std::uint64_t by = 1);
+  /// The map that the service uses, or keeps.
+  void tell_map(const std::string& id, std::uint64_t revision, std::uint64_t hash);
   /// Adds to waits_for, separated by commas, while it is shorter than 200 characters.
   void wait_for(const std::string& what);
 };

@@ -110,11 +110,7 @@ struct Shell::State {
 
   /// Asks the service how it is.
   void fill_report() {
-    if (map != nullptr) {
-      health.map_id = map->map_id();
-      health.map_revision = map->revision();
-      health.map_hash = map->hash();
-    }
+    if (map != nullptr) health.tell_map(map->map_id(), map->revision(), map->hash());
     if (!fill || has_failed) return;
     health.waits_for.clear();
     health.is_degraded = false;
@@ -231,6 +227,7 @@ std::int64_t Shell::wall_clock_ns() const { return state_->wall_clock_ns(); }
 Health& Shell::health() { return state_->health; }
 spdlog::logger& Shell::log() const { return *state_->log; }
 bool Shell::has_failed() const { return state_->has_failed; }
+bool Shell::is_alone() const { return state_->shared->shells.size() == 1; }
 void Shell::warn(const std::string& kind, const std::string& text) { state_->warn(kind, text); }
 
 MapClient& Shell::map(const MapClient::Options& options, MapClient::OnMap on_map) {
@@ -255,6 +252,17 @@ void Shell::every(std::chrono::nanoseconds period, std::function<void()> work) {
 
 void Shell::post(std::function<void()> work) {
   bus().post([this, work = std::move(work)] { guarded(work); });
+}
+
+std::function<void()> Shell::soon(std::function<void()> work) {
+  auto is_posted = std::make_shared<bool>(false);
+  auto run = [is_posted, work = std::move(work)] {
+    *is_posted = false;
+    work();
+  };
+  return [this, is_posted, run = std::move(run)] {
+    if (!std::exchange(*is_posted, true)) post(run);
+  };
 }
 
 void Shell::report(std::function<void(Health&)> fill) { state_->fill = std::move(fill); }

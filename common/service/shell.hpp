@@ -107,6 +107,8 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
   void every(std::chrono::nanoseconds period, std::function<void()> work);
   /// In the loop, soon. From any thread.
   void post(std::function<void()> work);
+  /// A function that posts `work`; calls before it ran are one.
+  std::function<void()> soon(std::function<void()> work);
 
   /// `fill` is called four times a second, with waits_for empty and is_degraded false: it says what the service waits
   /// for and sets its counters. The state follows: degraded, else waiting, else ready.
@@ -126,6 +128,8 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
   /// The last word: ServiceState::kStopping, waiting at most 200 ms until it was heard.
   void say_goodbye();
   bool has_failed() const;
+  /// Is this the only shell of its process?
+  bool is_alone() const;
 
  private:
   struct State;

@@ -4,11 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "common/bus/bus.hpp"
-#include "common/process/log.hpp"
 #include "common/scenario/scenario.hpp"
 #include "common/scenario/scenario_clock.hpp"
-#include "common/service/origin_stamper.hpp"
 #include "common/service/shell.hpp"
 #include "services/dispatcher/core/dispatcher.hpp"
 #include "services/dispatcher/core/edit_schedule.hpp"
@@ -33,36 +30,29 @@ struct ServiceConfig {
 /// and missions_done (1 when nothing is left to do) on `service_health`.
 class DispatcherService {
  public:
-  DispatcherService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
-                    const ServiceConfig& config);
+  DispatcherService(service::Shell& shell, const ServiceConfig& config);
   DispatcherService(const DispatcherService&) = delete;
   DispatcherService& operator=(const DispatcherService&) = delete;
 
  private:
   void listen();
-  void take(const aisle::NavigationStatus& sample);
-  void take(const aisle::MapEditResult& sample);
-  void take(const aisle::Goal& sample);
+  void take(const fleet::MapEditResult& result);
   void tick();
   void write(const Order& order);
   void log(const Event& event);
   void keep_memory();
-  void tell_health();
+  void report(service::Health& health) const;
 
-  bus::Bus& bus_;
-  service::Health& health_;
+  service::Shell& shell_;
   ServiceConfig config_;
-  std::string instance_id_;
   std::optional<DispatcherMemory> memory_;
   scenario::ScenarioClock clock_;
   Dispatcher dispatcher_;
   EditSchedule edits_;
   std::string map_id_;
   std::string kept_text_;
-  service::OriginStamper goal_stamper_, edit_stamper_;
-  bus::Writer<topics::Goal> goals_;
-  bus::Writer<topics::MapEdit> map_edits_;
-  process::LimitedWarnings warnings_;
+  service::Outbox<topics::Goal> goals_;
+  service::Outbox<topics::MapEdit> map_edits_;
 };
 
 }  // namespace aisle::dispatcher

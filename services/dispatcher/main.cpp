@@ -24,7 +24,6 @@ int main(int argc, char** argv) {
                                 if (scenario_file.empty())
                                   throw config::BadInput("--scenario FILE is missing (or AISLE_SCENARIO)");
                                 config.scenario = scenario::read_scenario(scenario_file);
-                                return std::make_unique<dispatcher::DispatcherService>(
-                                    shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), config);
+                                return std::make_unique<dispatcher::DispatcherService>(shell, config);
                               });
 }

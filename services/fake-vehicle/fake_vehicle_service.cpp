@@ -1,31 +1,26 @@
 #include "services/fake-vehicle/fake_vehicle_service.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
+#include <spdlog/logger.h>
 
-#include <algorithm>
+#include <chrono>
 
 #include "common/scenario/variation.hpp"
-#include "common/wire/origin.hpp"
-#include "common/wire/service.hpp"
-#include "common/wire/vehicle.hpp"
 #include "services/fake-vehicle/core/lidar.hpp"
 
 namespace aisle::fake_vehicle {
 namespace {
 
-using bus::SampleInfo;
-using bus::SampleKind;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTick{20};
 constexpr milliseconds kKeepPeriod{100};
-constexpr milliseconds kHealthPeriod{250};
 
-VehicleMemory memory_of(const ServiceConfig& config) {
+VehicleMemory memory_of(const service::Shell& shell, const ServiceConfig& config) {
   if (!config.state_file.empty()) {
     if (const auto memory = recall(config.state_file, config.run)) {
-      spdlog::info("goes on at x={:.2f} y={:.2f}, where it was before", memory->base_in_map.x, memory->base_in_map.y);
+      shell.log().info("goes on at x={:.2f} y={:.2f}, where it was before", memory->base_in_map.x,
+                       memory->base_in_map.y);
       return *memory;
     }
   }
@@ -34,44 +29,41 @@ VehicleMemory memory_of(const ServiceConfig& config) {
 
 }  // namespace
 
-FakeVehicleService::FakeVehicleService(bus::Bus& bus, const std::string& agv_id, const std::string& instance_id,
-                                       std::uint64_t boot_id, service::Health& health, const ServiceConfig& config)
-    : bus_(bus),
-      agv_id_(agv_id),
-      health_(health),
+FakeVehicleService::FakeVehicleService(service::Shell& shell, const ServiceConfig& config)
+    : shell_(shell),
+      agv_id_(shell.agv_id()),
       config_(config),
-      map_(bus, instance_id, {{}, false, 0.0, milliseconds(300)}),
-      memory_(memory_of(config)),
-      authority_(agv_id, memory_.accepted_epoch),
+      map_(shell.map({{}, false, 0.0, milliseconds(300)})),
+      memory_(memory_of(shell, config)),
+      authority_(agv_id_, memory_.accepted_epoch),
       vehicle_(config.vehicle, memory_.base_in_map),
-      bodies_(agv_id),
-      duplicates_(boot_id),
-      random_(scenario::random_for(config.seed, agv_id + "/noise")),
-      info_stamper_(bus, instance_id, boot_id),
-      state_stamper_(bus, instance_id, boot_id),
-      scan_stamper_(bus, instance_id, boot_id),
-      truth_stamper_(bus, instance_id, boot_id),
-      infos_(bus.writer<topics::VehicleInfo>()),
-      states_(bus.writer<topics::VehicleState>()),
-      scans_(bus.writer<topics::Scan>()),
-      truths_(bus.writer<topics::WorldObstacle>()),
-      warnings_(std::chrono::seconds(10), [&bus] { return bus.now(); }),
-      started_(bus.now()) {
+      bodies_(agv_id_),
+      duplicates_(shell.boot_id()),
+      random_(scenario::random_for(config.seed, agv_id_ + "/noise")),
+      infos_(shell.outbox<topics::VehicleInfo>()),
+      states_(shell.outbox<topics::VehicleState>()),
+      scans_(shell.outbox<topics::Scan>()),
+      truths_(shell.outbox<topics::WorldObstacle>()),
+      started_(shell.now()) {
   listen();
-  bus_.every(kTick, [this] { tick(); });
-  bus_.every(kHealthPeriod, [this] { tell_health(bus_.now()); });
-  if (!config_.state_file.empty()) bus_.every(kKeepPeriod, [this] { keep_memory(); });
+  shell.every(kTick, [this] { tick(); });
+  shell.report([this](service::Health& health) { report(health); });
+  if (!config_.state_file.empty()) shell.every(kKeepPeriod, [this] { keep_memory(); });
 }
 
 void FakeVehicleService::listen() {
-  bus_.on<topics::VelocityCommand>(
-      [this](const aisle::VelocityCommand& sample, const SampleInfo& info) { take(sample, info); });
-  bus_.on<topics::WorldObstacle>(
-      [this](const aisle::WorldObstacle& sample, const SampleInfo& info) { take(sample, info); });
-  bus_.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) return;
-    const auto health = accepted("service_health", wire::decode(sample));
-    if (health && is_this_vehicle(*health)) duplicates_.heard(wire::origin_of(sample).boot_id, bus_.now());
+  shell_.inbox<topics::VelocityCommand>(
+      [this](const fleet::VelocityCommand& command, const service::Sender& from) { take(command, from); });
+  shell_
+      .inbox<topics::WorldObstacle>([this](const fleet::Obstacle& obstacle, const service::Sender& from) {
+        bodies_.seen(obstacle.id, obstacle.body(), obstacle.kind == fleet::Obstacle::Kind::kVehicle, from.by.boot_id,
+                     shell_.now());
+      })
+      .on_gone([this](const std::string& id, service::End how) {
+        if (how == service::End::kDisposed) bodies_.gone(id);  // what falls silent still stands there
+      });
+  shell_.inbox<topics::ServiceHealth>([this](const fleet::ServiceHealth& health, const service::Sender& from) {
+    if (is_this_vehicle(health)) duplicates_.heard(from.by.boot_id, shell_.now());
   });
 }
 
@@ -79,50 +71,31 @@ bool FakeVehicleService::is_this_vehicle(const fleet::ServiceHealth& health) con
   return health.service == "fake-vehicle" && health.agv_id == agv_id_ && health.state != fleet::ServiceState::kStopping;
 }
 
-template <class T>
-std::optional<T> FakeVehicleService::accepted(const char* topic, wire::Decoded<T> decoded) {
-  if (decoded) return *std::move(decoded);
-  health_.count(std::string("dropped_") + topic);
-  warnings_.warn(topic, std::string(topic) + ": a sample was dropped: " + decoded.reason());
-  return std::nullopt;
-}
-
-void FakeVehicleService::take(const aisle::VelocityCommand& sample, const SampleInfo& info) {
-  if (info.kind != SampleKind::kData || sample.agv_id().to_string() != agv_id_ || yields_) return;
-  const auto command = accepted("velocity_command", wire::decode(sample));
-  if (!command) return;
-  const fleet::Origin by = wire::origin_of(sample);
-  const fleet::CommandVerdict verdict = authority_.judge(*command, by);
+void FakeVehicleService::take(const fleet::VelocityCommand& command, const service::Sender& from) {
+  if (command.agv_id != agv_id_ || yields_) return;
+  const fleet::Origin& by = from.by;
+  const fleet::CommandVerdict verdict = authority_.judge(command, by);
   if (verdict != fleet::CommandVerdict::kAccepted) {
-    health_.count(std::string("refused_") + name(verdict));
-    warnings_.warn(name(verdict), fmt::format("velocity_command refused: {} (source {}, epoch {}, accepted epoch {})",
-                                              name(verdict), by.source_id, by.epoch, authority_.accepted_epoch()));
+    shell_.count(std::string("refused_") + name(verdict));
+    shell_.warn(name(verdict), fmt::format("velocity_command refused: {} (source {}, epoch {}, accepted epoch {})",
+                                           name(verdict), by.source_id, by.epoch, authority_.accepted_epoch()));
     return;
   }
   if (!map_.has_map()) return;  // cannot tell where its walls are
-  command_ = fleet::CommandInForce{command->agv_id, by, command->plan_id};
-  vehicle_.command(command->twist, info.arrived);
-}
-
-void FakeVehicleService::take(const aisle::WorldObstacle& sample, const SampleInfo& info) {
-  if (info.kind == SampleKind::kDisposed) bodies_.gone(sample.obstacle_id().to_string());
-  if (info.kind != SampleKind::kData) return;
-  const auto obstacle = accepted("world_obstacle", wire::decode(sample));
-  if (!obstacle) return;
-  bodies_.seen(obstacle->id, obstacle->body(), obstacle->kind == fleet::Obstacle::Kind::kVehicle,
-               wire::origin_of(sample).boot_id, bus_.now());
+  command_ = fleet::CommandInForce{command.agv_id, by, command.plan_id};
+  vehicle_.command(command.twist, from.arrived);
 }
 
 bool FakeVehicleService::may_act(time::Stamp now) {
   const bool yields = duplicates_.must_yield(now);
   if (yields != yields_) {
     if (yields) {
-      spdlog::error(
+      shell_.log().error(
           "hold=duplicate_id: another process (boot {}) is {} already; this one stands and stays silent until it is "
           "gone",
           duplicates_.other_boot_id(), agv_id_);
     } else {
-      spdlog::info("{} is free again", agv_id_);
+      shell_.log().info("{} is free again", agv_id_);
     }
   }
   yields_ = yields;
@@ -131,7 +104,7 @@ bool FakeVehicleService::may_act(time::Stamp now) {
 }
 
 void FakeVehicleService::tick() {
-  const time::Stamp now = bus_.now();
+  const time::Stamp now = shell_.now();
   if (!may_act(now)) {
     if (introduced_ && map_.has_map())
       vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});  // brakes: nobody commands it any more
@@ -139,10 +112,8 @@ void FakeVehicleService::tick() {
   }
   if (!introduced_) {
     const Parameters& vehicle = config_.vehicle;
-    aisle::VehicleInfo info = wire::encode(fleet::Vehicle{agv_id_, vehicle.footprint(), vehicle.limits,
-                                                          vehicle.lidar.range_max_m, vehicle.command_timeout_s});
-    info.by(info_stamper_.next());
-    introduced_ = infos_.write(info);
+    introduced_ = infos_.write(
+        {agv_id_, vehicle.footprint(), vehicle.limits, vehicle.lidar.range_max_m, vehicle.command_timeout_s});
   }
   bodies_.forget_old_world(now);
   if (map_.has_map()) vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});
@@ -167,9 +138,7 @@ fleet::VehicleState FakeVehicleService::state() {
 }
 
 void FakeVehicleService::publish() {
-  aisle::VehicleState state_sample = wire::encode(state());
-  state_sample.by(state_stamper_.next());
-  states_.write(state_sample);
+  states_.write(state());
 
   const geometry::Pose2& base = vehicle_.base_in_map();
   const geometry::Twist2& twist = vehicle_.twist();
@@ -179,9 +148,7 @@ void FakeVehicleService::publish() {
   truth.base_in_map = base;
   truth.footprint = config_.vehicle.footprint();
   truth.velocity_in_map = geometry::to_map({0.0, 0.0, base.yaw}, {twist.linear_mps, twist.sideways_mps});
-  aisle::WorldObstacle sample = wire::encode(truth);
-  sample.by(truth_stamper_.next());
-  truths_.write(sample);
+  truths_.write(truth);
 }
 
 void FakeVehicleService::publish_scan() {
@@ -197,34 +164,28 @@ void FakeVehicleService::publish_scan() {
   turn.angle_step_rad = 2.0 * geometry::kPi / static_cast<double>(turn.ranges_m.size());
   turn.range_min_m = lidar.range_min_m;
   turn.range_max_m = lidar.range_max_m;
-  aisle::Scan sample = wire::encode(turn);
-  sample.by(scan_stamper_.next());
-  scans_.write(sample);
+  scans_.write(turn);
 }
 
 void FakeVehicleService::keep_memory() {
   if (yields_ || !introduced_) return;
   if (!keep(config_.state_file, {config_.run, vehicle_.base_in_map(), authority_.accepted_epoch()})) {
-    health_.last_error = "cannot write " + config_.state_file.string() + "; a restart will begin at the start";
-    warnings_.warn("state_file", health_.last_error);
+    shell_.health().last_error = "cannot write " + config_.state_file.string() + "; a restart will begin at the start";
+    shell_.warn("state_file", shell_.health().last_error);
   }
 }
 
-void FakeVehicleService::tell_health(time::Stamp now) {
-  health_.map_id = map_.map_id();
-  health_.map_revision = map_.revision();
-  health_.map_hash = map_.hash();
-  health_.counters["contacts"] = vehicle_.contacts();
-  if (duplicates_.is_duplicate(now)) {
-    health_.state = fleet::ServiceState::kDegraded;
-    health_.last_error =
-        fmt::format("two processes are {}: boot {} and this one, which {}", agv_id_, duplicates_.other_boot_id(),
-                    yields_ ? "came later, stands and stays silent (hold: duplicate id)" : "was first and goes on");
-    health_.waits_for = yields_ ? "the other " + agv_id_ + " to be gone" : "";
+void FakeVehicleService::report(service::Health& health) const {
+  health.counters["contacts"] = vehicle_.contacts();
+  if (!duplicates_.is_duplicate(shell_.now())) {
+    if (!map_.has_map()) health.wait_for("map_info");
     return;
   }
-  health_.waits_for = map_.has_map() ? "" : "map_info";
-  health_.state = map_.has_map() ? fleet::ServiceState::kReady : fleet::ServiceState::kWaiting;
+  health.is_degraded = true;
+  health.last_error =
+      fmt::format("two processes are {}: boot {} and this one, which {}", agv_id_, duplicates_.other_boot_id(),
+                  yields_ ? "came later, stands and stays silent (hold: duplicate id)" : "was first and goes on");
+  if (yields_) health.wait_for("the other " + agv_id_ + " to be gone");
 }
 
 }  // namespace aisle::fake_vehicle

@@ -5,13 +5,8 @@
 #include <random>
 #include <string>
 
-#include "common/bus/bus.hpp"
 #include "common/fleet/command_authority.hpp"
-#include "common/process/log.hpp"
-#include "common/service/map_client.hpp"
-#include "common/service/origin_stamper.hpp"
 #include "common/service/shell.hpp"
-#include "common/wire/checks.hpp"
 #include "services/fake-vehicle/core/body_book.hpp"
 #include "services/fake-vehicle/core/duplicate_watch.hpp"
 #include "services/fake-vehicle/core/simulated_vehicle.hpp"
@@ -36,8 +31,7 @@ struct ServiceConfig {
 /// so on `service_health`, writes nothing under the vehicle's name, and does not move, until the other is gone.
 class FakeVehicleService {
  public:
-  FakeVehicleService(bus::Bus& bus, const std::string& agv_id, const std::string& instance_id, std::uint64_t boot_id,
-                     service::Health& health, const ServiceConfig& config);
+  FakeVehicleService(service::Shell& shell, const ServiceConfig& config);
   FakeVehicleService(const FakeVehicleService&) = delete;
   FakeVehicleService& operator=(const FakeVehicleService&) = delete;
 
@@ -46,23 +40,19 @@ class FakeVehicleService {
  private:
   void listen();
   bool is_this_vehicle(const fleet::ServiceHealth& health) const;
-  void take(const aisle::VelocityCommand& sample, const bus::SampleInfo& info);
-  void take(const aisle::WorldObstacle& sample, const bus::SampleInfo& info);
+  void take(const fleet::VelocityCommand& command, const service::Sender& from);
   void tick();
   void publish();
   void publish_scan();
   fleet::VehicleState state();
-  template <class T>
-  std::optional<T> accepted(const char* topic, wire::Decoded<T> decoded);
   bool may_act(time::Stamp now);
   void keep_memory();
-  void tell_health(time::Stamp now);
+  void report(service::Health& health) const;
 
-  bus::Bus& bus_;
+  service::Shell& shell_;
   std::string agv_id_;
-  service::Health& health_;
   ServiceConfig config_;
-  service::MapClient map_;
+  service::MapClient& map_;
   VehicleMemory memory_;  // of before a restart, or the start
   fleet::CommandAuthority authority_;
   std::optional<fleet::CommandInForce> command_;
@@ -70,12 +60,10 @@ class FakeVehicleService {
   BodyBook bodies_;
   DuplicateWatch duplicates_;
   std::mt19937_64 random_;
-  service::OriginStamper info_stamper_, state_stamper_, scan_stamper_, truth_stamper_;
-  bus::Writer<topics::VehicleInfo> infos_;
-  bus::Writer<topics::VehicleState> states_;
-  bus::Writer<topics::Scan> scans_;
-  bus::Writer<topics::WorldObstacle> truths_;
-  process::LimitedWarnings warnings_;
+  service::Outbox<topics::VehicleInfo> infos_;
+  service::Outbox<topics::VehicleState> states_;
+  service::Outbox<topics::Scan> scans_;
+  service::Outbox<topics::WorldObstacle> truths_;
   time::Stamp started_;
   time::Stamp next_scan_{};
   bool introduced_{false};

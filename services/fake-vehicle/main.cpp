@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -60,6 +61,13 @@ void start_by_flags(const Flags& flags, const std::string& agv_id, fake_vehicle:
   config.run = "start/" + agv_id;
 }
 
+/// Of several vehicles each has a file of its own: "x/fake.state" is "x/fake-agv-1.state" of agv-1.
+std::filesystem::path state_file_of(const Flags& flags, const service::Shell& shell) {
+  std::filesystem::path file = flags.state_file;
+  if (file.empty() || shell.is_alone()) return file;
+  return file.replace_filename(file.stem().string() + "-" + shell.agv_id() + file.extension().string());
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -74,19 +82,21 @@ int main(int argc, char** argv) {
         ->check(CLI::Number);
     app.add_option("--radius", flags.radius_m, "of the vehicle, in metres")->check(CLI::Range(0.05, 5.0));
     app.add_option("--seed", flags.seed, "of the noise and the start; default: the scenario's")->envname("AISLE_SEED");
-    app.add_option("--state-file", flags.state_file, "keeps the vehicle's place over a restart");
+    app.add_option("--state-file", flags.state_file,
+                   "keeps the vehicle's place over a restart; of several vehicles one file each, FILE-<agv>");
   };
-  return service::run_service(argc, argv, {"fake-vehicle", "Simulates one vehicle with its lidar", "--agv"}, options,
-                              [&](service::Shell& shell) {
-                                fake_vehicle::ServiceConfig own = config;
-                                if (!flags.start.empty() || flags.scenario_file.empty()) {
-                                  start_by_flags(flags, shell.agv_id(), own);
-                                } else {
-                                  start_by_scenario(flags, shell.agv_id(), own);
-                                }
-                                own.state_file = flags.state_file;
-                                return std::make_unique<fake_vehicle::FakeVehicleService>(
-                                    shell.bus(), shell.agv_id(), shell.instance_id(), shell.boot_id(), shell.health(),
-                                    own);
-                              });
+  return service::run_service(
+      argc, argv, {"fake-vehicle", "Simulates vehicles with their lidars", "--agv"}, options,
+      [&](service::Shell& shell) {
+        fake_vehicle::ServiceConfig own = config;
+        if (!flags.start.empty() && !shell.is_alone())
+          throw config::BadInput("--start is the place of one vehicle; with several, give --scenario FILE");
+        if (!flags.start.empty() || flags.scenario_file.empty()) {
+          start_by_flags(flags, shell.agv_id(), own);
+        } else {
+          start_by_scenario(flags, shell.agv_id(), own);
+        }
+        own.state_file = state_file_of(flags, shell);
+        return std::make_unique<fake_vehicle::FakeVehicleService>(shell, own);
+      });
 }

@@ -6,11 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "common/bus/bus.hpp"
-#include "common/process/log.hpp"
 #include "common/scenario/scenario.hpp"
 #include "common/scenario/scenario_clock.hpp"
-#include "common/service/origin_stamper.hpp"
 #include "common/service/shell.hpp"
 #include "services/fake-world/core/world.hpp"
 
@@ -28,29 +25,25 @@ struct ServiceConfig {
 class FakeWorldService {
  public:
   /// @throws config::BadInput for a recording that cannot be read
-  FakeWorldService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
-                   const ServiceConfig& config);
+  FakeWorldService(service::Shell& shell, const ServiceConfig& config);
   FakeWorldService(const FakeWorldService&) = delete;
   FakeWorldService& operator=(const FakeWorldService&) = delete;
 
  private:
-  void take(const aisle::WorldObstacle& sample, const bus::SampleInfo& info);
+  void take(const fleet::Obstacle& obstacle);
   void tick();
   void publish();
   void keep_memory();
-  void tell_health();
+  void report(service::Health& health) const;
 
-  bus::Bus& bus_;
-  service::Health& health_;
+  service::Shell& shell_;
   ServiceConfig config_;
   std::string run_;
   std::optional<Memory> memory_;
   scenario::ScenarioClock clock_;
   World world_;
   std::map<std::string, geometry::Body> vehicles_;
-  service::OriginStamper stamper_;
-  bus::Writer<topics::WorldObstacle> obstacles_;
-  process::LimitedWarnings warnings_;
+  service::Outbox<topics::WorldObstacle> obstacles_;
 };
 
 }  // namespace aisle::fake_world

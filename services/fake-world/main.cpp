@@ -28,7 +28,6 @@ int main(int argc, char** argv) {
                                   throw config::BadInput("--scenario FILE is missing (or AISLE_SCENARIO)");
                                 config.scenario = scenario::read_scenario(scenario_file);
                                 config.seed = seed.value_or(config.scenario.seed);
-                                return std::make_unique<fake_world::FakeWorldService>(
-                                    shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), config);
+                                return std::make_unique<fake_world::FakeWorldService>(shell, config);
                               });
 }

@@ -1,15 +1,11 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
-#include "common/bus/bus.hpp"
 #include "common/fleet/leadership.hpp"
-#include "common/process/log.hpp"
-#include "common/service/map_client.hpp"
-#include "common/service/origin_stamper.hpp"
 #include "common/service/shell.hpp"
-#include "common/wire/checks.hpp"
 #include "services/global-planner/core/fleet_planner.hpp"
 
 namespace aisle::global_planner {
@@ -36,39 +32,33 @@ struct ServiceConfig {
 class GlobalPlannerService {
  public:
   /// @throws config::BadInput for an unknown planner
-  GlobalPlannerService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
-                       const ServiceConfig& config);
+  GlobalPlannerService(service::Shell& shell, const ServiceConfig& config);
   GlobalPlannerService(const GlobalPlannerService&) = delete;
   GlobalPlannerService& operator=(const GlobalPlannerService&) = delete;
 
  private:
   void listen();
-  void hear(const aisle::Plan& sample, const bus::SampleInfo& info);
+  void hear(const fleet::Plan& plan, const fleet::Origin& by);
+  void hear(const fleet::ServiceHealth& health, const fleet::Origin& by);
+  bool leads() const { return leadership_.role() == fleet::Leadership::Role::kLeading; }
   void keep_lead();
   void work();
-  void work_soon();
   /// Nobody waits for a plan: what searches need, some bytes a cell of the map, is given back.
   void rest_after_searches();
   bool is_too_late(time::Stamp begun);
-  void report();
-  /// Nothing when the sample must be dropped, which is counted and said.
-  template <class T>
-  std::optional<T> accepted(const char* topic, wire::Decoded<T> decoded);
+  void report(service::Health& health) const;
 
-  bus::Bus& bus_;
+  service::Shell& shell_;
   ServiceConfig config_;
-  std::uint64_t boot_id_;
-  service::Health& health_;
-  service::OriginStamper stamper_;
-  service::MapClient map_;
+  service::MapClient& map_;
   FleetPlanner fleet_;
   fleet::Leadership leadership_;
-  bus::Writer<topics::Plan> plans_;
-  std::string followed_;  // the leader whose plans were heard last
+  service::Inbox<topics::Plan> heard_plans_;
+  service::Outbox<topics::Plan> plans_;  // open while this planner leads
+  std::string followed_;                 // the leader whose plans were heard last
   time::Stamp asserted_{};
   std::uint64_t searches_before_rest_{0};
-  bool is_work_posted_{false};
-  process::LimitedWarnings warnings_;
+  std::function<void()> work_soon_;
 };
 
 }  // namespace aisle::global_planner

@@ -14,9 +14,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(0, 999));
     app.add_flag("--standby", config.standby, "takes over when the leading planner is gone");
   };
-  return service::run_service(argc, argv, {"global-planner", "Plans a path for each vehicle with a goal", ""}, options,
-                              [&](service::Shell& shell) {
-                                return std::make_unique<global_planner::GlobalPlannerService>(
-                                    shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(), config);
-                              });
+  return service::run_service(
+      argc, argv, {"global-planner", "Plans a path for each vehicle with a goal", ""}, options,
+      [&](service::Shell& shell) { return std::make_unique<global_planner::GlobalPlannerService>(shell, config); });
 }

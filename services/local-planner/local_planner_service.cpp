@@ -1,22 +1,18 @@
 #include "services/local-planner/local_planner_service.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
+#include <spdlog/logger.h>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "common/config/reader.hpp"
-#include "common/wire/origin.hpp"
-#include "common/wire/planning.hpp"
-#include "common/wire/tracking.hpp"
-#include "common/wire/vehicle.hpp"
 
 namespace aisle::local_planner {
 namespace {
 
-using bus::SampleInfo;
-using bus::SampleKind;
+using service::Sender;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPeriod{20};
@@ -33,129 +29,100 @@ const Variant& variant_of(const std::string& name) {
 
 }  // namespace
 
-LocalPlannerService::LocalPlannerService(bus::Bus& bus, const std::string& agv_id,
-                                         const service::OriginStamper& stamper, service::Health& health,
-                                         const std::string& instance_id, const ServiceConfig& config)
-    : bus_(bus),
-      agv_id_(agv_id),
-      command_stamper_(stamper),
-      status_stamper_(stamper),
-      health_(health),
-      map_(bus, instance_id, {}),
+LocalPlannerService::LocalPlannerService(service::Shell& shell, const ServiceConfig& config)
+    : shell_(shell),
+      agv_id_(shell.agv_id()),
+      map_(shell.map({},
+                     [this](const grid::OccupancyGrid&, const grid::ClearanceField& clearance, grid::Cell, grid::Cell) {
+                       inputs_.clearance = &clearance;
+                       inputs_.map_revision = map_.revision();
+                     })),
       planner_(config.settings, variant_of(config.planner)),
-      statuses_(bus.writer<topics::NavigationStatus>()),
-      warnings_(std::chrono::seconds(10), [&bus] { return bus.now(); }) {
-  map_.on_map([this](const grid::OccupancyGrid&, const grid::ClearanceField& clearance, grid::Cell, grid::Cell) {
-    inputs_.clearance = &clearance;
-    inputs_.map_revision = map_.revision();
+      commands_(shell.outbox<topics::VelocityCommand>()),
+      statuses_(shell.outbox<topics::NavigationStatus>()) {
+  // What is gone from the bus still stands where it was, and a plan outlives its planner: only tracks end.
+  shell.inbox<topics::VehicleInfo>([this](const fleet::Vehicle& vehicle) { take(vehicle); });
+  shell.inbox<topics::VehicleState>(
+      [this](const fleet::VehicleState& state, const Sender& from) { take(state, from.arrived); });
+  shell.inbox<topics::NavigationStatus>(
+      [this](const fleet::NavigationStatus& status, const Sender& from) { take(status, from.arrived); });
+  shell.inbox<topics::Plan>([this](const fleet::Plan& plan, const Sender& from) { take(plan, from.by); });
+  shell
+      .inbox<topics::Track>([this](const fleet::Track& track, const Sender& from) {
+        tracks_[track.id] = {{track, from.arrived}, from.by.source_id};
+      })
+      .on_gone([this](std::uint64_t track_id, service::End) { tracks_.erase(track_id); });
+  shell.inbox<topics::TrackingStatus>([this](const fleet::TrackingStatus& status, const Sender& from) {
+    take_status(status, from.by.source_id, from.arrived);
   });
-  listen_to_vehicles();
-  listen_to_tracks();
-  bus_.on<topics::Plan>([this](const aisle::Plan& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take(sample);  // a plan outlives its planner
-  });
-  bus_.every(kPeriod, [this] { cycle(); });
+  shell.every(kPeriod, [this] { cycle(); });
+  shell.report([this](service::Health& health) { report(health); });
 }
 
-template <class T>
-std::optional<T> LocalPlannerService::accepted(const char* topic, wire::Decoded<T> decoded) {
-  if (decoded) return *std::move(decoded);
-  health_.count(std::string("dropped_") + topic);
-  warnings_.warn(topic, std::string(topic) + ": a sample was dropped: " + decoded.reason());
-  return std::nullopt;
-}
-
-void LocalPlannerService::listen_to_vehicles() {
-  const auto peer = [this](const std::string& id) -> Peer& {
-    Peer& entry = peers_[id];
-    if (entry.id.empty()) entry.id = id, entry.radius_m = kUnknownRadiusM;
-    return entry;
-  };
-  bus_.on<topics::VehicleInfo>([this, peer](const aisle::VehicleInfo& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) return;  // a vehicle that is gone still stands where it was
-    const auto vehicle = accepted("vehicle_info", wire::decode(sample));
-    if (!vehicle) return;
-    if (vehicle->id == agv_id_) {
-      inputs_.vehicle = *vehicle;
-      return;
-    }
-    Peer& entry = peer(vehicle->id);
-    entry.radius_m = vehicle->reach_m();
-    entry.limits = vehicle->limits;
-    entry.rectangle = vehicle->footprint.is_disc() ? std::nullopt : std::optional(vehicle->footprint);
-  });
-  bus_.on<topics::VehicleState>([this, peer](const aisle::VehicleState& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) return;
-    if (sample.agv_id().to_string() == agv_id_) return take_own_state(sample, info.arrived);
-    if (const auto report = accepted("vehicle_state", wire::decode(sample))) {
-      Peer& entry = peer(report->agv_id);
-      entry.state = report->motion;
-      entry.state_arrived = info.arrived;
-    }
-  });
-  bus_.on<topics::NavigationStatus>([this, peer](const aisle::NavigationStatus& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData || sample.agv_id().to_string() == agv_id_) return;
-    if (auto status = accepted("navigation_status", wire::decode(sample))) {
-      Peer& entry = peer(status->agv_id);
-      entry.phase = status->phase;
-      entry.reason = status->reason;
-      entry.intent = std::move(status->intent);
-      entry.intent_arrived = info.arrived;
-    }
-  });
-}
-
-void LocalPlannerService::take_own_state(const aisle::VehicleState& sample, time::Stamp arrived) {
-  const auto report = accepted("vehicle_state", wire::decode(sample));
-  if (!report) return;
-  inputs_.state.set(report->motion, arrived);
-  if (!epoch_) {
-    epoch_ = report->accepted_epoch + 1;
-    command_stamper_.set_epoch(*epoch_);
-    // Who is heard on the wire follows who is obeyed: a later epoch owns the topic.
-    commands_ = bus_.writer<topics::VelocityCommand>(static_cast<int>(std::min(*epoch_, kMostStrength)));
-    spdlog::info("drives {} with epoch {}", agv_id_, *epoch_);
+Peer& LocalPlannerService::peer(const std::string& agv_id) {
+  const auto [entry, is_new] = peers_.try_emplace(agv_id);
+  if (is_new) {
+    entry->second.id = agv_id;
+    entry->second.radius_m = kUnknownRadiusM;
   }
-  if (report->accepted_epoch > *epoch_ && !inputs_.authority_lost) {
-    inputs_.authority_lost = true;
-    health_.last_error =
-        agv_id_ + " obeys epoch " + std::to_string(report->accepted_epoch) + ", ours is " + std::to_string(*epoch_);
-    spdlog::warn("{}: another local planner drives it; this one stays silent until it is restarted",
-                 health_.last_error);
-  }
+  return entry->second;
 }
 
-void LocalPlannerService::take(const aisle::Plan& sample) {
-  if (sample.agv_id().to_string() != agv_id_) return plan_authority_.hear(sample.by().epoch());
-  auto plan = accepted("plan", wire::decode(sample));
-  if (!plan) return;
-  const fleet::Origin by = wire::origin_of(sample);
-  const fleet::PlanVerdict verdict = plan_authority_.judge(by.epoch, by.boot_id, by.sequence_number);
-  if (verdict == fleet::PlanVerdict::kAccepted) {
-    plan->position_tolerance_m = std::max(kLeastTolerance_m, plan->position_tolerance_m);
-    inputs_.plan = *std::move(plan);
+void LocalPlannerService::take(const fleet::Vehicle& vehicle) {
+  if (vehicle.id == agv_id_) {
+    inputs_.vehicle = vehicle;
     return;
   }
-  health_.count(std::string("refused_plan_") + name(verdict));
-  warnings_.warn(std::string("plan ") + name(verdict),
-                 fmt::format("plan refused: {} (plan {} of {}, epoch {}; newest epoch heard {})", name(verdict),
-                             plan->id, by.source_id, by.epoch, plan_authority_.epoch()));
+  Peer& entry = peer(vehicle.id);
+  entry.radius_m = vehicle.reach_m();
+  entry.limits = vehicle.limits;
+  entry.rectangle = vehicle.footprint.is_disc() ? std::nullopt : std::optional(vehicle.footprint);
 }
 
-void LocalPlannerService::listen_to_tracks() {
-  bus_.on<topics::Track>([this](const aisle::Track& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) {
-      tracks_.erase(sample.track_id());
-      return;
-    }
-    if (const auto track = accepted("track", wire::decode(sample)))
-      tracks_[track->id] = {{*track, info.arrived}, sample.by().source_id().to_string()};
-  });
-  bus_.on<topics::TrackingStatus>([this](const aisle::TrackingStatus& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) return;
-    if (const auto status = accepted("tracking_status", wire::decode(sample)))
-      take_status(*status, wire::origin_of(sample).source_id, info.arrived);
-  });
+void LocalPlannerService::take(const fleet::VehicleState& state, time::Stamp arrived) {
+  if (state.agv_id == agv_id_) return take_own(state, arrived);
+  Peer& entry = peer(state.agv_id);
+  entry.state = state.motion;
+  entry.state_arrived = arrived;
+}
+
+void LocalPlannerService::take(const fleet::NavigationStatus& status, time::Stamp arrived) {
+  if (status.agv_id == agv_id_) return;
+  Peer& entry = peer(status.agv_id);
+  entry.phase = status.phase;
+  entry.reason = status.reason;
+  entry.intent = status.intent;
+  entry.intent_arrived = arrived;
+}
+
+void LocalPlannerService::take_own(const fleet::VehicleState& state, time::Stamp arrived) {
+  inputs_.state.set(state.motion, arrived);
+  if (!epoch_) {
+    epoch_ = state.accepted_epoch + 1;
+    // The planner that is heard on the wire is the one that is obeyed: a later epoch owns the topic.
+    commands_.claim(*epoch_, static_cast<int>(std::min(*epoch_, kMostStrength)));
+    shell_.log().info("drives {} with epoch {}", agv_id_, *epoch_);
+  }
+  if (state.accepted_epoch > *epoch_ && !inputs_.authority_lost) {
+    inputs_.authority_lost = true;
+    std::string& error = shell_.health().last_error;
+    error = fmt::format("{} obeys epoch {}, ours is {}", agv_id_, state.accepted_epoch, *epoch_);
+    shell_.log().warn("{}: another local planner drives it; this one stays silent until it is restarted", error);
+  }
+}
+
+void LocalPlannerService::take(const fleet::Plan& plan, const fleet::Origin& by) {
+  if (plan.agv_id != agv_id_) return plan_authority_.hear(by.epoch);
+  const fleet::PlanVerdict verdict = plan_authority_.judge(by.epoch, by.boot_id, by.sequence_number);
+  if (verdict == fleet::PlanVerdict::kAccepted) {
+    inputs_.plan = plan;
+    inputs_.plan->position_tolerance_m = std::max(kLeastTolerance_m, plan.position_tolerance_m);
+    return;
+  }
+  shell_.count(std::string("refused_plan_") + name(verdict));
+  shell_.warn(std::string("plan ") + name(verdict),
+              fmt::format("plan refused: {} (plan {} of {}, epoch {}; newest epoch heard {})", name(verdict), plan.id,
+                          by.source_id, by.epoch, plan_authority_.epoch()));
 }
 
 void LocalPlannerService::take_status(const fleet::TrackingStatus& status, const std::string& source,
@@ -186,21 +153,22 @@ void LocalPlannerService::cycle() {
   for (const auto& [id, peer] : peers_)
     if (peer.state_arrived != time::Stamp{}) inputs_.peers.push_back(peer);
 
-  const time::Stamp begun = bus_.now();
+  const time::Stamp begun = shell_.now();
   const Output output = planner_.step(inputs_, begun);
-  control_ms_ = 1e3 * time::seconds(bus_.now() - begun);
+  control_ms_ = 1e3 * time::seconds(shell_.now() - begun);
 
   const bool changed = output.phase != phase_ || output.reason != reason_;
   const bool silent = inputs_.authority_lost;
   if (!silent) write_command(output);
   if (changed || (!silent && cycles_ % kStatusEvery == 0)) write_status(output);
-  for (const Event& event : output.events) spdlog::info("{}", event.text);
+  for (const Event& event : output.events) shell_.log().info("{}", event.text);
   if (changed)
-    spdlog::info("{}: {}{}{}", name(output.phase), name(output.reason), output.detail.empty() ? "" : ": ",
-                 output.detail);
+    shell_.log().info("{}: {}{}{}", name(output.phase), name(output.reason), output.detail.empty() ? "" : ": ",
+                      output.detail);
   phase_ = output.phase;
   reason_ = output.reason;
-  if (cycles_++ % 50 == 0 || changed) report(output);
+  ++cycles_;
+  if (changed) shell_.report_now();
 }
 
 void LocalPlannerService::write_command(const Output& output) {
@@ -214,9 +182,7 @@ void LocalPlannerService::write_command(const Output& output) {
   command.twist = output.twist;
   command.scan_stamp_ns = scan_stamp_ns_;
   command.control_ms = control_ms_;
-  aisle::VelocityCommand sample = wire::encode(command);
-  sample.by(command_stamper_.next());
-  commands_.write(sample);
+  commands_.write(command);
 }
 
 void LocalPlannerService::write_status(const Output& output) {
@@ -236,35 +202,26 @@ void LocalPlannerService::write_status(const Output& output) {
   status.blocked_radius_m = output.blocked_radius_m;
   status.control_ms = control_ms_;
   status.intent = output.intent;
-  aisle::NavigationStatus sample = wire::encode(status);
-  sample.by(status_stamper_.next());
-  statuses_.write(sample);
+  statuses_.write(status);
 }
 
-void LocalPlannerService::report(const Output& output) {
-  health_.map_id = map_.map_id();
-  health_.map_revision = map_.revision();
-  health_.map_hash = map_.hash();
-  health_.counters["cycles"] = cycles_;
-  health_.counters["epoch"] = epoch_.value_or(0);
-  health_.counters["plan_epoch"] = plan_authority_.epoch();
-  switch (output.reason) {
+void LocalPlannerService::report(service::Health& health) const {
+  health.counters["cycles"] = cycles_;
+  health.counters["epoch"] = epoch_.value_or(0);
+  health.counters["plan_epoch"] = plan_authority_.epoch();
+  switch (reason_) {
     case Reason::kNoState:
-      health_.waits_for = inputs_.vehicle ? "vehicle_state of " + agv_id_ : "vehicle_info of " + agv_id_;
+      health.wait_for((inputs_.vehicle ? "vehicle_state of " : "vehicle_info of ") + agv_id_);
       break;
     case Reason::kNoMap:
-      health_.waits_for = "map_info and map_tile";
+      health.wait_for("map_info and map_tile");
       break;
     case Reason::kNoTracker:
-      health_.waits_for = "tracking_status with scans of " + agv_id_;
+      health.wait_for("tracking_status with scans of " + agv_id_);
       break;
     default:
-      health_.waits_for.clear();
+      health.is_degraded = phase_ == Phase::kHeld && reason_ != Reason::kCancelled;
   }
-  const bool degraded = output.phase == Phase::kHeld && output.reason != Reason::kCancelled;
-  health_.state = !health_.waits_for.empty() ? fleet::ServiceState::kWaiting
-                  : degraded                 ? fleet::ServiceState::kDegraded
-                                             : fleet::ServiceState::kReady;
 }
 
 }  // namespace aisle::local_planner

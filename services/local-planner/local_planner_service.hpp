@@ -4,13 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "common/bus/bus.hpp"
 #include "common/fleet/plan_authority.hpp"
-#include "common/process/log.hpp"
-#include "common/service/map_client.hpp"
-#include "common/service/origin_stamper.hpp"
 #include "common/service/shell.hpp"
-#include "common/wire/checks.hpp"
 #include "services/local-planner/core/local_planner.hpp"
 
 namespace aisle::local_planner {
@@ -32,9 +27,8 @@ struct ServiceConfig {
 /// drives on).
 class LocalPlannerService {
  public:
-  /// @throws config::BadInput for an unknown planner
-  LocalPlannerService(bus::Bus& bus, const std::string& agv_id, const service::OriginStamper& stamper,
-                      service::Health& health, const std::string& instance_id, const ServiceConfig& config);
+  /// Drives the vehicle of the shell. @throws config::BadInput for an unknown planner
+  LocalPlannerService(service::Shell& shell, const ServiceConfig& config);
   LocalPlannerService(const LocalPlannerService&) = delete;
   LocalPlannerService& operator=(const LocalPlannerService&) = delete;
 
@@ -44,31 +38,28 @@ class LocalPlannerService {
     std::string source_id;
   };
 
-  void listen_to_vehicles();
-  void listen_to_tracks();
-  void take(const aisle::Plan& sample);
-  void take_own_state(const aisle::VehicleState& sample, time::Stamp arrived);
+  void take(const fleet::Vehicle& vehicle);
+  void take(const fleet::VehicleState& state, time::Stamp arrived);
+  void take(const fleet::NavigationStatus& status, time::Stamp arrived);
+  void take(const fleet::Plan& plan, const fleet::Origin& by);
+  void take_own(const fleet::VehicleState& state, time::Stamp arrived);
   void take_status(const fleet::TrackingStatus& status, const std::string& source, time::Stamp arrived);
   void cycle();
   void write_command(const Output& output);
   void write_status(const Output& output);
-  void report(const Output& output);
-  template <class T>
-  std::optional<T> accepted(const char* topic, wire::Decoded<T> decoded);
+  void report(service::Health& health) const;
+  Peer& peer(const std::string& agv_id);
 
-  bus::Bus& bus_;
+  service::Shell& shell_;
   std::string agv_id_;
-  service::OriginStamper command_stamper_;
-  service::OriginStamper status_stamper_;
-  service::Health& health_;
-  service::MapClient map_;
+  service::MapClient& map_;
   LocalPlanner planner_;
   Inputs inputs_;
   fleet::PlanAuthority plan_authority_;
   std::map<std::string, Peer> peers_;
   std::map<std::uint64_t, TrackEntry> tracks_;
-  bus::Writer<topics::VelocityCommand> commands_;
-  bus::Writer<topics::NavigationStatus> statuses_;
+  service::Outbox<topics::VelocityCommand> commands_;
+  service::Outbox<topics::NavigationStatus> statuses_;
   std::optional<std::uint32_t> epoch_;              // of our commands, once the vehicle was heard
   std::map<std::string, std::uint64_t> own_scans_;  // the newest in each tracker's tracks, by sequence number
   std::int64_t scan_stamp_ns_{0};
@@ -76,7 +67,6 @@ class LocalPlannerService {
   std::uint64_t cycles_{0};
   Phase phase_{Phase::kWaiting};
   Reason reason_{Reason::kNone};
-  process::LimitedWarnings warnings_;
 };
 
 }  // namespace aisle::local_planner

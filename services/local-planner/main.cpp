@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "common/service/origin_stamper.hpp"
 #include "common/service/run_service.hpp"
 #include "services/local-planner/local_planner_service.hpp"
 
@@ -13,10 +12,6 @@ int main(int argc, char** argv) {
     app.add_option("--planner", config.planner, "one of " + local_planner::variant_names())->capture_default_str();
   };
   return service::run_service(
-      argc, argv, {"local-planner", "Drives one vehicle along its plan without touching anything", "--agv"}, options,
-      [&](service::Shell& shell) {
-        return std::make_unique<local_planner::LocalPlannerService>(
-            shell.bus(), shell.agv_id(), service::OriginStamper(shell.bus(), shell.instance_id(), shell.boot_id()),
-            shell.health(), shell.instance_id(), config);
-      });
+      argc, argv, {"local-planner", "Drives vehicles along their plans without touching anything", "--agv"}, options,
+      [&](service::Shell& shell) { return std::make_unique<local_planner::LocalPlannerService>(shell, config); });
 }

@@ -1,8 +1,5 @@
-#include <spdlog/spdlog.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <utility>
 
 #include "common/service/run_service.hpp"
 #include "services/map/map_config.hpp"
@@ -26,13 +23,6 @@ int main(int argc, char** argv) {
   };
   return service::run_service(
       argc, argv, {"map", "Serves the site's map and its edits", ""}, options, [&](service::Shell& shell) {
-        map::MapStore store = map::open_map(config, shell.bus().wall_clock_ns());
-        const grid::Geometry& g = store.map().grid().geometry();
-        spdlog::info("map={} cells={}x{} resolution_m={} tiles={} revision={} edits={} journal={}",
-                     store.map().map_id(), g.width, g.height, g.resolution_m, store.map().tiles(),
-                     store.map().revision(), store.edits(),
-                     config.journal.empty() ? "none: edits last until this process ends" : config.journal);
-        return std::make_unique<map::MapService>(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(),
-                                                 std::move(store));
+        return std::make_unique<map::MapService>(shell, map::open_map(config, shell.wall_clock_ns()));
       });
 }

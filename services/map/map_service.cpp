@@ -1,150 +1,67 @@
 #include "services/map/map_service.hpp"
 
-#include <spdlog/spdlog.h>
+#include <spdlog/logger.h>
 
 #include <chrono>
 #include <utility>
 
-#include "common/wire/map.hpp"
-
 namespace aisle::map {
-
-using fleet::MapEditResult;
-using Outcome = MapEditResult::Outcome;
-using std::chrono::milliseconds;
-
 namespace {
-constexpr milliseconds kRequestPeriod{10};
+
+constexpr std::chrono::milliseconds kRequestPeriod{10};
 constexpr int kTilesPerPeriod = 128;  // 4 kB each: 50 MB/s at most
-constexpr int kLogLinesPerSecond = 20;
+
 }  // namespace
 
-MapService::MapService(bus::Bus& bus, const std::string& instance_id, std::uint64_t boot_id, service::Health& health,
-                       MapStore store)
-    : bus_(bus),
-      health_(health),
-      store_(std::move(store)),
-      tiles_(bus.writer<topics::MapTile>()),
-      info_{bus.writer<topics::MapInfo>(), service::OriginStamper(bus, instance_id, boot_id)},
-      results_{bus.writer<topics::MapEditResult>(), service::OriginStamper(bus, instance_id, boot_id)},
-      lines_left_(kLogLinesPerSecond) {
-  bus_.on<topics::MapEdit>([this](const aisle::MapEdit& sample, const bus::SampleInfo& info) {
-    if (info.kind == bus::SampleKind::kData) take(sample);
-  });
-  bus_.on<topics::MapRequest>([this](const aisle::MapRequest& sample, const bus::SampleInfo& info) {
-    if (info.kind == bus::SampleKind::kData) take(sample);
-  });
-  for (int i = 0; i < store_.map().tiles(); ++i) write_tile(i);
-  write_info();
-  note_revision();
-  health_.state = fleet::ServiceState::kReady;
-  bus_.every(kRequestPeriod, [this] { write_requested(); });
-  bus_.every(std::chrono::seconds(1), [this] { lines_left_ = kLogLinesPerSecond; });
+MapService::MapService(service::Shell& shell, MapStore store)
+    : shell_(shell),
+      publication_(std::move(store)),
+      tiles_(shell.outbox<topics::MapTile>()),
+      info_(shell.outbox<topics::MapInfo>()),
+      results_(shell.outbox<topics::MapEditResult>()),
+      publish_soon_(shell.soon([this] { write(publication_.changes()); })) {
+  shell
+      .inbox<topics::MapEdit>([this](const fleet::MapEdit& edit, const service::Sender& from) {
+        answer(publication_.take(edit, from.by.source_id, shell_.wall_clock_ns()));
+      })
+      .on_refused([this](const std::string& edit_id, const std::string& reason) {
+        shell_.count("bad_map_edit." + first_word(reason));
+        answer(publication_.refuse(edit_id, reason));
+      });
+  shell.inbox<topics::MapRequest>([this](const fleet::MapRequest& request) { take(request); });
+  shell.every(kRequestPeriod, [this] { write(publication_.requested(kTilesPerPeriod)); });
+  shell.report([](service::Health&) {});  // ready from the start
+  write(publication_.whole());
 }
 
-void MapService::take(const aisle::MapEdit& sample) {
-  const auto edit = wire::decode(sample);
-  MapEditResult result;
-  if (edit) {
-    MapStore::Answer answer = store_.take(*edit, sample.by().source_id().to_string(), bus_.wall_clock_ns());
-    changed_tiles_.insert(answer.changed_tiles.begin(), answer.changed_tiles.end());
-    result = std::move(answer.result);
-  } else {
-    drop("map_edit", edit.reason());
-    result = {sample.edit_id().to_string(),
-              sample.map_id().to_string(),
-              Outcome::kRefused,
-              edit.reason(),
-              store_.map().revision(),
-              0};
-  }
-  const char* counter = result.outcome == Outcome::kApplied   ? "edits_applied"
-                        : result.outcome == Outcome::kRefused ? "edits_refused"
-                                                              : "edits_repeated";
-  health_.count(counter);
-  if (result.outcome == Outcome::kRefused) health_.last_error = "edit " + result.edit_id + " refused: " + result.detail;
-  if (lines_left_ > 0) {
-    --lines_left_;
-    if (result.outcome == Outcome::kRefused) {
-      spdlog::error("edit={} refused reason=\"{}\"", result.edit_id, result.detail);
-    } else {
-      spdlog::info("edit={} {} revision={} changed_cells={}", result.edit_id,
-                   result.outcome == Outcome::kApplied ? "applied" : "was applied before", result.revision,
-                   result.changed_cells);
-    }
-  }
-  answers_.push_back(std::move(result));
-  if (is_publishing_) return;
-  is_publishing_ = true;  // once for all edits that wait
-  bus_.post([this] { publish_changes(); });
-}
-
-void MapService::take(const aisle::MapRequest& sample) {
-  const auto request = wire::decode(sample);
-  if (!request) return drop("map_request", request.reason());
-  if (!request->map_id.empty() && request->map_id != store_.map().map_id())
-    return drop("map_request", "map_id is of another map");
-  health_.count("map_requests");
-  is_info_requested_ = true;
-  for (const std::uint32_t tile : request->tiles) {
-    if (tile < static_cast<std::uint32_t>(store_.map().tiles())) {
-      requested_tiles_.insert(tile);
-    } else {
-      drop("map_request", "tiles beyond the map");
-    }
+void MapService::take(const fleet::MapRequest& request) {
+  shell_.count("map_requests");
+  for (const std::string& reason : publication_.ask(request)) {
+    shell_.count("bad_map_request." + first_word(reason));
+    shell_.warn("map_request", "map_request of " + request.requester_id + ": " + reason);
   }
 }
 
-void MapService::write_tile(int index) {
-  tiles_.write(wire::encode(store_.map().tile(index)));
-  health_.count("tiles_written");
+void MapService::answer(const fleet::MapEditResult& result) {
+  shell_.count(counter_of(result.outcome));
+  if (result.outcome == fleet::MapEditResult::Outcome::kApplied)
+    shell_.log().info("edit={} applied revision={}", result.edit_id, result.revision);
+  if (result.outcome == fleet::MapEditResult::Outcome::kRefused) {
+    shell_.health().last_error = "edit " + result.edit_id + " refused: " + result.detail;
+    shell_.warn("edit", shell_.health().last_error);
+  }
+  publish_soon_();
 }
 
-void MapService::write_info() {
-  aisle::MapInfo sample = wire::encode(store_.map().summary());
-  sample.by(info_.stamper.next());
-  info_.writer.write(sample);
-}
-
-void MapService::publish_changes() {
-  is_publishing_ = false;
-  for (const int tile : changed_tiles_) write_tile(tile);
-  changed_tiles_.clear();
-  if (health_.map_revision != store_.map().revision()) {
-    write_info();
-    note_revision();
+void MapService::write(const Batch& batch) {
+  const SiteMap& map = store().map();
+  for (const int tile : batch.tiles) tiles_.write(map.tile(tile));
+  shell_.count("tiles_written", batch.tiles.size());
+  if (batch.has_summary) {
+    info_.write(map.summary());
+    shell_.health().tell_map(map.map_id(), map.revision(), map.summary().hash);
   }
-  for (const MapEditResult& answer : answers_) {
-    aisle::MapEditResult sample = wire::encode(answer);
-    sample.by(results_.stamper.next());
-    if (!results_.writer.write(sample)) health_.count("results_not_written");
-  }
-  answers_.clear();
-}
-
-void MapService::write_requested() {
-  for (int i = 0; i < kTilesPerPeriod && !requested_tiles_.empty(); ++i) {
-    write_tile(static_cast<int>(*requested_tiles_.begin()));
-    requested_tiles_.erase(requested_tiles_.begin());
-  }
-  if (is_info_requested_ && requested_tiles_.empty()) {
-    is_info_requested_ = false;
-    write_info();
-  }
-}
-
-void MapService::note_revision() {
-  health_.map_id = store_.map().map_id();
-  health_.map_revision = store_.map().revision();
-  health_.map_hash = store_.map().summary().hash;
-}
-
-void MapService::drop(const char* topic, const std::string& reason) {
-  health_.count(std::string("bad_") + topic + "." + reason.substr(0, reason.find(' ')).substr(0, 32));
-  if (lines_left_ > 0) {
-    --lines_left_;
-    spdlog::warn("topic={} dropped reason=\"{}\"", topic, reason);
-  }
+  for (const fleet::MapEditResult& result : batch.results) results_.write(result);
 }
 
 }  // namespace aisle::map

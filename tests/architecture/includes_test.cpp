@@ -106,6 +106,19 @@ TEST(Architecture, ClocksAreTheBuss) {
   }
 }
 
+/// Services hear values from their shell's inboxes: what kind a sample is, and whether it can be used, is decided
+/// there.
+TEST(Architecture, ServicesReadNoRawSample) {
+  const std::regex raw(R"(\bSampleKind\b|\bSampleInfo\b|\bbus_?(\(\))?\.on<|\bOriginStamper\b)");
+  for (const Source& source : all_sources()) {
+    if (!begins_with(source.file, "services/")) continue;
+    for (const std::string& line : source.code)
+      EXPECT_FALSE(std::regex_search(line, raw)) << source.file << ": " << line;
+    for (const std::string& include : source.includes)
+      EXPECT_FALSE(begins_with(include, "idl/")) << source.file << " includes " << include;
+  }
+}
+
 TEST(Architecture, CoresKnowNoDdsClockThreadOrLog) {
   const Strings refused{"idl/",   "common/bus/", "common/wire/", "common/service/",    "common/process/", "spdlog",
                         "thread", "mutex",       "shared_mutex", "condition_variable", "future"};

@@ -23,6 +23,15 @@ TEST(Scenarios, CrossingIsDriven) {
   EXPECT_GT(run.report["least_clearance_m"].get<double>(), 0.0);
 }
 
+/// One process simulates both vehicles, one drives both.
+TEST(Scenarios, CrossingIsDrivenByVehiclesThatShareAProcess) {
+  const DemoRun run = run_demo("crossing-together", {"crossing", "--seed", "1", "--together"}, 120.0);
+  expect_passed(run);
+  expect_clean(run);
+  EXPECT_EQ(run.report["contacts"], 0);
+  EXPECT_EQ(run.processes["processes"], 8);
+}
+
 /// In reverse order of start; the map comes when all others wait for it, a local planner when its goal was given long
 /// ago.
 TEST(Scenarios, CrossingIsDrivenWhoeverComesLate) {

@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
+/// @param agv_id of the service's one vehicle, else empty
 Process service(const std::string& name, const std::string& agv_id, Arguments arguments, const RunSettings& settings) {
   Process process;
   process.instance = agv_id.empty() ? name : name + "-" + agv_id;
@@ -28,6 +29,30 @@ Process service(const std::string& name, const std::string& agv_id, Arguments ar
     arguments.insert(arguments.end(), {"--config", config.string()});
   process.arguments.insert(process.arguments.end(), arguments.begin(), arguments.end());
   return process;
+}
+
+/// The processes that simulate and drive the vehicles.
+std::vector<Process> vehicle_processes(const scenario::Scenario& scenario, const RunSettings& settings) {
+  const auto fake_vehicle = [&](const std::string& kept) {
+    return Arguments{"--scenario",   settings.scenario_file.string(),         "--seed", std::to_string(settings.seed),
+                     "--state-file", (settings.out / "state" / kept).string()};
+  };
+  std::vector<Process> all;
+  if (settings.together && scenario.vehicles.size() > 1) {
+    std::vector<std::string> ids;
+    for (const scenario::Vehicle& vehicle : scenario.vehicles) ids.push_back(vehicle.id);
+    const std::string together = fmt::format("{}", fmt::join(ids, ","));
+    Arguments of_fakes = fake_vehicle("fake-vehicle.state");
+    of_fakes.insert(of_fakes.end(), {"--agv", together});
+    all.push_back(service("fake-vehicle", "", std::move(of_fakes), settings));
+    all.push_back(service("local-planner", "", {"--agv", together}, settings));
+    return all;
+  }
+  for (const scenario::Vehicle& vehicle : scenario.vehicles) {
+    all.push_back(service("fake-vehicle", vehicle.id, fake_vehicle("fake-vehicle-" + vehicle.id + ".state"), settings));
+    all.push_back(service("local-planner", vehicle.id, {}, settings));
+  }
+  return all;
 }
 
 std::vector<fs::path> scenario_folders(const fs::path& program_folder) {
@@ -57,12 +82,7 @@ std::vector<Process> processes_of(const scenario::Scenario& scenario, const RunS
   all.push_back(service("obstacle-tracker", "", {}, settings));
   all.push_back(service("fake-world", "",
                         {"--scenario", file, "--seed", seed, "--state-file", kept("fake-world.state")}, settings));
-  for (const scenario::Vehicle& vehicle : scenario.vehicles) {
-    all.push_back(service(
-        "fake-vehicle", vehicle.id,
-        {"--scenario", file, "--seed", seed, "--state-file", kept("fake-vehicle-" + vehicle.id + ".state")}, settings));
-    all.push_back(service("local-planner", vehicle.id, {}, settings));
-  }
+  for (Process& process : vehicle_processes(scenario, settings)) all.push_back(std::move(process));
   all.push_back(service("dispatcher", "", {"--scenario", file, "--state-file", kept("dispatcher.state")}, settings));
   Process referee = service("referee", "",
                             {"--scenario", file, "--seed", seed, "--out", settings.out.string(), "--progress-json",

@@ -10,7 +10,7 @@ namespace aisle::demo {
 
 /// One process of a run.
 struct Process {
-  std::string instance;  // "local-planner-agv-1"; names its log
+  std::string instance;  // "local-planner-agv-1", or "local-planner" of all vehicles; names its log
   std::string program;   // "aisle-local-planner"
   std::vector<std::string> arguments;
   double start_s{0.0};
@@ -25,6 +25,7 @@ struct RunSettings {
   int domain{0};
   double timeout_s{300.0};
   bool reversed{false};  // the referee first, the map last
+  bool together{false};  // one fake-vehicle and one local-planner for all vehicles, not one of each for each
 };
 
 /// The processes that drive this scenario, in the order of their start.

@@ -38,6 +38,7 @@ struct Options {
   std::vector<std::string> delays;
   std::optional<double> timeout_s;
   bool reversed{false};
+  bool together{false};
 
   void add_to(CLI::App& app) {
     app.set_version_flag("--version", std::string("aisle-demo ") + process::software_version());
@@ -56,6 +57,7 @@ struct Options {
     app.add_option("--timeout", timeout_s, "seconds until the run is given up; default: the scenario's duration")
         ->check(CLI::Range(1.0, 86400.0));
     app.add_flag("--reversed", reversed, "start the processes in reverse order");
+    app.add_flag("--together", together, "one process simulates all vehicles, and one drives them all");
   }
 };
 
@@ -118,6 +120,7 @@ int drive(const Options& options) {
   settings.seed = options.seed.value_or(scenario.seed);
   settings.timeout_s = options.timeout_s.value_or(scenario.duration_s);
   settings.reversed = options.reversed;
+  settings.together = options.together;
   std::vector<demo::KillOrder> kills;
   for (const std::string& text : options.kills) kills.push_back(demo::parse_kill(text));
   const demo::DomainLock lock =

@@ -15,14 +15,17 @@ namespace {
 /// One planner process.
 struct PlannerProcess {
   PlannerProcess(int domain, const std::string& name, std::uint64_t boot_id, bool standby = false)
-      : bus(site(domain, name)), service(bus, name, boot_id, health, config(standby)) {}
+      : bus(site(domain, name)),
+        shell(bus, {"global-planner", name, "", boot_id, "", 0}),
+        service(shell, config(standby)) {}
   static ServiceConfig config(bool standby) {
     ServiceConfig config;
     config.standby = standby;
     return config;
   }
   bus::DdsBus bus;
-  service::Health health;
+  service::Shell shell;
+  service::Health& health{shell.health()};
   GlobalPlannerService service;
 };
 
@@ -36,7 +39,7 @@ TEST(GlobalPlannerService, PlansKeepsAndReplaces) {
   site.add_vehicle("agv-1", {1.0, 5.0, 0.0});
   site.send_goal("agv-1", "goal-1", 19.0, 5.0);
   ASSERT_TRUE(until_plans(1));
-  EXPECT_EQ(site.plans[0].outcome(), PlanOutcome::PLAN_FOUND);
+  EXPECT_EQ(site.plans[0].outcome(), aisle::PlanOutcome::PLAN_FOUND);
   EXPECT_EQ(site.plans[0].goal_id().to_string(), "goal-1");
   EXPECT_EQ(site.plans[0].planner().to_string(), "direct");
   EXPECT_EQ(site.plans[0].map_revision(), 1U);
@@ -53,14 +56,14 @@ TEST(GlobalPlannerService, PlansKeepsAndReplaces) {
   site.block(100, 40, 101, 60);  // the door that it goes through
   site.publish_map();
   ASSERT_TRUE(until_plans(3));
-  EXPECT_EQ(site.plans[2].trigger(), PlanTrigger::TRIGGER_MAP_CHANGED);
+  EXPECT_EQ(site.plans[2].trigger(), aisle::PlanTrigger::TRIGGER_MAP_CHANGED);
   EXPECT_EQ(site.plans[2].map_revision(), 3U);
   EXPECT_GT(site.plans[2].by().sequence_number(), site.plans[1].by().sequence_number());
   EXPECT_TRUE(site.is_drivable_now(site.plans[2]));
 
   site.send_goal("agv-1", "goal-2", 10.05, 2.0);
   ASSERT_TRUE(until_plans(4));
-  EXPECT_EQ(site.plans[3].outcome(), PlanOutcome::PLAN_GOAL_BLOCKED);
+  EXPECT_EQ(site.plans[3].outcome(), aisle::PlanOutcome::PLAN_GOAL_BLOCKED);
   EXPECT_NE(site.plans[3].detail().to_string().find("(10.05, 2.00)"), std::string::npos)
       << site.plans[3].detail().to_string();
 }
@@ -108,7 +111,7 @@ TEST(GlobalPlannerService, IsFollowedByItsStandbyWithTheNextEpoch) {
   ASSERT_TRUE(bus_test::run_until({&standby.bus, &site.bus}, [&] { return site.plans.size() >= 2; }));
   EXPECT_EQ(site.plans[1].by().source_id().to_string(), "global-planner-2");
   EXPECT_EQ(site.plans[1].by().epoch(), before.by().epoch() + 1);
-  EXPECT_EQ(site.plans[1].trigger(), PlanTrigger::TRIGGER_TAKEOVER);
+  EXPECT_EQ(site.plans[1].trigger(), aisle::PlanTrigger::TRIGGER_TAKEOVER);
   EXPECT_EQ(site.plans[1].waypoints_in_map(), before.waypoints_in_map());
 }
 

@@ -11,8 +11,8 @@
 #include "common/service/origin_stamper.hpp"
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
+#include "common/wire/planning.hpp"
 #include "common/wire/vehicle.hpp"
-#include "services/global-planner/codec.hpp"
 #include "services/global-planner/core/path_checker.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 
@@ -119,7 +119,7 @@ class Site {
   }
 
   bool is_drivable_now(const aisle::Plan& sample) const {
-    const auto plan = decode(sample);
+    const auto plan = wire::decode(sample);
     if (!plan || plan->waypoints_in_map.empty()) return false;
     const grid::ClearanceField clearance(grid, 2.0);
     return is_drivable({clearance, plan->waypoints_in_map.front(), plan->waypoints_in_map.back(), kRadius_m},

@@ -62,7 +62,7 @@ TEST_F(Takeover, FollowsAKillWithTheNextEpoch) {
   primary_->signal(SIGKILL);
   ASSERT_TRUE(wait_for_standby()) << standby_->err();
   EXPECT_EQ(site_->plans.back().by().epoch(), first_.by().epoch() + 1);
-  EXPECT_EQ(site_->plans.back().trigger(), PlanTrigger::TRIGGER_TAKEOVER);
+  EXPECT_EQ(site_->plans.back().trigger(), aisle::PlanTrigger::TRIGGER_TAKEOVER);
   EXPECT_EQ(site_->plans.back().waypoints_in_map(), first_.waypoints_in_map());
 
   const auto restarted = start(145, "primary", false);  // giving the lead back is a person's decision

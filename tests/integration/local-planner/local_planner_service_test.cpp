@@ -33,18 +33,20 @@ bus::Settings site(int domain, const std::string& name) {
 struct PlannerProcess {
   PlannerProcess(int domain, std::uint64_t boot_id)
       : bus(site(domain, "local-planner")),
-        service(bus, "agv-1", service::OriginStamper(bus, "local-planner-agv-1", boot_id), health,
-                "local-planner-agv-1", {}) {}
+        shell(bus, {"local-planner", "local-planner-agv-1", "agv-1", boot_id, "", 0}),
+        service(shell, {}) {}
   bus::DdsBus bus;
-  service::Health health;
+  service::Shell shell;
+  service::Health& health{shell.health()};
   LocalPlannerService service;
 };
 
 /// A hall of 20 x 10 m and an obedient vehicle in it.
 class Site {
  public:
-  explicit Site(int domain)
+  explicit Site(int domain, const std::string& agv_id = "agv-1")
       : bus(site(domain, "site")),
+        agv_id_(agv_id),
         infos_(bus.writer<topics::MapInfo>()),
         tiles_(bus.writer<topics::MapTile>()),
         vehicles_(bus.writer<topics::VehicleInfo>()),
@@ -52,14 +54,14 @@ class Site {
         plans_(bus.writer<topics::Plan>()),
         tracking_(bus.writer<topics::TrackingStatus>()) {
     bus.on<topics::VelocityCommand>([this](const aisle::VelocityCommand& sample, const SampleInfo& info) {
-      if (info.kind != SampleKind::kData) return;
+      if (info.kind != SampleKind::kData || sample.agv_id().to_string() != agv_id_) return;
       commands.push_back(sample);
       accepted_epoch = std::max(accepted_epoch, sample.by().epoch());
       if (sample.by().epoch() == accepted_epoch)
         wanted = {sample.twist().linear_mps(), sample.twist().angular_radps(), 0.0};
     });
     bus.on<topics::NavigationStatus>([this](const aisle::NavigationStatus& sample, const SampleInfo& info) {
-      if (info.kind == SampleKind::kData) statuses.push_back(sample);
+      if (info.kind == SampleKind::kData && sample.agv_id().to_string() == agv_id_) statuses.push_back(sample);
     });
     bus.every(20ms, [this] { move(); });
   }
@@ -89,7 +91,7 @@ class Site {
   }
 
   void publish_vehicle() {
-    aisle::VehicleInfo info = wire::encode(fleet::Vehicle{"agv-1", geometry::disc(0.35), {}, 10.0, 0.2});
+    aisle::VehicleInfo info = wire::encode(fleet::Vehicle{agv_id_, geometry::disc(0.35), {}, 10.0, 0.2});
     info.by(origin(1));
     vehicles_.write(info);
     vehicle_lives = true;
@@ -97,7 +99,7 @@ class Site {
 
   void publish_plan(const std::string& goal_id, double x, double y, std::uint32_t epoch = 1) {
     aisle::Plan plan;
-    plan.agv_id("agv-1");
+    plan.agv_id(agv_id_);
     plan.by(wire::encode(fleet::Origin{"global-planner", epoch, epoch, sequence_++, 1}));
     plan.plan_id(7);
     plan.goal_id(goal_id);
@@ -127,8 +129,8 @@ class Site {
   std::vector<aisle::NavigationStatus> statuses;
 
  private:
-  static aisle::Origin origin(std::uint64_t sequence_number) {
-    return wire::encode(fleet::Origin{"site", 1, 1, sequence_number, 1});
+  aisle::Origin origin(std::uint64_t sequence_number) const {
+    return wire::encode(fleet::Origin{"site-of-" + agv_id_, 1, 1, sequence_number, 1});
   }
 
   void move() {
@@ -136,7 +138,7 @@ class Site {
       twist = kinematics::limit_change(twist, wanted, {}, 0.02);
       base = kinematics::advance(base, twist, 0.02);
       aisle::VehicleState state;
-      state.agv_id("agv-1");
+      state.agv_id(agv_id_);
       state.by(origin(sequence_++));
       state.base_in_map(wire::encode(base));
       state.twist(wire::encode(twist));
@@ -145,21 +147,22 @@ class Site {
     }
     if (tracker_lives) {
       aisle::TrackingStatus status;
-      status.source_id("obstacle-tracker");
+      status.source_id("tracker-of-" + agv_id_);
       status.by(origin(sequence_++));
       if (lidar_lives) ++scan_;
       aisle::ScanUse use;
-      use.agv_id("agv-1");
+      use.agv_id(agv_id_);
       use.scan_sequence(scan_);
       use.scan_stamp_ns(1234);
       status.newest_scans().push_back(use);
-      use.agv_id("agv-2");  // its scans come on
+      use.agv_id("agv-9");  // its scans come on
       use.scan_sequence(sequence_);
       status.newest_scans().push_back(use);
       tracking_.write(status);
     }
   }
 
+  std::string agv_id_;
   bus::Writer<topics::MapInfo> infos_;
   bus::Writer<topics::MapTile> tiles_;
   bus::Writer<topics::VehicleInfo> vehicles_;
@@ -288,6 +291,50 @@ TEST(LocalPlannerService, ARestartedOneTakesOver) {
   ASSERT_TRUE(bus_test::run_until(
       {&planner->bus, &site.bus}, [&] { return site.accepted_epoch == epoch + 1 && site.twist.linear_mps > 0.3; },
       20s));
+}
+
+/// Two vehicles' planners as `aisle-local-planner --agv agv-1,agv-2` has them: two shells on one bus.
+struct TwoPlanners {
+  explicit TwoPlanners(int domain)
+      : bus(site(domain, "local-planner")),
+        first_shell(bus, {"local-planner", "local-planner-agv-1", "agv-1", 1, "", 0}),
+        second_shell(first_shell, {"local-planner", "local-planner-agv-2", "agv-2", 1, "", 0}),
+        first(first_shell, {}),
+        second(second_shell, {}) {}
+  bus::DdsBus bus;
+  service::Shell first_shell, second_shell;
+  LocalPlannerService first, second;
+};
+
+TEST(LocalPlannerService, OfTwoVehiclesInOneProcessOneGoesOnWhenTheOtherLosesItsAuthority) {
+  Site one(187, "agv-1");
+  Site two(187, "agv-2");
+  two.base = {3.0, 8.5, 0.0};
+  TwoPlanners planners(187);
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&planners.bus, &one.bus, &two.bus}, done, 30s);
+  };
+  one.publish_map();
+  one.publish_vehicle();
+  two.publish_vehicle();
+  one.publish_plan("goal-1", 17.0, 2.0);
+  two.publish_plan("goal-2", 17.0, 8.5);
+  ASSERT_TRUE(until([&] { return one.twist.linear_mps > 0.3 && two.twist.linear_mps > 0.3; }));
+  EXPECT_EQ(one.commands.back().by().source_id().to_string(), "local-planner-agv-1");
+  EXPECT_EQ(two.commands.back().by().source_id().to_string(), "local-planner-agv-2");
+  EXPECT_EQ(one.commands.back().goal_id().to_string(), "goal-1");
+  EXPECT_EQ(two.commands.back().goal_id().to_string(), "goal-2");
+
+  one.accepted_epoch = 9;
+  one.wanted = {};
+  ASSERT_TRUE(until([&] { return one.says(NavigationPhase::PHASE_HELD, NavigationReason::REASON_AUTHORITY); }));
+  EXPECT_NE(planners.first_shell.health().last_error, "");
+  EXPECT_EQ(planners.second_shell.health().last_error, "");
+  const std::size_t commands = one.commands.size();
+  ASSERT_TRUE(until([&] { return two.says(NavigationPhase::PHASE_ARRIVED, NavigationReason::REASON_NONE); }));
+  EXPECT_LE(one.commands.size(), commands + 2) << "what was on its way may still come";
+  EXPECT_TRUE(until([&] { return planners.first_shell.health().state == fleet::ServiceState::kDegraded; }));
+  EXPECT_TRUE(until([&] { return planners.second_shell.health().state == fleet::ServiceState::kReady; }));
 }
 
 TEST(LocalPlannerService, DropsAndCountsWhatCannotBeTrue) {

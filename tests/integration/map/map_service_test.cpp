@@ -31,9 +31,11 @@ grid::OccupancyGrid floor_plan() {
 struct Service {
   explicit Service(int domain, std::uint64_t revision = 1)
       : bus(local_settings(domain, "map")),
-        map(bus, "map", 1, health, MapStore(SiteMap("floor", floor_plan(), revision), nullptr, {})) {}
+        shell(bus, {"map", "map", "", 1, "", 0}),
+        map(shell, MapStore(SiteMap("floor", floor_plan(), revision), nullptr, {})) {}
   bus::DdsBus bus;
-  service::Health health;
+  service::Shell shell;
+  service::Health& health{shell.health()};
   MapService map;
 };
 
@@ -59,7 +61,7 @@ TEST(MapService, MirrorsGetTheMapAndItsEdits) {
   EXPECT_EQ(site.map.map_id(), "floor");
   EXPECT_EQ(site.map.revision(), 1U);
   EXPECT_EQ(high, (grid::Cell{299, 199}));
-  EXPECT_EQ(service.health.state, aisle::ServiceState::SERVICE_READY);
+  EXPECT_EQ(service.health.state, fleet::ServiceState::kReady);
 
   ASSERT_TRUE(run([&] { return site.can_send(); }));
   site.send(rectangle("wall", Action::kBlock, {0.0, 5.0}, {1.0, 6.0}));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/process/clock.hpp"
+#include "common/service/origin_stamper.hpp"
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
 #include "common/wire/vehicle.hpp"
@@ -34,9 +35,12 @@ bus::Settings site(int domain, const std::string& name) {
 /// One tracker process.
 struct TrackerProcess {
   TrackerProcess(int domain, std::uint64_t boot_id, const ServiceParams& params = {})
-      : bus(site(domain, "tracker")), service(bus, "tracker", boot_id, health, params) {}
+      : bus(site(domain, "tracker")),
+        shell(bus, {"obstacle-tracker", "tracker", "", boot_id, "", 0}),
+        service(shell, params) {}
   bus::DdsBus bus;
-  service::Health health;
+  service::Shell shell;
+  service::Health& health{shell.health()};
   ObstacleTrackerService service;
 };
 
@@ -163,7 +167,7 @@ TEST(ObstacleTrackerService, TracksWhatTwoVehiclesSeeAndDisposesItWhenItIsGone) 
   ASSERT_EQ(site.status.live_track_ids().size(), 1U);
   EXPECT_EQ(site.status.live_track_ids()[0], track.track_id());
   EXPECT_GT(site.status.processing_ms(), 0.0);
-  ASSERT_TRUE(until([&] { return tracker.health.state == ServiceState::SERVICE_READY; })) << tracker.health.waits_for;
+  ASSERT_TRUE(until([&] { return tracker.health.state == fleet::ServiceState::kReady; })) << tracker.health.waits_for;
 
   site.world.discs.clear();
   ASSERT_TRUE(until([&] { return site.disposed == 1; }));
@@ -183,7 +187,7 @@ TEST(ObstacleTrackerService, StartsBeforeMapAndVehiclesAndSaysWhatItWaitsFor) {
   site.publish_info("agv-1");
   ASSERT_TRUE(until([&] { return tracker.health.counters["scans_no_map"] > 3; }));
   EXPECT_EQ(site.status.scans_used(), 0U);
-  EXPECT_EQ(tracker.health.state, ServiceState::SERVICE_WAITING);
+  EXPECT_EQ(tracker.health.state, fleet::ServiceState::kWaiting);
   site.publish_map();
   ASSERT_TRUE(until([&] { return site.status.scans_used() > 3; }));
   ASSERT_TRUE(until([&] { return tracker.health.waits_for.empty(); }));

@@ -48,7 +48,7 @@ Identity identity(const std::string& instance_id, const std::string& agv_id = {}
 /// A shell on a bus of its own.
 struct Station {
   Station(int domain, const std::string& name) : bus(local_settings(domain, name)), shell(bus, identity(name)) {}
-  bus::Bus bus;
+  bus::DdsBus bus;
   Shell shell;
 };
 
@@ -189,7 +189,7 @@ struct Pair {
         [this](const fleet::ServiceHealth& health) { said[health.instance_id] = health; });
   }
   bool run(const std::function<bool()>& done) { return run_until({&bus, &observer.bus}, done); }
-  bus::Bus bus;
+  bus::DdsBus bus;
   Shell first, second;
   Station observer;
   std::map<std::string, fleet::ServiceHealth> said;

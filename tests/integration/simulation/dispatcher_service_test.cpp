@@ -10,6 +10,7 @@
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
 #include "common/wire/origin.hpp"
+#include "common/wire/vehicle.hpp"
 #include "tests/integration/simulation/site.hpp"
 
 namespace aisle::dispatcher {
@@ -39,9 +40,12 @@ ServiceConfig two_goals() {
 
 struct DispatcherProcess {
   DispatcherProcess(int domain, std::uint64_t boot_id, const ServiceConfig& config)
-      : bus(site(domain, "dispatcher")), service(bus, "dispatcher", boot_id, health, config) {}
+      : bus(site(domain, "dispatcher")),
+        shell(bus, {"dispatcher", "dispatcher", "", boot_id, "", 0}),
+        service(shell, config) {}
   bus::DdsBus bus;
-  service::Health health;
+  service::Shell shell;
+  service::Health& health{shell.health()};
   DispatcherService service;
 };
 
@@ -59,8 +63,7 @@ class Fleet {
     bus.on<topics::MapEdit>([this](const aisle::MapEdit& sample, const bus::SampleInfo& info) {
       if (info.kind == bus::SampleKind::kData) edits.push_back(sample.edit_id().to_string());
     });
-    aisle::VehicleInfo vehicle;
-    vehicle.agv_id(std::string("agv-1"));
+    aisle::VehicleInfo vehicle = wire::encode(fleet::Vehicle{"agv-1", geometry::disc(0.35), {}, 10.0, 0.2});
     vehicle.by(origin());
     vehicles_.write(vehicle);
   }
@@ -78,6 +81,7 @@ class Fleet {
     summary.revision = 1;
     summary.tiling.geometry = grid::Geometry{10, 10, 0.1, {}};
     summary.tile_hashes = {1};
+    summary.hash = grid::map_hash(summary.tile_hashes);
     aisle::MapInfo sample = wire::encode(summary);
     sample.by(origin());
     infos_.write(sample);

@@ -34,28 +34,15 @@ ServiceConfig standing_at(double x, double y) {
   return config;
 }
 
-/// With the word of being alive that its shell would give.
 struct VehicleProcess {
   VehicleProcess(int domain, std::uint64_t boot_id, const ServiceConfig& config)
       : bus(site(domain, "vehicle")),
-        service(bus, "agv-1", "fake-vehicle-agv-1", boot_id, health, config),
-        hello(bus.writer<topics::ServiceHealth>()) {
-    say_hello(boot_id);
-    bus.every(1s, [this, boot_id] { say_hello(boot_id); });
-  }
-  void say_hello(std::uint64_t boot_id) {
-    aisle::ServiceHealth sample;
-    sample.instance_id(std::string("fake-vehicle-agv-1"));
-    sample.by(wire::encode(fleet::Origin{"fake-vehicle-agv-1", boot_id, 1, 1, process::wall_clock_ns()}));
-    sample.service(std::string("fake-vehicle"));
-    sample.agv_id(std::string("agv-1"));
-    sample.state(ServiceState::SERVICE_READY);
-    hello.write(sample);
-  }
+        shell(bus, {"fake-vehicle", "fake-vehicle-agv-1", "agv-1", boot_id, "", 0}),
+        service(shell, config) {}
   bus::DdsBus bus;
-  service::Health health;
+  service::Shell shell;
+  service::Health& health{shell.health()};
   FakeVehicleService service;
-  bus::Writer<topics::ServiceHealth> hello;
 };
 
 /// The rest of the site: an empty hall of 20 x 10 m, and what the vehicle says.
@@ -282,7 +269,7 @@ TEST(FakeVehicleService, TheNewcomerOfTwoStaysSilentAndSaysWhy) {
     return run_until({&site.bus, &first.bus, &newcomer.bus}, done);
   };
   ASSERT_TRUE(run([&] { return newcomer.health.last_error.find("duplicate id") != std::string::npos; }));
-  EXPECT_EQ(newcomer.health.state, ServiceState::SERVICE_DEGRADED);
+  EXPECT_EQ(newcomer.health.state, fleet::ServiceState::kDegraded);
   const auto more_of_the_first = [&](int states) {
     const int before = site.states_of_boot[5];
     return run([&] { return site.states_of_boot[5] > before + states; });

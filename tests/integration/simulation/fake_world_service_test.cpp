@@ -39,9 +39,12 @@ scenario::Scenario yard() {
 
 struct WorldProcess {
   WorldProcess(int domain, std::uint64_t boot_id, const ServiceConfig& config)
-      : bus(site(domain, "world")), service(bus, "fake-world", boot_id, health, config) {}
+      : bus(site(domain, "world")),
+        shell(bus, {"fake-world", "fake-world", "", boot_id, "", 0}),
+        service(shell, config) {}
   bus::DdsBus bus;
-  service::Health health;
+  service::Shell shell;
+  service::Health& health{shell.health()};
   FakeWorldService service;
 };
 
@@ -86,7 +89,7 @@ TEST(FakeWorldService, BeginsWhenTheVehiclesAreThere) {
   ASSERT_TRUE(run([&] { return watcher.x_of.count("walker") > 0 && watcher.x_of.count("box") > 0; }));
   const double begin = watcher.x_of["walker"];
   ASSERT_TRUE(run([&] { return watcher.x_of["walker"] > begin + 1.0; }));
-  ASSERT_TRUE(run([&] { return world.health.state == ServiceState::SERVICE_READY; }));
+  ASSERT_TRUE(run([&] { return world.health.state == fleet::ServiceState::kReady; }));
 }
 
 TEST(FakeWorldService, NothingJumpsOverARestart) {

@@ -43,6 +43,21 @@ TEST(Fleet, HasEveryServiceOnceAndTwoForEachVehicle) {
   EXPECT_TRUE(processes.front().is_referee);
 }
 
+TEST(Fleet, TogetherHasOneProcessThatSimulatesAllVehiclesAndOneThatDrivesThem) {
+  RunSettings together = settings();
+  together.together = true;
+  std::set<std::string> instances;
+  for (const Process& p : processes_of(two_vehicles(), together)) {
+    instances.insert(p.instance);
+    if (p.instance != "fake-vehicle" && p.instance != "local-planner") continue;
+    const auto agv = std::find(p.arguments.begin(), p.arguments.end(), "--agv");
+    ASSERT_NE(agv, p.arguments.end()) << p.instance;
+    EXPECT_EQ(*std::next(agv), "agv-1,agv-2");
+  }
+  EXPECT_EQ(instances, (std::set<std::string>{"map", "global-planner", "obstacle-tracker", "fake-world", "fake-vehicle",
+                                              "local-planner", "dispatcher", "referee"}));
+}
+
 TEST(Fleet, StaysOnLoopbackOnItsDomain) {
   for (const Process& p : processes_of(two_vehicles(), settings())) {
     const auto domain = std::find(p.arguments.begin(), p.arguments.end(), "--domain");

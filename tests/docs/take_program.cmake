@@ -1,0 +1,11 @@
+# Writes the first ```cpp block of PAGE to SOURCE.
+file(READ "${PAGE}" text)
+string(FIND "${text}" "```cpp\n" begin)
+if(begin EQUAL -1)
+  message(FATAL_ERROR "${PAGE} has no ```cpp block")
+endif()
+math(EXPR begin "${begin} + 7")
+string(SUBSTRING "${text}" ${begin} -1 text)
+string(FIND "${text}" "\n```" length)
+string(SUBSTRING "${text}" 0 ${length} text)
+file(WRITE "${SOURCE}" "${text}\n")
