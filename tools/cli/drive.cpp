@@ -13,6 +13,7 @@
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/process/output_file.hpp"
 #include "common/process/own_usage.hpp"
 #include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/critic.hpp"
@@ -20,7 +21,6 @@
 #include "tools/cli/json/json.hpp"
 #include "tools/cli/progress_line.hpp"
 #include "tools/cli/text.hpp"
-#include "tools/lab/planning/output_file.hpp"
 #include "tools/lockstep/families.hpp"
 #include "tools/lockstep/totals.hpp"
 #include "tools/referee/core/walls.hpp"
@@ -174,7 +174,7 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
   driven.add(outcome);
   progress.clear();
   if (!options.svg.empty() && run == 0)
-    write_output_file(options.svg, referee::fleet_svg(outcome.report, referee::Walls(setup.grid)));
+    process::write_output_file(options.svg, referee::fleet_svg(outcome.report, referee::Walls(setup.grid)));
   for (const std::string& line : outcome.result.log) say(line);
   const bool is_good = outcome.report.goals_missed() == 0 && outcome.report.contacts_moving_vehicle() == 0 &&
                        outcome.report.violations.empty();
@@ -190,7 +190,7 @@ int drive(const Cli& cli, const Options& options) {
   check_name("--global", options.global, names_of(global_planner::all_variants()));
   if (options.scenario.empty())
     throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(lockstep::families()));
-  if (!options.svg.empty()) check_writable(options.svg);
+  if (!options.svg.empty()) process::check_writable(options.svg);
   Driven driven;
   ProgressLine progress;
   bool goes_on = true;
