@@ -16,7 +16,7 @@ constexpr int kTangentSpan = 3;          // points to both sides
 constexpr double kReachStepM = 0.1;
 constexpr double kMostToMiddleM = 0.3;  // of shift, where two cannot pass
 constexpr double kQuarter = 0.25;       // of the aisle's width: the middle of its right half
-constexpr std::size_t kMeanSpan = 4;    // points to both sides, whose shifts are averaged
+constexpr std::size_t kMeanSpan = 4;    // points to both sides: the shifts of all are averaged
 constexpr double kLeastShiftM = 0.02;   // a smaller one is none
 constexpr double kShiftShrinks = 0.7;   // at a time, where the shifted point is too near to walls
 
@@ -66,6 +66,8 @@ double wanted_shift_m(const grid::ClearanceField& clearance, Point2 p, Point2 ri
   return std::clamp(middle + half_spacing, -settings.shift_m, settings.shift_m);
 }
 
+/// Averages each shift with its neighbours, then bounds the slope from point to point, forwards and backwards, and
+/// towards the ends, where the shift is 0.
 std::vector<double> smooth_shifts(std::vector<double> shifts) {
   std::vector<double> averaged(shifts.size());
   for (std::size_t i = 0; i < shifts.size(); ++i) {
@@ -100,6 +102,8 @@ void relax(std::vector<Point2>& points, const std::vector<Point2>& targets, cons
     }
 }
 
+/// Is the lane nowhere nearer to walls than the plan, or than `needed_m`? Between two points a little nearer is
+/// allowed.
 bool is_safe(const std::vector<Point2>& points, const std::vector<Point2>& plan, const grid::ClearanceField& clearance,
              double needed_m) {
   double plan_least = needed_m;

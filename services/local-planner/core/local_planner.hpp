@@ -20,9 +20,9 @@ namespace aisle::local_planner {
 ///                                                                   ─► turning, or dynamic window ─► command, status
 ///
 /// Keeps to the right, slows in bends, near walls and near people, waits where others go first, drives around what
-/// stands, steps aside for those whom it blocks, and asks for another plan when none of this helps. Whatever is missing
-/// or old in its inputs stops it, and the output says which. Deterministic: the same calls give the same outputs. Not
-/// for several threads.
+/// stands, steps aside for vehicles that it blocks, and asks for another plan when none of this helps. Whatever is
+/// missing or old in its inputs stops it, and the output says which. Deterministic: the same calls give the same
+/// outputs. Not for several threads.
 class LocalPlanner {
  public:
   explicit LocalPlanner(const Settings& settings = {}, Variant variant = wang());

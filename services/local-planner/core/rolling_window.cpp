@@ -9,7 +9,7 @@ namespace {
 using geometry::Point2;
 
 constexpr double kStepM = 0.2;     // along the route
-constexpr double kLeastMps = 0.4;  // at which who stands is expected to drive on
+constexpr double kLeastMps = 0.4;  // at which a vehicle that stands is expected to drive on
 constexpr double kLeastWindowM = 0.5;
 constexpr double kWindowShares[] = {1.0, 0.7, 0.5, 0.35, 0.25, 0.15};  // of the largest window, tried in this order
 constexpr double kLongestGrowthS = 1.0;                                // a margin does not grow for longer

@@ -40,7 +40,7 @@ Meeting predict_meeting(const Scene& scene, double window_m, double horizon_s);
 
 /// What a sub-target is looked for in.
 struct Window {
-  const Scene& scene;  // the vehicle, and who may be met
+  const Scene& scene;  // the vehicle, and movers that may be met
   const Room& room;    // walls and what stands
   const Route& route;  // to the goal
   double s_m{0.0};     // where the vehicle is on it
@@ -51,19 +51,19 @@ struct Window {
 /// WU eq. 13: the goal where it is inside the window, else the free point of the window's border that is nearest to the
 /// goal, of those that can be reached. Here:
 /// - reachable: straight on, within 0.8 rad of the heading and with room all along, for the dynamic window knows no
-/// path; and without
-///   a predicted collision, or the vehicle would be led to where it is to be led away from;
-/// - nearest to the goal: along the border, to where the route leaves the window; as the crow flies a building's dead
-/// ends would be;
-/// - the window: as large as it can be, at most the sensor's range, or to the goal; in aisles nothing is in sight at
-/// that range, so smaller
-///   ones are looked in too, down to a seventh.
-/// None: nothing can be reached so; keep to the path.
+///   path; and without a predicted collision, or the vehicle would be led to where it is to be led away from;
+/// - nearest to the goal: along the border, to where the route leaves the window; in a straight line a building's dead
+///   ends would be nearest;
+/// - the window: at most the sensor's range, or to the goal. In aisles no point is in sight at that range, so smaller
+///   windows are tried too, down to a seventh.
+///
+/// How: for each window, largest first, the bearing to the route's exit and then bearings ever farther to either side;
+/// the first that is reachable gives the point. None: no bearing is reachable; keep to the path.
 std::optional<geometry::Point2> local_sub_target(const Window& window);
 
 /// WU's strategy: the sub-target while the straight way to `path_target_in_map` ends in a predicted collision with what
-/// stands, comes or crosses. None: keep to the path; nobody is met, or somebody slower ahead, who is followed, or there
-/// is no sub-target.
+/// stands, comes or crosses. None: keep to the path: no collision is predicted, or one with a slower mover ahead, which
+/// is followed, or there is no sub-target.
 std::optional<geometry::Point2> avoid(const Window& window, geometry::Point2 path_target_in_map);
 
 }  // namespace aisle::local_planner

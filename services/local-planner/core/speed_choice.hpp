@@ -20,7 +20,7 @@ struct SpeedChoice {
   geometry::Twist2 wanted;
   Grade grade{Grade::kNone};  // of the recovery, where every speed that moves was refused
   Choice choice;
-  bool is_refused_by_people{false};  // who walk by: there is more room in a moment
+  bool is_refused_by_people{false};  // passing by: there is more room in a moment
 };
 
 /// The dynamic window's best speed. Where it refuses all that moves, though the vehicle might: what gets it over that

@@ -14,8 +14,8 @@ constexpr double kReactionS = 0.15;       // from now to when a vehicle that mus
 constexpr double kBeforeObstacleM = 0.1;  // it stops before where its lane is obstructed
 constexpr double kThereM = 0.12;          // so near to its end a way aside is driven
 constexpr double kLongestAsideS = 20.0;   // then it comes back, whether or not it got there
-constexpr double kStopsForAskingS = 0.5;  // who has stood for so long stays until it makes room,
-constexpr double kMakesRoomS = 1.0;       // and who for so long looks for a place,
+constexpr double kStopsForAskingS = 0.5;  // a vehicle that has stood for so long stays where it is asked for room,
+constexpr double kMakesRoomS = 1.0;       // and one that has stood for so long looks for a place aside,
 constexpr double kLookAgainS = 2.0;       // so often
 
 }  // namespace

@@ -16,8 +16,11 @@ std::vector<std::string> asking_for_room(const Advice& advice, const Surrounding
 std::vector<std::string> stuck_with(const Surroundings& around, const Moment& moment);
 
 /// The nearest place, by the way there, that no claim of the peers `for_whom`, nor of any that goes first, comes near
-/// to. For nobody: any place 0.7 m away or farther. Where there is none, or for a vehicle that cannot turn on the spot:
-/// empty. The way there, in map, from where the vehicle is.
+/// to. Where no peer asks: any place 0.7 m away or farther. Where there is none, or for a vehicle that cannot turn on
+/// the spot: empty. The way there, in map, from where the vehicle is.
+///
+/// How: the lattice search, which expands places by the way to them, accepts the first one that every claim passes by
+/// at a distance of both radii and the margin.
 /// @param margin_m between the discs of two vehicles whose ways do not conflict
 std::vector<geometry::Point2> way_aside(const Moment& moment, const Surroundings& around, const Way& way,
                                         const std::vector<std::string>& for_whom, double margin_m);

@@ -19,7 +19,7 @@ constexpr double kArrivesS = 1.5;       // a peer that comes later can still bra
 constexpr double kFollowStepM = 0.1;
 constexpr double kInsideM = 0.05;          // so little before a conflict, besides braking, is inside it
 constexpr double kSameWayCosine = 0.5;     // of the angle between two ways that lead the same way
-constexpr double kBeforeConflictM = 0.25;  // who waits stops so far before the conflict
+constexpr double kBeforeConflictM = 0.25;  // a vehicle that waits stops so far before the conflict
 
 /// Where a claim passes a point: how near, when, and in which direction.
 struct Pass {
@@ -135,6 +135,8 @@ struct OwnStretch {
   }
 };
 
+/// Stretches of the own way whose points have a point of the peer's claim within both radii and the margin, in the
+/// order of the way; with the times at which either vehicle is there, by its speeds.
 std::vector<Conflict> conflicts_with(const OwnWay& own, const OwnStretch& stretch, const PeerView& peer,
                                      const TrafficSettings& settings) {
   std::vector<Conflict> found;
@@ -174,14 +176,28 @@ double behind_m(const OwnWay& own, const PeerView& peer, const TrafficSettings& 
   return std::numeric_limits<double>::infinity();
 }
 
+/// Is the peer behind the own vehicle, by the direction of the way here?
 bool is_behind_me(const OwnWay& own, const PeerView& peer) {
   const double yaw = own.route.heading_at(own.s_m + kHeadingAheadM);
   const Point2 d = peer.base_in_map.position() - own.position_in_map;
   return geometry::dot(d, {std::cos(yaw), std::sin(yaw)}) < 0.0;
 }
 
+/// What a conflict means for the own vehicle.
 enum class Right { kMine, kFollow, kWait, kGiveWay };
 
+/// The first line that fits:
+///
+///   the same way, the peer on it and ahead                  follow
+///   the same way, this vehicle on it                        mine
+///   only this vehicle inside                                mine; but give way where the peer goes first and claims
+///                                                           the place where this vehicle stands
+///   only the peer inside                                    wait
+///   this vehicle goes first                                 mine
+///   both inside                                             give way where the claim runs through here, else wait
+///   through well before the peer comes                      mine
+///   the peer has stood for long                             mine
+///   otherwise                                               wait
 Right right_of_way(const OwnWay& own, const PeerView& peer, const Conflict& c, const TrafficSettings& settings) {
   const bool i_am_inside = c.reaches_me || c.begin_m - own.s_m < own.stopping_m + kInsideM;
   const bool same_way = c.alignment > kSameWayCosine;

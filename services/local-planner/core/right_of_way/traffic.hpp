@@ -12,7 +12,7 @@ struct TrafficSettings {
   double look_ahead_m{12.0};
   double margin_m{0.15};  // ways of two vehicles conflict where their discs come nearer than this
   double time_gap_s{
-      2.0};  // whoever must wait may go first when it is out of the conflict so long before the other comes
+      2.0};  // a vehicle that must wait goes first where it is out of the conflict so long before the peer
   double patience_s{4.0};  // a claim of a peer that stands, not in the conflict, is honoured for so long
   double following_gap_m{0.35};
 };
@@ -32,16 +32,19 @@ struct OwnWay {
 /// What the fleet's rules ask of this vehicle.
 struct Advice {
   double stop_at_m{std::numeric_limits<double>::infinity()};  // do not pass this s
-  std::string yields_to;                                      // empty: nobody
+  std::string yields_to;                                      // a peer's id; empty: none
   geometry::Point2 conflict_in_map;
   bool follows{false};                    // the stop is behind a peer that goes the same way
-  std::vector<std::string> gives_way_to;  // peers whose claim runs through where this vehicle stands, and who go first
+  std::vector<std::string> gives_way_to;  // peers that go first and claim the place where this vehicle stands
 };
 
-/// Right of way, decided by each vehicle for itself and the same way: ways conflict where they come near; who is
-/// already in the conflict goes on; otherwise, and when both are in it, the smaller id does. Whoever must wait does so
-/// before the conflict, and may go first when it is through well before the other comes. Behind a vehicle on the same
-/// way one follows.
+/// Right of way. Each vehicle decides for itself, by the same rules: two ways conflict where they come near; a vehicle
+/// that is already in the conflict goes on; otherwise, and where both are in it, the one with the smaller id does. The
+/// other waits before the conflict, or goes first where it is through well before. Behind a vehicle on the same way it
+/// follows.
+///
+/// How: the own way is sampled every 0.2 m for 12 m; points within both radii and the margin of a peer's claim make
+/// stretches of conflict; each is judged (`right_of_way` in traffic.cpp), and the nearest stop counts.
 Advice advise(const OwnWay& own, const std::vector<PeerView>& peers, const TrafficSettings& settings);
 
 /// Is the point within `distance_m` of the way that is claimed?

@@ -3,10 +3,18 @@
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {
+namespace {
+
+// Weights.
+constexpr double kHeading = 0.2;
+constexpr double kClearance = 0.5;
+constexpr double kVelocity = 0.3;
+
+}  // namespace
 
 Variant dwa() {
   return {"dwa",
-          {{heading_critic, 0.2}, {clearance_critic, 0.5}, {velocity_critic, 0.3}},
+          {{heading_critic, kHeading}, {clearance_critic, kClearance}, {velocity_critic, kVelocity}},
           false,
           {},
           "straight at the goal, without a path; for comparison"};

@@ -2,10 +2,22 @@
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {
+namespace {
+
+// Weights.
+constexpr double kHeading = 0.05;
+constexpr double kClearance = 0.2;
+constexpr double kVelocity = 0.3;
+constexpr double kSubTargetHeading = 0.1;
+
+}  // namespace
 
 Variant li() {
   return {"li",
-          {{heading_critic, 0.05}, {clearance_critic, 0.2}, {velocity_critic, 0.3}, {sub_target_heading_critic, 0.1}},
+          {{heading_critic, kHeading},
+           {clearance_critic, kClearance},
+           {velocity_critic, kVelocity},
+           {sub_target_heading_critic, kSubTargetHeading}},
           true,
           {},
           "heads for a sub-target on the path as well"};

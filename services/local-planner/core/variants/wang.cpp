@@ -4,12 +4,27 @@
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {
+namespace {
+
+// Weights.
+constexpr double kHeading = 0.05;
+constexpr double kClearance = 0.2;
+constexpr double kVelocity = 0.3;
+
+constexpr PaperLimits kPaper{/*max_speed_mps=*/1.5,
+                             /*max_turn_radps=*/from_degrees(40.0),
+                             /*max_acceleration_mps2=*/1.0,
+                             /*max_deceleration_mps2=*/1.0,
+                             /*max_turn_acceleration_radps2=*/from_degrees(50.0),
+                             /*horizon_s=*/2.0};
+
+}  // namespace
 
 Variant wang() {
   return {"wang",
-          {{heading_critic, 0.05}, {clearance_critic, 0.2}, {velocity_critic, 0.3}},
+          {{heading_critic, kHeading}, {clearance_critic, kClearance}, {velocity_critic, kVelocity}},
           true,
-          {1.5, from_degrees(40.0), 1.0, 1.0, from_degrees(50.0), 2.0},
+          kPaper,
           "turning points as targets"};
 }
 
