@@ -2,7 +2,6 @@
 #include "tools/sim/services.hpp"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
 #include "common/scenario/variation.hpp"
@@ -26,42 +25,16 @@ constexpr const char* kJournalFile = "map.sqlite";
 constexpr const char* kMapId = "site";
 constexpr int kFewestRays = 8;  // where nobody looks at scans
 
-/// A service in its shell.
-template <class Service, class Config>
-std::shared_ptr<void> make_service(service::Shell& shell, Config config) {
-  if constexpr (std::is_constructible_v<Service, service::Shell&, Config>) {
-    return std::make_shared<Service>(shell, std::move(config));
-  } else {
-    return std::make_shared<Service>(shell.bus(), shell.instance_id(), shell.boot_id(), shell.health(),
-                                     std::move(config));
-  }
-}
-
-/// A service for one vehicle in its shell.
-template <class Service, class Config>
-std::shared_ptr<void> make_vehicle_service(service::Shell& shell, Config config) {
-  if constexpr (std::is_constructible_v<Service, service::Shell&, Config>) {
-    return std::make_shared<Service>(shell, std::move(config));
-  } else if constexpr (std::is_same_v<Config, local_planner::ServiceConfig>) {
-    return std::make_shared<Service>(shell.bus(), shell.agv_id(),
-                                     service::OriginStamper(shell.bus(), shell.instance_id(), shell.boot_id()),
-                                     shell.health(), shell.instance_id(), std::move(config));
-  } else {
-    return std::make_shared<Service>(shell.bus(), shell.agv_id(), shell.instance_id(), shell.boot_id(), shell.health(),
-                                     std::move(config));
-  }
-}
-
 std::shared_ptr<void> make_map(const Setup& setup, service::Shell& shell) {
   map::SiteMap base(kMapId, setup.grid);
   auto journal = std::make_unique<map::Journal>(kJournalFile, kMapId, base.summary().hash, map::Journal::Options{});
-  return make_service<map::MapService>(shell, map::MapStore(std::move(base), std::move(journal), {}));
+  return std::make_shared<map::MapService>(shell, map::MapStore(std::move(base), std::move(journal), {}));
 }
 
 std::shared_ptr<void> make_global_planner(const Setup& setup, service::Shell& shell) {
   global_planner::ServiceConfig config;
   config.planner = setup.planner;
-  return make_service<global_planner::GlobalPlannerService>(shell, config);
+  return std::make_shared<global_planner::GlobalPlannerService>(shell, config);
 }
 
 std::shared_ptr<void> make_tracker(const Setup& setup, service::Shell& shell) {
@@ -69,7 +42,7 @@ std::shared_ptr<void> make_tracker(const Setup& setup, service::Shell& shell) {
     return std::make_shared<TruthTracker>(shell, setup.vehicle.lidar.range_max_m, setup.seed);
   obstacle_tracker::ServiceParams params;
   params.only_scans_of = setup.only_scans_of;
-  return make_service<obstacle_tracker::ObstacleTrackerService>(shell, params);
+  return std::make_shared<obstacle_tracker::ObstacleTrackerService>(shell, params);
 }
 
 std::shared_ptr<void> make_world(const Setup& setup, service::Shell& shell) {
@@ -77,7 +50,7 @@ std::shared_ptr<void> make_world(const Setup& setup, service::Shell& shell) {
   config.scenario = setup.scenario;
   config.seed = setup.seed;
   config.state_file = kStateFile;
-  return make_service<fake_world::FakeWorldService>(shell, config);
+  return std::make_shared<fake_world::FakeWorldService>(shell, config);
 }
 
 const local_planner::Variant& variant_of(const Setup& setup) {
@@ -111,7 +84,7 @@ std::shared_ptr<void> make_vehicle(const Setup& setup, const scenario::Vehicle& 
   config.run = setup.scenario.name + "/" + vehicle.id;
   config.start_in_map = scenario::varied_start(vehicle, setup.scenario.start_jitter_m, setup.seed);
   config.state_file = kStateFile;
-  return make_vehicle_service<fake_vehicle::FakeVehicleService>(shell, config);
+  return std::make_shared<fake_vehicle::FakeVehicleService>(shell, config);
 }
 
 std::shared_ptr<void> make_local_planner(const Setup& setup, service::Shell& shell) {
@@ -123,14 +96,14 @@ std::shared_ptr<void> make_local_planner(const Setup& setup, service::Shell& she
     config.settings.dwa.horizon_s = paper.horizon_s;
     config.settings.comfort_mps2 = std::min(config.settings.comfort_mps2, paper.max_deceleration_mps2);
   }
-  return make_vehicle_service<local_planner::LocalPlannerService>(shell, config);
+  return std::make_shared<local_planner::LocalPlannerService>(shell, config);
 }
 
 std::shared_ptr<void> make_dispatcher(const Setup& setup, service::Shell& shell) {
   dispatcher::ServiceConfig config;
   config.scenario = setup.scenario;
   config.state_file = kStateFile;
-  return make_service<dispatcher::DispatcherService>(shell, config);
+  return std::make_shared<dispatcher::DispatcherService>(shell, config);
 }
 
 }  // namespace
