@@ -6,11 +6,7 @@
 #include <type_traits>
 
 #include "common/bus/topics.hpp"
-#include "idl/map_support.hpp"
-#include "idl/planning_support.hpp"
-#include "idl/service_support.hpp"
-#include "idl/tracking_support.hpp"
-#include "idl/vehicle_support.hpp"
+#include "idl/supports.hpp"
 
 namespace aisle::bus {
 namespace {
@@ -37,23 +33,15 @@ TopicType row() {
           }};
 }
 
-template <class... Topics, class... Rows>
-auto complete(topics::List<Topics...>, Rows... rows) {
-  static_assert(sizeof...(Topics) == sizeof...(Rows), "each topic of topics.hpp needs its row here");
-  return std::vector<TopicType>{rows...};
+template <class... Topics>
+std::vector<TopicType> rows_of(topics::List<Topics...>) {
+  return {
+      row<Topics,
+          std::remove_pointer_t<decltype(idl::support_of(static_cast<const typename Topics::Sample*>(nullptr)))>>()...};
 }
 
 const std::vector<TopicType>& table() {
-  static const auto rows = complete(
-      topics::All{}, row<topics::MapInfo, MapInfoPubSubType>(), row<topics::MapTile, MapTilePubSubType>(),
-      row<topics::MapRequest, MapRequestPubSubType>(), row<topics::MapEdit, MapEditPubSubType>(),
-      row<topics::MapEditResult, MapEditResultPubSubType>(), row<topics::VehicleInfo, VehicleInfoPubSubType>(),
-      row<topics::VehicleState, VehicleStatePubSubType>(), row<topics::Scan, ScanPubSubType>(),
-      row<topics::Goal, GoalPubSubType>(), row<topics::Plan, PlanPubSubType>(), row<topics::Track, TrackPubSubType>(),
-      row<topics::TrackingStatus, TrackingStatusPubSubType>(), row<topics::Coverage, CoveragePubSubType>(),
-      row<topics::VelocityCommand, VelocityCommandPubSubType>(),
-      row<topics::NavigationStatus, NavigationStatusPubSubType>(),
-      row<topics::WorldObstacle, WorldObstaclePubSubType>(), row<topics::ServiceHealth, ServiceHealthPubSubType>());
+  static const std::vector<TopicType> rows = rows_of(topics::All{});
   return rows;
 }
 

@@ -76,6 +76,18 @@ TYPED_TEST(GoldenBytes, AreRead) {
   EXPECT_EQ(read, this->sample_);
 }
 
+/// What a new topic has before somebody writes a sample of it by hand.
+TYPED_TEST(GoldenBytes, OfASampleFilledByItsFieldsAreReadBack) {
+  typename TypeParam::Sample sample;
+  fill<typename TypeParam::Sample>(sample);
+  EXPECT_FALSE(sample == typename TypeParam::Sample{});
+  Bytes bytes;
+  ASSERT_TRUE(this->codec_.encode(&sample, bytes));
+  typename TypeParam::Sample read;
+  ASSERT_TRUE(this->codec_.decode(bytes, &read));
+  EXPECT_EQ(read, sample);
+}
+
 TYPED_TEST(GoldenBytes, CutAnywhereNeverThrowAndNeverPassForTheSample) {
   const Bytes whole = read_golden(TypeParam::kName);
   for (std::size_t length = 0; length + 3 < whole.size(); ++length) {
