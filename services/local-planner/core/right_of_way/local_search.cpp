@@ -53,53 +53,93 @@ std::vector<Point2> straighten(const Room& room, const std::vector<Point2>& way)
   return out;
 }
 
+/// Dijkstra over the lattice; the room of each node is looked up once.
+class WaySearch {
+ public:
+  WaySearch(const Room& room, Point2 from, Point2 towards, double reach_m)
+      : room_(room),
+        from_(from),
+        ahead_(towards - from),
+        lattice_(from, reach_m),
+        cost_(lattice_.size(), std::numeric_limits<double>::infinity()),
+        spare_(lattice_.size(), kUnknown),
+        parent_(lattice_.size(), lattice_.size()) {}
+
+  /// The nodes from the start to the first that is accepted and has room; empty: there is none.
+  std::vector<Point2> run(const std::function<bool(Point2)>& accepts) {
+    const std::size_t start = lattice_.index(0, 0);
+    cost_[start] = 0.0;
+    open_.push({0.0, start});
+    while (!open_.empty()) {
+      const auto [so_far, i] = open_.top();
+      open_.pop();
+      if (so_far > cost_[i]) continue;
+      if (accepts(lattice_.at(i)) && spare_at(i) >= 0.0) return way_to(i);
+      expand(i, so_far);
+    }
+    return {};
+  }
+
+ private:
+  static constexpr double kUnknown = -std::numeric_limits<double>::infinity();
+  using Entry = std::pair<double, std::size_t>;  // cost, node
+
+  double spare_at(std::size_t i) {
+    if (spare_[i] == kUnknown) spare_[i] = room_.spare_m(lattice_.at(i));
+    return spare_[i];
+  }
+
+  void expand(std::size_t i, double so_far) {
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int x = lattice_.x_of(i) + dx;
+        const int y = lattice_.y_of(i) + dy;
+        if ((dx == 0 && dy == 0) || !lattice_.contains(x, y)) continue;
+        const std::size_t k = lattice_.index(x, y);
+        if (!may_step(i, k)) continue;
+        const double total = so_far + kStepM * std::hypot(dx, dy) * dearness(k);
+        if (total < cost_[k]) cost_[k] = total, parent_[k] = i, open_.push({total, k});
+      }
+  }
+
+  /// Out of too little room, never deeper into it; where room is tight, the middle of the step is looked at too.
+  bool may_step(std::size_t i, std::size_t k) {
+    const double here = spare_at(k);
+    if (here < 0.0 && here < spare_at(i) + kRoundingM) return false;
+    const bool is_tight = here >= 0.0 && here < kTightM && spare_at(i) >= 0.0;
+    return !is_tight || room_.spare_m(0.5 * (lattice_.at(i) + lattice_.at(k))) >= 0.0;
+  }
+
+  /// Of a step to this node, a factor: dearer near obstacles and left of the line ahead.
+  double dearness(std::size_t k) {
+    const double near = std::max(0.0, kDearM - spare_at(k)) / kDearM;
+    const bool is_left = geometry::cross(ahead_, lattice_.at(k) - from_) > kLeftM2;
+    return 1.0 + near + (is_left ? kLeftDearer : 0.0);
+  }
+
+  std::vector<Point2> way_to(std::size_t i) const {
+    std::vector<Point2> way;
+    for (std::size_t j = i; j != lattice_.size(); j = parent_[j]) way.push_back(lattice_.at(j));
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  const Room& room_;
+  Point2 from_;
+  Point2 ahead_;
+  Lattice lattice_;
+  std::vector<double> cost_;
+  std::vector<double> spare_;  // room at each node, in metres
+  std::vector<std::size_t> parent_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
+};
+
 }  // namespace
 
 std::vector<Point2> search_way(const Room& room, Point2 from, Point2 towards, double reach_m,
                                const std::function<bool(Point2)>& accepts) {
-  const Lattice lattice(from, reach_m);
-  constexpr double kUnknown = -std::numeric_limits<double>::infinity();
-  std::vector<double> cost(lattice.size(), std::numeric_limits<double>::infinity());
-  std::vector<double> spare(lattice.size(), kUnknown);
-  std::vector<std::size_t> parent(lattice.size(), lattice.size());
-  using Entry = std::pair<double, std::size_t>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  const auto spare_at = [&](std::size_t i) {
-    if (spare[i] == kUnknown) spare[i] = room.spare_m(lattice.at(i));
-    return spare[i];
-  };
-  const std::size_t start = lattice.index(0, 0);
-  const Point2 ahead = towards - from;
-  cost[start] = 0.0;
-  open.push({0.0, start});
-  while (!open.empty()) {
-    const auto [so_far, i] = open.top();
-    open.pop();
-    if (so_far > cost[i]) continue;
-    if (accepts(lattice.at(i)) && spare_at(i) >= 0.0) {
-      std::vector<Point2> way;
-      for (std::size_t j = i; j != lattice.size(); j = parent[j]) way.push_back(lattice.at(j));
-      std::reverse(way.begin(), way.end());
-      return straighten(room, way);
-    }
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        const int x = lattice.x_of(i) + dx;
-        const int y = lattice.y_of(i) + dy;
-        if ((dx == 0 && dy == 0) || !lattice.contains(x, y)) continue;
-        const std::size_t k = lattice.index(x, y);
-        const double here = spare_at(k);
-        if (here < 0.0 && here < spare_at(i) + kRoundingM) continue;  // out of too little room, never deeper into it
-        const Point2 p = lattice.at(k);
-        if (here >= 0.0 && here < kTightM && spare_at(i) >= 0.0 && room.spare_m(0.5 * (lattice.at(i) + p)) < 0.0)
-          continue;
-        const double near = std::max(0.0, kDearM - here) / kDearM;
-        const bool left = geometry::cross(ahead, p - from) > kLeftM2;
-        const double total = so_far + kStepM * std::hypot(dx, dy) * (1.0 + near + (left ? kLeftDearer : 0.0));
-        if (total < cost[k]) cost[k] = total, parent[k] = i, open.push({total, k});
-      }
-  }
-  return {};
+  const std::vector<Point2> way = WaySearch(room, from, towards, reach_m).run(accepts);
+  return way.empty() ? way : straighten(room, way);
 }
 
 }  // namespace aisle::local_planner
