@@ -20,9 +20,9 @@ enum class CommandVerdict {
 /// One word for logs and counters.
 const char* name(CommandVerdict verdict);
 
-/// Which source drives a vehicle. A command is accepted with the vehicle's own id, finite values, an epoch that is at least the
-/// accepted one, and a sequence number used never before. A higher epoch takes over, whoever sends it; within an epoch
-/// only its first source and boot is heard (a lease with an epoch: authority is not left to the middleware).
+/// Which source drives a vehicle. A command is accepted with the vehicle's own id, finite values, an epoch that is at
+/// least the accepted one, and a sequence number used never before. A higher epoch takes over, whoever sends it; within
+/// an epoch only its first source and boot is heard (a lease with an epoch: authority is not left to the middleware).
 class CommandAuthority {
  public:
   /// `accepted_epoch`: of before a restart of the vehicle, 0 at first.
