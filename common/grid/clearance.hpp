@@ -25,8 +25,8 @@ class ClearanceField {
   const Geometry& geometry() const { return geometry_; }
   double max_m() const { return max_m_; }
 
-  /// Another number after each change, and never that of a field with other contents: for who keeps something made from
-  /// a field. 0 for an empty one.
+  /// Another number after each change, and never that of a field with other contents: for a caller that keeps something
+  /// made from a field. 0 for an empty one.
   std::uint64_t revision() const { return revision_; }
 
   /// Exact at the cell's centre (capped): the radius of the largest disc that may stand there. 0 on obstacles and

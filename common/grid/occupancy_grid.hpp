@@ -44,7 +44,7 @@ inline bool operator!=(const Geometry& a, const Geometry& b) { return !(a == b);
 
 enum class Occupancy : std::uint8_t { kFree = 0, kOccupied = 1, kUnknown = 2 };
 
-/// One byte a cell, row by row from the bottom. Unknown cells count as blocked for whoever drives.
+/// One byte a cell, row by row from the bottom. Unknown cells count as blocked for vehicles.
 class OccupancyGrid {
  public:
   OccupancyGrid() = default;

@@ -16,7 +16,7 @@ struct DriveState {
 /// The motion nearest to `wanted` that the model and its limits let a vehicle reach from `current` within `dt_s`.
 DriveState follow(const DriveState& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s);
 
-/// The same for who knows only the twist: a tricycle that stands is taken to be steered straight.
+/// The same where only the twist is known: a tricycle that stands is taken to be steered straight.
 geometry::Twist2 limit_change(const geometry::Twist2& current, const geometry::Twist2& wanted, const Limits& limits,
                               double dt_s);
 

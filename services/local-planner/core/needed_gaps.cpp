@@ -111,7 +111,7 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
     const double gap_m =
         least_distance_m(here, {mover.position_in_map}) - scene.radius_m - mover.radius_m - mover.margin_m;
     // Beside a walking person the vehicle stands until they are past, whichever way they go.
-    if (mps > 0.0 && gap_m + mover.margin_m < kBesideM) needed.somebody_touches = true;
+    if (mps > 0.0 && gap_m + mover.margin_m < kBesideM) needed.is_person_beside = true;
     if (gap_m < stopping_m + (mps + mover.growth_mps) * stopping_s + mover.reach_m(stopping_s))
       needed.movers.emplace_back(&mover, std::min(0.0, gap_m));
     if (gap_m < (mps + mover.growth_mps) * settings.horizon_s + foreseen_m) needed.foreseen.push_back(&mover);

@@ -39,7 +39,7 @@ class BrakingBlock {
     for (std::size_t i = 0; i < count_; ++i) {
       if (stands && speed_mps_[i] < kStoodMps)
         finish(i, Obstruction::kNone);
-      else if (needed_.somebody_touches && speed_mps_[i] > kBesidePersonMps)
+      else if (needed_.is_person_beside && speed_mps_[i] > kBesidePersonMps)
         finish(i, Obstruction::kMover);
     }
   }

@@ -145,7 +145,7 @@ void brake(const Scene& scene, const Needed& needed, const DwaSettings& settings
   for (std::size_t i = 0; i < count; ++i) {
     if (stands && speeds.now_mps[i] < kStoodMps)
       finish(i, Obstruction::kNone);
-    else if (needed.somebody_touches && speeds.now_mps[i] > kBesidePersonMps)
+    else if (needed.is_person_beside && speeds.now_mps[i] > kBesidePersonMps)
       finish(i, Obstruction::kMover);
   }
 

@@ -42,7 +42,7 @@ struct Needed {
   std::vector<std::pair<const Mover*, double>> movers;
   std::vector<const Mover*> foreseen;  // within the horizon
   std::vector<const PeerMotion*> met;
-  bool somebody_touches{false};  // a person walks right beside the vehicle
+  bool is_person_beside{false};  // a person walks right beside the vehicle
 };
 Needed needed_gaps(const Scene& scene, const DwaSettings& settings);
 

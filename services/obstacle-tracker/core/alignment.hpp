@@ -7,20 +7,20 @@
 
 namespace aisle::obstacle_tracker {
 
-/// Where a known thing was expected at a detection's moment.
+/// A track's predicted position at a detection's moment.
 struct Prediction {
   Eigen::Vector2d position;  // in map
   Eigen::Matrix2d covariance;
 };
 
-/// The error of the vehicle's pose moves and turns everything that one scan shows in the same way; the things that are
-/// known already tell how far. Takes that common part out of the detections, and out of their covariance what is known
-/// of it by then.
+/// The error of the vehicle's pose shifts and turns all detections of a scan alike, so that the differences between
+/// detections and the tracks' predictions estimate it. Removes the estimate from the detections, and what is known of
+/// the pose by then from their covariances.
 ///
-/// Least squares over (x, y, yaw) with the noise of the pose as prior. Each detection is corrected by what the *others*
-/// say, so that no track pulls its own measurement towards what it expects. Pairs further off than `gate` (squared
-/// Mahalanobis distance) say nothing: who turned or started is no mark. `predictions`: one a detection; none where
-/// nothing was expected.
+/// How: least squares over (x, y, yaw) with the noise of the pose as prior. Each detection is corrected by an estimate
+/// from the *other* ones, so that no track pulls its own measurement towards its prediction. Pairs beyond `gate`
+/// (squared Mahalanobis distance) are left out: they are of an obstacle that turned or started. `predictions`: one for
+/// each detection; none where no track was expected.
 void align(std::vector<Detection>& detections, const std::vector<std::optional<Prediction>>& predictions,
            geometry::Point2 sensor_in_map, const SensorNoise& noise, double gate);
 

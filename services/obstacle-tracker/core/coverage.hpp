@@ -20,11 +20,11 @@ using fleet::kSeenLongAgo;
 inline constexpr double kAgeStep_s = 0.5;
 std::uint8_t age_code(time::Stamp seen, time::Stamp now);
 
-/// Which places the lidars of all vehicles looked at, and when: where nobody looked is not free of movers.
+/// Which cells the lidars of all vehicles observed, and when: a cell that was not observed may hold a mover.
 ///
 /// A coarse cell counts as seen by a scan when every ray towards its middle (a disc of half its size) got as far as its
 /// centre. What stands in front, wall, vehicle or person, hides it. It claims too little rather than too much: a cell
-/// that somebody stands in is not seen, but then a track is there; nor is one mostly inside a wall.
+/// that a person stands in is not seen, but then a track is there; nor is one mostly inside a wall.
 ///
 /// Grows with the places that were ever seen: a tile takes 32 KiB, and there are at most 1024. No clock: moments come
 /// with the scans.
@@ -32,8 +32,8 @@ class Coverage {
  public:
   struct Params {
     double cell_m{0.5};
-    double look_every_s{0.4};   // of each vehicle's scans, not more are looked at
-    double tell_again_s{10.0};  // a tile that nobody sees any more is told again so often
+    double look_every_s{0.4};   // of each vehicle's scans, one in this time is used
+    double tell_again_s{10.0};  // a tile without new observations is published again so often
 
     template <class Reader>
     void describe(Reader& r) {

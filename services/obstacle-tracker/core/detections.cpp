@@ -169,7 +169,7 @@ Detection fit_disc(const Cluster& cluster, const Scan& scan, Point2 sensor_in_ma
   return detection;
 }
 
-/// Whose hit it is: the expected thing with the nearest edge, within the margin; -1 nobody's.
+/// The expected disc that a hit belongs to: the one with the nearest edge, within the margin; -1: none.
 int claimant(const Hit& hit, const std::vector<Expected>& expected, const Shape& shape) {
   int best = -1;
   double best_m = shape.claim_margin_m;

@@ -6,7 +6,7 @@
 
 namespace aisle::obstacle_tracker {
 
-/// A disc that one scan shows, in map.
+/// An obstacle as one scan measures it: a disc in map.
 struct Detection {
   geometry::Point2 position_in_map;
   Eigen::Matrix2d covariance{Eigen::Matrix2d::Zero()};       // of the position
@@ -17,20 +17,20 @@ struct Detection {
   bool is_partial{false};                                    // it may be larger than seen
 };
 
-/// Where the tracker expects a thing; keeps apart what touches.
+/// A track's predicted disc; keeps the detections of obstacles that touch apart.
 struct Expected {
   geometry::Point2 position_in_map;
   double radius_m{0.25};
 };
 
-/// What a cluster is taken for.
+/// Sizes by which a cluster becomes one or more discs.
 struct Shape {
   double usual_radius_m{0.25};  // of a person: assumed where the view does not show the size
   double usual_radius_sigma_m{0.06};
-  double large{1.6};               // x usual_radius_m: this is no person any more
-  double max_disc_radius_m{0.72};  // what needs a larger disc becomes several
+  double large{1.6};               // x usual_radius_m: larger than a person
+  double max_disc_radius_m{0.72};  // a cluster that needs a larger disc becomes several
   double piece_m{0.70};            // of a long surface, for one disc
-  double keep_whole{1.2};          // x max_disc_radius_m: what is tracked as one disc stays one a little longer
+  double keep_whole{1.2};          // x max_disc_radius_m: a cluster tracked as one disc stays one up to here
   double claim_margin_m{0.15};     // a hit this near to an expected thing's edge belongs to it
 
   template <class Reader>

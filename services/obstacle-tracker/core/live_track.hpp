@@ -11,24 +11,24 @@ namespace aisle::obstacle_tracker {
 
 using fleet::Track;
 
-/// When a track is born, believed, kept and given up.
+/// Thresholds of a track's life: start, confirm, keep, drop.
 struct Lifecycle {
   double gate{13.8};           // squared Mahalanobis distance within which a detection may be a track's (99.9 %)
-  double gate_speed_mps{5.0};  // a thing may turn round at once: whatever the gate says, it reaches this far
-  double turn_gate{9.2};       // beyond it (99 %) the thing turned or started, and more doubt is put on its velocity
-  double turn_speed_sigma_mps{0.3};  // more, and a chance outlier of every hundred sets the velocity wrong
+  double gate_speed_mps{5.0};  // an obstacle may turn round at once: the gate is no narrower than this speed reaches
+  double turn_gate{9.2};       // beyond it (99 %) it turned or started: its velocity's covariance is increased
+  double turn_speed_sigma_mps{0.3};  // by this; with more, one outlier in a hundred spoils the velocity
   int confirming_scans{2};           // scans that must show it before it is published
-  int confirming_rays{3};            // and rays in all, at most two a scan counted
+  int confirming_rays{3};            // and rays in all, of which at most two of each scan count
   double unconfirmed_timeout_s{0.5};
-  double unseen_timeout_s{2.0};   // at most, of a thing that moved when last seen; and not longer than it had been seen
-  double static_timeout_s{30.0};  // of one that stood: it is remembered while nobody looks
-  int free_scans{2};              // in a row that must look through its place
+  double unseen_timeout_s{2.0};   // of an obstacle that moved when last seen; at most as long as it had been seen
+  double static_timeout_s{30.0};  // of one that stood: it is kept while no lidar looks there
+  int free_scans{2};              // dropped after so many scans in a row with rays through its position
   double static_after_s{3.0};
   double static_reach_m{0.25};  // it stands while it stays this near to where it was
   double merge_m{0.28};         // two tracks nearer than this are one
   double max_radius_m{1.5};
-  double mark_gate{
-      6.0};  // squared Mahalanobis distance within which a track tells of the error of the vehicle's pose; 0: none does
+  // Squared Mahalanobis distance within which a track helps to estimate the error of the vehicle's pose; 0: none does.
+  double mark_gate{6.0};
 
   template <class Reader>
   void describe(Reader& r) {
@@ -50,7 +50,7 @@ struct Lifecycle {
   }
 };
 
-/// A track from birth to death, published or not. Moments are on the tracker's clock.
+/// A track from its first detection until it is dropped, published or not. Moments are on the tracker's clock.
 class LiveTrack {
  public:
   LiveTrack(std::uint64_t id, const Detection& detection, const MotionModel& motion, time::Stamp moment);
@@ -59,7 +59,7 @@ class LiveTrack {
   const MotionFilter& filter() const { return *filter_; }
   double radius_m() const { return radius_m_; }
   bool is_static() const { return is_static_; }
-  /// Slow enough now that what is seen at its edge is a part of it.
+  /// Slow enough that a detection at its edge is a part of the same obstacle.
   bool is_standing() const;
   bool is_confirmed(const Lifecycle& lifecycle) const {
     return seen_scans_ >= lifecycle.confirming_scans && rays_ >= lifecycle.confirming_rays;
@@ -71,9 +71,9 @@ class LiveTrack {
   geometry::Point2 position_before(double lag_s) const;
   double position_sigma_m() const;
 
-  /// Carries the state on; a static one stays where it is while nobody sees it.
+  /// Predicts the state; a static track stays where it is while no lidar sees it.
   void move_on(time::Stamp from, time::Stamp to);
-  /// Takes in a detection measured at `measured`; the filter's moment is `moment`, not before it.
+  /// Updates the state with a detection measured at `measured`; the state's moment is `moment`, not before it.
   void take(const Detection& detection, time::Stamp measured, time::Stamp moment, const Lifecycle& lifecycle);
   /// Something of it was seen, but not enough to measure it.
   void glimpse(time::Stamp measured);
@@ -81,9 +81,9 @@ class LiveTrack {
   double reach_to_cover(const Detection& detection) const;
   /// Grows, within a few scans, so that the disc reaches this far.
   void cover(double reach_m);
-  /// Its place was looked through.
+  /// A scan's rays went through its position.
   void miss() { ++free_scans_; }
-  /// Another track is the same thing: this one goes.
+  /// Another track is of the same obstacle: this one is dropped.
   void replace() { is_replaced_ = true; }
   bool is_replaced() const { return is_replaced_; }
   bool is_looked_through(const Lifecycle& lifecycle) const;
@@ -102,7 +102,7 @@ class LiveTrack {
   time::Stamp born_;
   time::Stamp last_seen_;
   int seen_scans_{1};
-  int rays_;  // that touched it, at most two a scan counted
+  int rays_;  // that hit it, of which at most two of each scan count
   int free_scans_{0};
   geometry::Point2 anchor_in_map_;  // it has stayed near here
   time::Stamp anchored_{};          // since then

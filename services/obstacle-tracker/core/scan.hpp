@@ -16,7 +16,7 @@ struct Scan : fleet::Scan {
   time::Stamp stamp{};
 };
 
-/// A vehicle of the fleet: what the scans show there is no obstacle.
+/// A vehicle of the fleet: hits on its outline are no obstacle.
 struct KnownVehicle {
   std::string agv_id;
   bool is_rectangle{false};
@@ -31,7 +31,7 @@ struct KnownVehicle {
 
 /// Why a scan was not used. Names for counters: name_of().
 enum class DropReason {
-  kUnknownVehicle,  // nobody has said what it is (vehicle_info)
+  kUnknownVehicle,  // no vehicle_info of it has come
   kNoMap,
   kNotFinite,  // pose, twist, angles or a range is not a number
   kNegativeRange,

@@ -25,7 +25,7 @@ time::Stamp moment_of(const Detection& detection, const Scan& scan) {
   return scan.stamp + time::from_seconds(detection.offset_s);
 }
 
-/// Where nothing can stand that nobody sees: inside a wall, or inside a vehicle.
+/// Is the point inside a wall or a vehicle? No unseen obstacle can stand there.
 bool is_taken(Point2 in_map, const Scan& scan, const grid::ClearanceField& clearance,
               const std::vector<KnownVehicle>& vehicles, const Explained& explained) {
   if (clearance.clearance_m(in_map) <= 0.0) return true;
@@ -204,7 +204,7 @@ Tracker::Matching Tracker::match(const std::vector<Detection>& detections, const
   constexpr double kUnconfirmedHandicap = 14.0;
   const Lifecycle& lifecycle = params_.lifecycle;
   const double alone =
-      lifecycle.gate + kUnconfirmedHandicap + 2.0;  // more than any pair: nobody is left alone without need
+      lifecycle.gate + kUnconfirmedHandicap + 2.0;  // more than any pair: no track is left unmatched without need
   std::vector<Candidate> candidates;
   for (std::size_t d = 0; d < detections.size(); ++d) {
     const Detection& detection = detections[d];
@@ -294,9 +294,9 @@ void Tracker::look_for_unmatched(const Scan& scan, const SortedScan& sorted, con
   }
 }
 
-/// Two tracks in one place are one thing, but for two that pass each other. Where one scan shows both, what it shows
-/// says how far apart they are: who stops short of another is carried on into them for a moment, and is still somebody
-/// else.
+/// Two tracks at one position are of one obstacle, unless they pass each other. Where one scan has detections of both,
+/// the detections' distance counts, not the tracks': a person who stops short of another is predicted to walk on into
+/// them for a moment, and is still another person.
 void Tracker::merge_doubles(const std::vector<Detection>& detections, const Matching& matching) {
   std::vector<const Detection*> shown(live_.size(), nullptr);
   for (std::size_t d = 0; d < detections.size(); ++d) {

@@ -38,11 +38,12 @@ struct TakeResult {
   std::vector<std::uint64_t> lost;    // published before, gone now
 };
 
-/// Turns the scans of all vehicles into one set of tracks: one a real obstacle, whoever sees it.
+/// Turns the scans of all vehicles into one set of tracks: one track for each real obstacle, whichever lidars see it.
 ///
-/// A scan is taken whole, at once: its rays less what map and fleet explain, clustered, made into discs, assigned to
-/// tracks. Scans of several vehicles may come a little out of order: a late one is compared with where the tracks were
-/// at its moment.
+/// How: a scan is processed whole. Hits that the map or a vehicle of the fleet explains are removed; the others are
+/// clustered; each cluster becomes a disc (detection); detections are assigned to tracks by least total Mahalanobis
+/// distance; each track's filter is updated. Scans of several vehicles may come slightly out of order: a late one is
+/// compared with the tracks' states at its own moment.
 ///
 ///   born ──2 scans──► published ──3 s in one place──► static
 ///     │                  │  ▲ seen again                 │
@@ -51,8 +52,8 @@ struct TakeResult {
 /// No clock, no threads: moments come with the scans and with `now`, all on one clock. Time only moves forward.
 class Tracker {
  public:
-  /// Ids count from `first_id`: a restarted tracker takes others, so that nobody confuses them with those of its former
-  /// life.
+  /// Ids count from `first_id`: a restarted tracker starts from another one, so that its ids are not taken for those
+  /// given before the restart.
   explicit Tracker(const TrackerParams& params = {}, std::uint64_t first_id = 1);
 
   /// `vehicles`: those that vehicle_info made known, with their newest state; the scanning one must be among them.
@@ -60,7 +61,7 @@ class Tracker {
   [[nodiscard]] TakeResult take(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
                                 const grid::ClearanceField* clearance, time::Stamp now);
 
-  /// Gives up what is overdue when no scans come. Returns the ids that were published and are gone.
+  /// Drops tracks past their timeout, for when no scans come. Returns the ids that were published and are gone.
   [[nodiscard]] std::vector<std::uint64_t> give_up_overdue(time::Stamp now);
 
   /// The published tracks, as of the newest scan, by id. `age_s` and `unseen_s` are as of `now`.
@@ -77,7 +78,7 @@ class Tracker {
   void count_dropped(DropReason reason) { ++dropped_[static_cast<std::size_t>(reason)]; }
 
  private:
-  /// What a vehicle's scans look like, to notice one that was cut short.
+  /// The usual number of rays in a vehicle's scans, to notice a scan that was cut short.
   struct Sensor {
     time::Stamp newest{};
     std::size_t rays{0};

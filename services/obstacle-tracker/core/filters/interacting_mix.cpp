@@ -1,7 +1,7 @@
 // Three motions at once, each with its probability: standing still, constant velocity, constant turn. The interacting
 // multiple model estimator (Blom, Bar-Shalom 1988; Bar-Shalom, Li, Kirubarajan 2001, 11.6.6). The turn rate, which only
 // one of the motions knows, is that motion's own when the others are mixed into it (after Granstroem, Willett,
-// Bar-Shalom 2015), so that nobody's ignorance pulls it to zero.
+// Bar-Shalom 2015), so that the motions without a turn rate do not pull it to zero.
 #include <algorithm>
 #include <array>
 #include <cmath>
