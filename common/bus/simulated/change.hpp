@@ -3,6 +3,8 @@
 #include <memory>
 #include <vector>
 
+#include "common/bus/sample_codec.hpp"
+
 namespace aisle::bus::simulated {
 
 /// The instance of a topic that a sample belongs to. Readers take instance by instance in the order of these, as Fast
@@ -22,6 +24,8 @@ struct Change {
   InstanceId instance;     // that the sample belongs to
   bool disposed;           // then `bytes` hold a sample of which only the key fields matter
   std::vector<std::uint8_t> bytes;
+  mutable AnySample decoded{};  // from the bytes, by the first reader that asks (see sample_of): readers only read it
+  mutable bool is_malformed{false};
 };
 using ChangePtr = std::shared_ptr<const Change>;
 

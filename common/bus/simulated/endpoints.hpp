@@ -177,7 +177,6 @@ class ReaderEnd {
   std::int64_t missed_{0}, missed_total_{0};
 
   std::vector<detail::RawHandler> handlers_;
-  AnySample sample_;  // decoded into, again and again
   HeardInstances<InstanceId, const WriterEnd*, AnySample> instances_;
   QuietTime quiet_;
 };

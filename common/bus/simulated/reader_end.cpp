@@ -7,15 +7,19 @@ namespace {
 
 constexpr int kSamplesPerTurn = 512;  // then others have their turn
 
+/// The sample of a change, decoded once for all its readers; null when the bytes are no such sample.
+const void* sample_of(const Change& change, const SampleCodec& codec) {
+  if (!change.decoded) {
+    change.decoded = codec.new_sample();
+    change.is_malformed = !codec.decode(change.bytes, change.decoded.get());
+  }
+  return change.is_malformed ? nullptr : change.decoded.get();
+}
+
 }  // namespace
 
 ReaderEnd::ReaderEnd(Core& core, Process& its_process, Topic& its_topic, Announced its_announced)
-    : process(its_process),
-      topic(its_topic),
-      announced(std::move(its_announced)),
-      core_(core),
-      qos_(announced.qos),
-      sample_(topic.codec.new_sample()) {}
+    : process(its_process), topic(its_topic), announced(std::move(its_announced)), core_(core), qos_(announced.qos) {}
 
 int ReaderEnd::matched_writers() const {
   return static_cast<int>(std::count_if(matches.begin(), matches.end(), [](const Match* m) { return m->at_reader; }));
@@ -171,18 +175,19 @@ void ReaderEnd::take(const Cached& cached, const Report& report) {
     end(change.instance, *cached.writer, true);
     return;
   }
-  if (!topic.codec.decode(change.bytes, sample_.get())) {
+  const void* sample = sample_of(change, topic.codec);
+  if (sample == nullptr) {
     report(malformed_sample(topic.codec.topic(), announced.type, cached.writer->process.described()));
     return;
   }
   if (qos_.depth > 0) {
-    instances_.hear(change.instance, cached.writer, [this] {
+    instances_.hear(change.instance, cached.writer, [&] {
       AnySample key = topic.codec.new_sample();
-      topic.codec.copy_key(key.get(), sample_.get());
+      topic.codec.copy_key(key.get(), sample);
       return key;
     });
   }
-  hand_over(sample_.get(), SampleKind::kData, *cached.writer);
+  hand_over(sample, SampleKind::kData, *cached.writer);
 }
 
 void ReaderEnd::end(const InstanceId& instance, const WriterEnd& writer, bool disposed) {
