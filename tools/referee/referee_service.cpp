@@ -4,78 +4,50 @@
 #include <cmath>
 #include <vector>
 
-#include "common/wire/geometry.hpp"
+#include "common/service/hear.hpp"
 
 namespace aisle::referee {
 namespace {
 
-using bus::SampleInfo;
-using bus::SampleKind;
+using service::Sender;
 
 /// Ground truth is judged this long after its time, so that all of it is there.
 constexpr double kJudgeDelay_s = 0.15;
 constexpr int kDiscCorners = 32;
 
-const char* name_of(NavigationPhase phase) {
-  switch (phase) {
-    case NavigationPhase::PHASE_WAITING:
-      return "waiting";
-    case NavigationPhase::PHASE_TURNING:
-      return "turning";
-    case NavigationPhase::PHASE_DRIVING:
-      return "driving";
-    case NavigationPhase::PHASE_AVOIDING:
-      return "avoiding";
-    case NavigationPhase::PHASE_BLOCKED:
-      return "blocked";
-    case NavigationPhase::PHASE_ARRIVED:
-      return "arrived";
-    case NavigationPhase::PHASE_FAILED:
-      return "failed";
-    case NavigationPhase::PHASE_HELD:
-      return "held";
-  }
-  return "unknown";
+Shape shape_of(const geometry::Footprint& footprint) {
+  if (footprint.is_disc()) return {footprint.radius_m, 0.0, 0.0};
+  return {0.0, footprint.length_m, footprint.width_m};
 }
 
-Shape shape_of(const aisle::WorldObstacle& sample) {
-  if (sample.shape() == FootprintKind::FOOTPRINT_DISC) return {sample.radius_m(), 0.0, 0.0};
-  return {0.0, sample.length_m(), sample.width_m()};
-}
-
-BodyKind kind_of(aisle::BodyKind kind) {
+BodyKind kind_of(fleet::Obstacle::Kind kind) {
   switch (kind) {
-    case aisle::BodyKind::BODY_VEHICLE:
+    case fleet::Obstacle::Kind::kVehicle:
       return BodyKind::kVehicle;
-    case aisle::BodyKind::BODY_PERSON:
+    case fleet::Obstacle::Kind::kPerson:
       return BodyKind::kPerson;
-    case aisle::BodyKind::BODY_BLOCK:
+    case fleet::Obstacle::Kind::kBlock:
       break;
   }
   return BodyKind::kBlock;
 }
 
-std::vector<geometry::Point2> outline_of(const aisle::MapEdit& edit) {
-  std::vector<geometry::Point2> outline;
-  for (const aisle::Point& p : edit.points()) outline.push_back({p.x_m(), p.y_m()});
-  if (edit.shape() == EditShape::SHAPE_RECTANGLE && outline.size() == 2) {
+std::vector<geometry::Point2> outline_of(const fleet::MapEdit& edit) {
+  std::vector<geometry::Point2> outline = edit.points_in_map;
+  if (edit.shape == fleet::MapEdit::Shape::kRectangle && outline.size() == 2) {
     const geometry::Point2 a = outline[0];
     const geometry::Point2 b = outline[1];
     return {a, {b.x, a.y}, b, {a.x, b.y}};
   }
-  if (edit.shape() == EditShape::SHAPE_DISC && outline.size() == 1) {
+  if (edit.shape == fleet::MapEdit::Shape::kDisc && outline.size() == 1) {
     const geometry::Point2 center = outline[0];
     outline.clear();
     for (int i = 0; i < kDiscCorners; ++i) {
       const double angle_rad = 2.0 * geometry::kPi * i / kDiscCorners;
-      outline.push_back(center + edit.radius_m() * geometry::Point2{std::cos(angle_rad), std::sin(angle_rad)});
+      outline.push_back(center + edit.radius_m * geometry::Point2{std::cos(angle_rad), std::sin(angle_rad)});
     }
   }
   return outline;
-}
-
-bool all_finite(const std::vector<geometry::Point2>& points) {
-  return std::all_of(points.begin(), points.end(), [](geometry::Point2 p) { return geometry::is_finite(p); });
 }
 
 }  // namespace
@@ -89,158 +61,135 @@ RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Wal
       started_wall_ns_(bus.wall_clock_ns()) {
   listen_to_simulation(bus);
   listen_to_fleet(bus);
-  listen_to_map(bus);
-  listen_to_services(bus);
+  listen_to_map_and_services(bus);
   bus.every(std::chrono::milliseconds(50), [this] { judge_.advance(now_s() - kJudgeDelay_s); });
   health_.state = fleet::ServiceState::kReady;
 }
 
 double RefereeService::now_s() const { return time::seconds(bus_.now() - started_); }
 
-double RefereeService::arrived_s(const SampleInfo& info) const { return time::seconds(info.arrived - started_); }
-
-bool RefereeService::fit(const char* topic, bool ok) {
-  if (!ok) health_.count(std::string("unfit_") + topic);
-  return ok;
-}
+double RefereeService::arrived_s(const Sender& from) const { return time::seconds(from.arrived - started_); }
 
 RunReport RefereeService::finish() { return judge_.finish(now_s()); }
 
+template <class Topic>
+void RefereeService::listen(bus::Bus& bus, std::function<void(const service::ValueOf<Topic>&, const Sender&)> take,
+                            std::function<void(const service::KeyOf<Topic>&, service::End)> gone) {
+  const auto refused = [this](const auto&, const std::string&) { health_.count(std::string("unfit_") + Topic::kName); };
+  service::hear<Topic>(bus, {std::move(take), std::move(gone), refused});
+}
+
 void RefereeService::listen_to_simulation(bus::Bus& bus) {
-  bus.on<topics::WorldObstacle>([this](const aisle::WorldObstacle& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take(sample);
-    if (info.kind == SampleKind::kDisposed) judge_.body_gone(sample.obstacle_id().to_string());
-  });
-  bus.on<topics::VehicleState>([this](const aisle::VehicleState& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take(sample, arrived_s(info));
-  });
+  listen<topics::WorldObstacle>(
+      bus, [this](const fleet::Obstacle& truth, const Sender& from) { take(truth, from); },
+      [this](const std::string& id, service::End how) {
+        if (how == service::End::kDisposed) judge_.body_gone(id);
+      });
+  listen<topics::VehicleState>(bus,
+                               [this](const fleet::VehicleState& state, const Sender& from) { take(state, from); });
 }
 
 void RefereeService::listen_to_fleet(bus::Bus& bus) {
-  bus.on<topics::Plan>([this](const aisle::Plan& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take(sample, arrived_s(info));
+  listen<topics::Plan>(bus, [this](const fleet::Plan& plan, const Sender& from) { take(plan, from); });
+  listen<topics::VelocityCommand>(bus, [this](const fleet::VelocityCommand& command, const Sender& from) {
+    judge_.command_arrived(
+        {command.agv_id, from.by.stamp_ns, command.scan_stamp_ns, command.control_ms, arrived_s(from)});
   });
-  bus.on<topics::VelocityCommand>([this](const aisle::VelocityCommand& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) return;
-    judge_.command_arrived({sample.agv_id().to_string(), sample.by().stamp_ns(), sample.scan_stamp_ns(),
-                            sample.control_ms(), arrived_s(info)});
-  });
-  bus.on<topics::NavigationStatus>([this](const aisle::NavigationStatus& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take(sample, arrived_s(info));
-  });
-  bus.on<topics::Goal>([this](const aisle::Goal& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take(sample, arrived_s(info));
+  listen<topics::NavigationStatus>(
+      bus, [this](const fleet::NavigationStatus& status, const Sender& from) { take(status, from); });
+  listen<topics::Goal>(bus, [this](const fleet::Goal& goal, const Sender& from) { take(goal, from); });
+}
+
+void RefereeService::listen_to_map_and_services(bus::Bus& bus) {
+  listen<topics::MapEdit>(bus, [this](const fleet::MapEdit& edit, const Sender& from) { take(edit, from); });
+  listen<topics::MapEditResult>(bus,
+                                [this](const fleet::MapEditResult& answer, const Sender& from) { take(answer, from); });
+  listen<topics::ServiceHealth>(bus, [this](const fleet::ServiceHealth& health, const Sender& from) {
+    judge_.health_arrived(
+        {health.instance_id, health.service, from.by.boot_id, health.cpu_percent, health.resident_mb});
   });
 }
 
-void RefereeService::listen_to_map(bus::Bus& bus) {
-  bus.on<topics::MapEdit>([this](const aisle::MapEdit& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take(sample, arrived_s(info));
-  });
-  bus.on<topics::MapEditResult>([this](const aisle::MapEditResult& sample, const SampleInfo& info) {
-    if (info.kind == SampleKind::kData) take(sample, arrived_s(info));
-  });
+void RefereeService::take(const fleet::Obstacle& truth, const Sender& from) {
+  const double t_s = 1e-9 * static_cast<double>(from.by.stamp_ns - started_wall_ns_);
+  judge_.body_seen({truth.id, kind_of(truth.kind), shape_of(truth.footprint), truth.base_in_map,
+                    geometry::norm(truth.velocity_in_map), t_s, from.by.boot_id, truth.footprint.ahead_m});
 }
 
-void RefereeService::listen_to_services(bus::Bus& bus) {
-  bus.on<topics::ServiceHealth>([this](const aisle::ServiceHealth& sample, const SampleInfo& info) {
-    if (info.kind != SampleKind::kData) return;
-    judge_.health_arrived({sample.instance_id().to_string(), sample.service().to_string(), sample.by().boot_id(),
-                           sample.cpu_percent(), sample.resident_mb()});
-  });
-}
-
-void RefereeService::take(const aisle::WorldObstacle& sample) {
-  wire::Checks checks;
-  const geometry::Pose2 base_in_map = wire::decode(sample.base_in_map(), checks);
-  checks.within("radius_m", sample.radius_m(), 0.0, 100.0)
-      .within("length_m", sample.length_m(), 0.0, 100.0)
-      .within("width_m", sample.width_m(), 0.0, 100.0)
-      .within("ahead_m", sample.ahead_m(), -100.0, 100.0);
-  checks.within("velocity_x_mps", sample.velocity_x_mps(), -100.0, 100.0)
-      .within("velocity_y_mps", sample.velocity_y_mps(), -100.0, 100.0);
-  if (!fit("world_obstacle", checks.ok())) return;
-  const double t_s = 1e-9 * static_cast<double>(sample.by().stamp_ns() - started_wall_ns_);
-  judge_.body_seen({sample.obstacle_id().to_string(), kind_of(sample.kind()), shape_of(sample), base_in_map,
-                    std::hypot(sample.velocity_x_mps(), sample.velocity_y_mps()), t_s, sample.by().boot_id(),
-                    sample.ahead_m()});
-}
-
-void RefereeService::take(const aisle::VehicleState& sample, double t_s) {
-  if (!fit("vehicle_state", std::isfinite(sample.twist().linear_mps()))) return;
+void RefereeService::take(const fleet::VehicleState& state, const Sender& from) {
   VehicleReport report;
-  report.agv_id = sample.agv_id().to_string();
-  report.boot_id = sample.by().boot_id();
-  report.t_s = t_s;
-  report.speed_mps = std::fabs(sample.twist().linear_mps());
-  report.command_agv_id = sample.command_agv_id().to_string();
-  report.command_source = sample.command_by().source_id().to_string();
-  report.command_boot = sample.command_by().boot_id();
-  report.command_epoch = sample.command_by().epoch();
-  report.command_sequence = sample.command_by().sequence_number();
-  report.command_plan_id = sample.command_plan_id();
-  report.holds = sample.hold() != HoldReason::HOLD_NONE;
-  judge_.vehicle_reported(report, sample.refused_commands());
+  report.agv_id = state.agv_id;
+  report.boot_id = from.by.boot_id;
+  report.t_s = arrived_s(from);
+  report.speed_mps = std::fabs(state.motion.twist.linear_mps);
+  if (state.command) {
+    report.command_agv_id = state.command->agv_id;
+    report.command_source = state.command->by.source_id;
+    report.command_boot = state.command->by.boot_id;
+    report.command_epoch = state.command->by.epoch;
+    report.command_sequence = state.command->by.sequence_number;
+    report.command_plan_id = state.command->plan_id;
+  }
+  report.holds = state.hold != fleet::Hold::kNone;
+  judge_.vehicle_reported(report, state.refused_commands);
 }
 
-void RefereeService::take(const aisle::Plan& sample, double t_s) {
-  PlanNews plan;
-  plan.agv_id = sample.agv_id().to_string();
-  plan.plan_id = sample.plan_id();
-  plan.goal_id = sample.goal_id().to_string();
-  plan.map_revision = sample.map_revision();
-  plan.found = sample.outcome() == PlanOutcome::PLAN_FOUND;
-  for (const aisle::Point& p : sample.waypoints_in_map()) plan.waypoints_in_map.push_back({p.x_m(), p.y_m()});
-  plan.planning_ms = sample.planning_ms();
-  plan.stamp_ns = sample.by().stamp_ns();
-  plan.t_s = t_s;
-  if (fit("plan", all_finite(plan.waypoints_in_map) && std::isfinite(plan.planning_ms))) judge_.plan_arrived(plan);
+void RefereeService::take(const fleet::Plan& plan, const Sender& from) {
+  PlanNews news;
+  news.agv_id = plan.agv_id;
+  news.plan_id = plan.id;
+  news.goal_id = plan.goal_id;
+  news.map_revision = plan.map_revision;
+  news.found = plan.is_found();
+  news.waypoints_in_map = plan.waypoints_in_map;
+  news.planning_ms = plan.planning_ms;
+  news.stamp_ns = from.by.stamp_ns;
+  news.t_s = arrived_s(from);
+  judge_.plan_arrived(news);
 }
 
-void RefereeService::take(const aisle::Goal& sample, double t_s) {
-  wire::Checks checks;
-  GoalRecord goal;
-  goal.agv_id = sample.agv_id().to_string();
-  goal.goal_id = sample.goal_id().to_string();
-  goal.pose_in_map = wire::decode(sample.pose_in_map(), checks);
-  goal.position_tolerance_m = sample.position_tolerance_m();
-  goal.assigned_s = t_s;
-  checks.within("position_tolerance_m", goal.position_tolerance_m, 0.0, 10.0);
-  if (fit("goal", checks.ok())) judge_.goal_arrived(goal, sample.cancelled());
+void RefereeService::take(const fleet::Goal& goal, const Sender& from) {
+  GoalRecord record;
+  record.agv_id = goal.agv_id;
+  record.goal_id = goal.id;
+  record.pose_in_map = goal.pose_in_map;
+  record.position_tolerance_m = goal.position_tolerance_m;
+  record.assigned_s = arrived_s(from);
+  judge_.goal_arrived(record, goal.is_cancelled);
 }
 
-void RefereeService::take(const aisle::NavigationStatus& sample, double t_s) {
-  const NavigationPhase phase = sample.phase();
+void RefereeService::take(const fleet::NavigationStatus& status, const Sender& from) {
+  using fleet::Phase;
   GoalNews news;
-  news.agv_id = sample.agv_id().to_string();
-  news.goal_id = sample.goal_id().to_string();
-  news.reason = name_of(phase);
-  if (const std::string detail = sample.detail().to_string(); !detail.empty()) news.reason += ": " + detail;
-  news.t_s = t_s;
-  if (phase == NavigationPhase::PHASE_ARRIVED) news.phase = GoalNews::Phase::kArrived;
-  if (phase == NavigationPhase::PHASE_FAILED) news.phase = GoalNews::Phase::kFailed;
-  const bool waits = phase == NavigationPhase::PHASE_BLOCKED || phase == NavigationPhase::PHASE_HELD ||
-                     (phase == NavigationPhase::PHASE_WAITING && sample.reason() != NavigationReason::REASON_NO_GOAL);
+  news.agv_id = status.agv_id;
+  news.goal_id = status.goal_id;
+  news.reason = name(status.phase);
+  if (!status.detail.empty()) news.reason += ": " + status.detail;
+  news.t_s = arrived_s(from);
+  if (status.phase == Phase::kArrived) news.phase = GoalNews::Phase::kArrived;
+  if (status.phase == Phase::kFailed) news.phase = GoalNews::Phase::kFailed;
+  const bool waits = status.phase == Phase::kBlocked || status.phase == Phase::kHeld ||
+                     (status.phase == Phase::kWaiting && status.reason != fleet::Reason::kNoGoal);
   judge_.navigation_arrived(news, waits);
 }
 
-void RefereeService::take(const aisle::MapEdit& sample, double t_s) {
-  EditRow edit;
-  edit.edit_id = sample.edit_id().to_string();
-  edit.block = sample.action() == EditAction::EDIT_BLOCK;
-  edit.outline_in_map = outline_of(sample);
-  edit.asked_stamp_ns = sample.by().stamp_ns();
-  edit.asked_s = t_s;
-  if (fit("map_edit", all_finite(edit.outline_in_map))) judge_.edit_asked(edit);
+void RefereeService::take(const fleet::MapEdit& edit, const Sender& from) {
+  EditRow row;
+  row.edit_id = edit.edit_id;
+  row.block = edit.action == fleet::MapEdit::Action::kBlock;
+  row.outline_in_map = outline_of(edit);
+  row.asked_stamp_ns = from.by.stamp_ns;
+  row.asked_s = arrived_s(from);
+  judge_.edit_asked(row);
 }
 
-void RefereeService::take(const aisle::MapEditResult& sample, double t_s) {
-  const bool applied = sample.outcome() == EditOutcome::EDIT_APPLIED;
-  const bool refused = sample.outcome() == EditOutcome::EDIT_REFUSED;
-  const std::string outcome = applied   ? "applied"
-                              : refused ? "refused: " + sample.detail().to_string()
-                                        : "already applied";
-  judge_.edit_answered({sample.edit_id().to_string(), applied, outcome, sample.revision(), t_s});
+void RefereeService::take(const fleet::MapEditResult& answer, const Sender& from) {
+  using Outcome = fleet::MapEditResult::Outcome;
+  const bool applied = answer.outcome == Outcome::kApplied;
+  const std::string outcome = applied                               ? "applied"
+                              : answer.outcome == Outcome::kRefused ? "refused: " + answer.detail
+                                                                    : "already applied";
+  judge_.edit_answered({answer.edit_id, applied, outcome, answer.revision, arrived_s(from)});
 }
 
 }  // namespace aisle::referee

@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 
 #include "common/bus/bus.hpp"
+#include "common/service/inbox.hpp"
 #include "common/service/shell.hpp"
 #include "tools/referee/core/judge.hpp"
 
@@ -21,20 +23,21 @@ class RefereeService {
   RunReport finish();
 
  private:
+  /// Hands on what the codec accepts; the rest is counted, as `unfit_<topic>`.
+  template <class Topic>
+  void listen(bus::Bus& bus, std::function<void(const service::ValueOf<Topic>&, const service::Sender&)> take,
+              std::function<void(const service::KeyOf<Topic>&, service::End)> gone = {});
   void listen_to_simulation(bus::Bus& bus);
   void listen_to_fleet(bus::Bus& bus);
-  void listen_to_map(bus::Bus& bus);
-  void listen_to_services(bus::Bus& bus);
-  void take(const aisle::WorldObstacle& sample);
-  void take(const aisle::VehicleState& sample, double t_s);
-  void take(const aisle::Plan& sample, double t_s);
-  void take(const aisle::Goal& sample, double t_s);
-  void take(const aisle::NavigationStatus& sample, double t_s);
-  void take(const aisle::MapEdit& sample, double t_s);
-  void take(const aisle::MapEditResult& sample, double t_s);
-  /// False, and counted, when a sample is not fit to be judged.
-  bool fit(const char* topic, bool ok);
-  double arrived_s(const bus::SampleInfo& info) const;
+  void listen_to_map_and_services(bus::Bus& bus);
+  void take(const fleet::Obstacle& truth, const service::Sender& from);
+  void take(const fleet::VehicleState& state, const service::Sender& from);
+  void take(const fleet::Plan& plan, const service::Sender& from);
+  void take(const fleet::Goal& goal, const service::Sender& from);
+  void take(const fleet::NavigationStatus& status, const service::Sender& from);
+  void take(const fleet::MapEdit& edit, const service::Sender& from);
+  void take(const fleet::MapEditResult& answer, const service::Sender& from);
+  double arrived_s(const service::Sender& from) const;
 
   bus::Bus& bus_;
   service::Health& health_;
