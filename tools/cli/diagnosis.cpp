@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tools/cli/cli.hpp"
+#include "tools/cli/text.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -136,17 +137,17 @@ std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::v
   return problems;
 }
 
-std::vector<Problem> judge_services(const std::map<std::string, aisle::ServiceHealth>& newest,
+std::vector<Problem> judge_services(const std::map<std::string, fleet::ServiceHealth>& newest,
                                     const std::set<std::string>& gone) {
   std::vector<Problem> problems;
   for (const auto& [id, health] : newest) {
-    const std::string waits_for = health.waits_for().to_string();
-    const std::string last_error = health.last_error().to_string();
+    const std::string waits_for = health.waits_for;
+    const std::string last_error = health.last_error;
     if (gone.count(id) > 0) {
-      problems.push_back({"service", id + " on host " + health.host().to_string() +
-                                         " has fallen silent: it crashed, hangs, or cannot be reached"});
-    } else if (health.state() != ServiceState::SERVICE_READY) {
-      problems.push_back({"service", id + " is " + name_of(health.state()) +
+      problems.push_back(
+          {"service", id + " on host " + health.host + " has fallen silent: it crashed, hangs, or cannot be reached"});
+    } else if (health.state != fleet::ServiceState::kReady) {
+      problems.push_back({"service", id + " is " + name(health.state) +
                                          (waits_for.empty() ? "" : ", waits for " + waits_for) +
                                          (last_error.empty() ? "" : "; last error: " + last_error)});
     } else if (!last_error.empty()) {
@@ -156,13 +157,12 @@ std::vector<Problem> judge_services(const std::map<std::string, aisle::ServiceHe
   return problems;
 }
 
-void VehicleWatch::take(const aisle::VehicleState& sample) {
-  const std::string agv_id = sample.agv_id().to_string();
-  Writer& writer = writers_[agv_id][sample.by().boot_id()];
-  writer.source_id = sample.by().source_id().to_string();
+void VehicleWatch::take(const fleet::VehicleState& state, const fleet::Origin& by) {
+  Writer& writer = writers_[state.agv_id][by.boot_id];
+  writer.source_id = by.source_id;
   ++writer.samples;
-  const bool is_held = sample.hold() != HoldReason::HOLD_NONE && sample.hold() != HoldReason::HOLD_NO_COMMAND;
-  holds_[agv_id] = is_held ? name_of(sample.hold()) : "";
+  const bool is_held = state.hold != fleet::Hold::kNone && state.hold != fleet::Hold::kNoCommand;
+  holds_[state.agv_id] = is_held ? word_of(name(state.hold)) : "";
 }
 
 std::vector<Problem> VehicleWatch::judge() const {

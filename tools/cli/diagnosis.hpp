@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/fleet/health.hpp"
+#include "common/fleet/origin.hpp"
+#include "common/fleet/vehicle_state.hpp"
 #include "tools/cli/topic_table.hpp"
 
 namespace aisle::cli {
@@ -52,13 +55,13 @@ std::vector<Problem> judge_shared_memory(const bus::Settings& settings, const Sh
 std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::vector<bus::Endpoint>& endpoints);
 
 /// Services that are not ready; errors that ready ones had are past.
-std::vector<Problem> judge_services(const std::map<std::string, aisle::ServiceHealth>& newest,
+std::vector<Problem> judge_services(const std::map<std::string, fleet::ServiceHealth>& newest,
                                     const std::set<std::string>& gone);
 
 /// Tells apart who writes a vehicle's state.
 class VehicleWatch {
  public:
-  void take(const aisle::VehicleState& sample);
+  void take(const fleet::VehicleState& state, const fleet::Origin& by);
   std::vector<Problem> judge() const;
   std::size_t vehicles() const { return writers_.size(); }
 

@@ -12,11 +12,12 @@
 #include "common/bus/topics.hpp"
 #include "common/process/clock.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/service/hear.hpp"
 #include "common/service/peer_watch.hpp"
 #include "common/service/versions.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/diagnosis.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 #include "tools/cli/network_probe.hpp"
 #include "tools/cli/shared_memory_probe.hpp"
 #include "tools/cli/text.hpp"
@@ -32,11 +33,14 @@ constexpr Seconds kScan{1.0};
 class Examination {
  public:
   explicit Examination(const Cli& cli) : bus_(join(cli, "aisle-doctor")) {
-    bus_->on<topics::ServiceHealth>(
-        [this](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) { take(sample, info); });
-    bus_->on<topics::VehicleState>([this](const aisle::VehicleState& sample, const bus::SampleInfo& info) {
-      if (info.kind == bus::SampleKind::kData) vehicles_.take(sample);
-    });
+    using service::Sender;
+    service::hear<topics::ServiceHealth>(
+        *bus_, {[this](const fleet::ServiceHealth& health, const Sender& from) { take(health, from); },
+                [this](const std::string& id, service::End) { lose(id); },
+                {}});
+    service::hear<topics::VehicleState>(
+        *bus_,
+        {[this](const fleet::VehicleState& state, const Sender& from) { vehicles_.take(state, from.by); }, {}, {}});
   }
   void look(Seconds time) {
     run_until(*bus_, time, [] { return false; });
@@ -69,34 +73,28 @@ class Examination {
         return "service";
     }
   }
-  void take(const aisle::ServiceHealth& sample, const bus::SampleInfo& info) {
-    const std::string id = sample.instance_id().to_string();
-    if (info.kind != bus::SampleKind::kData) {
-      const auto known = health_.find(id);
-      const bool said_goodbye = known == health_.end() || known->second.state() == ServiceState::SERVICE_STOPPING;
-      if (said_goodbye) {
-        health_.erase(id);
-      } else {
-        gone_.insert(id);
-      }
-      return;
+  void lose(const std::string& id) {
+    const auto known = health_.find(id);
+    const bool said_goodbye = known == health_.end() || known->second.state == fleet::ServiceState::kStopping;
+    if (said_goodbye) {
+      health_.erase(id);
+    } else {
+      gone_.insert(id);
     }
-    gone_.erase(id);
-    health_[id] = sample;
-    const service::PeerHealth peer{id,
-                                   sample.host().to_string(),
-                                   sample.process_id(),
-                                   sample.by().boot_id(),
-                                   sample.idl_version(),
-                                   sample.software_version().to_string(),
-                                   sample.wall_clock_ns(),
-                                   sample.state() == ServiceState::SERVICE_STOPPING};
+  }
+  void take(const fleet::ServiceHealth& health, const service::Sender& from) {
+    gone_.erase(health.instance_id);
+    health_[health.instance_id] = health;
+    const service::PeerHealth peer{health.instance_id,   health.host,
+                                   health.process_id,    from.by.boot_id,
+                                   health.idl_version,   health.software_version,
+                                   health.wall_clock_ns, health.state == fleet::ServiceState::kStopping};
     for (service::Finding& finding : peers_.take(peer, process::monotonic_now(), process::wall_clock_ns()))
       findings_.push_back(std::move(finding));
   }
 
   service::PeerWatch peers_{"", 0, service::kIdlVersion};
-  std::map<std::string, aisle::ServiceHealth> health_;
+  std::map<std::string, fleet::ServiceHealth> health_;
   std::set<std::string> gone_;
   std::vector<service::Finding> findings_;
   VehicleWatch vehicles_;

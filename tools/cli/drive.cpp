@@ -18,7 +18,7 @@
 #include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/critic.hpp"
 #include "tools/cli/cli.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 #include "tools/cli/progress_line.hpp"
 #include "tools/cli/text.hpp"
 #include "tools/lockstep/families.hpp"

@@ -10,38 +10,33 @@ namespace {
 
 constexpr std::size_t kMostCorners = 64;
 
-void add_point(aisle::MapEdit& edit, double x_m, double y_m) {
-  aisle::Point point;
-  point.x_m(x_m);
-  point.y_m(y_m);
-  edit.points().push_back(point);
-}
+void add_point(fleet::MapEdit& edit, double x_m, double y_m) { edit.points_in_map.push_back({x_m, y_m}); }
 
-void set_rectangle(const std::string& typed, aisle::MapEdit& edit) {
+void set_rectangle(const std::string& typed, fleet::MapEdit& edit) {
   const std::vector<double> numbers =
       parse_numbers("--rect", typed, 4, "--rect 1,2,4.5,3 (two opposite corners in metres)");
   if (numbers[0] == numbers[2] || numbers[1] == numbers[3])
     throw config::BadInput("--rect: '" + typed + "' has no area");
-  edit.shape(EditShape::SHAPE_RECTANGLE);
+  edit.shape = fleet::MapEdit::Shape::kRectangle;
   add_point(edit, numbers[0], numbers[1]);
   add_point(edit, numbers[2], numbers[3]);
 }
 
-void set_disc(const std::string& typed, aisle::MapEdit& edit) {
+void set_disc(const std::string& typed, fleet::MapEdit& edit) {
   const std::vector<double> numbers =
       parse_numbers("--disc", typed, 3, "--disc 4,2.5,0.6 (centre and radius in metres)");
   if (numbers[2] <= 0.0) throw config::BadInput("--disc: the radius of '" + typed + "' must be above 0");
-  edit.shape(EditShape::SHAPE_DISC);
+  edit.shape = fleet::MapEdit::Shape::kDisc;
   add_point(edit, numbers[0], numbers[1]);
-  edit.radius_m(numbers[2]);
+  edit.radius_m = numbers[2];
 }
 
-void set_polygon(const std::vector<std::string>& typed, aisle::MapEdit& edit) {
+void set_polygon(const std::vector<std::string>& typed, fleet::MapEdit& edit) {
   if (typed.size() < 3 || typed.size() > kMostCorners) {
     throw config::BadInput("--polygon: " + std::to_string(typed.size()) + " corners; give 3 to " +
                            std::to_string(kMostCorners) + ", e.g. --polygon 0,0 4,0 2,3");
   }
-  edit.shape(EditShape::SHAPE_POLYGON);
+  edit.shape = fleet::MapEdit::Shape::kPolygon;
   for (const std::string& corner : typed) {
     const std::vector<double> numbers =
         parse_numbers("--polygon", corner, 2, "--polygon 0,0 4,0 2,3 (corners in metres)");
@@ -51,7 +46,7 @@ void set_polygon(const std::vector<std::string>& typed, aisle::MapEdit& edit) {
 
 }  // namespace
 
-void set_shape(const TypedShape& typed, aisle::MapEdit& edit) {
+void set_shape(const TypedShape& typed, fleet::MapEdit& edit) {
   const int given = (typed.rectangle.empty() ? 0 : 1) + (typed.disc.empty() ? 0 : 1) + (typed.polygon.empty() ? 0 : 1);
   if (given != 1)
     throw config::BadInput("give one shape: --rect x1,y1,x2,y2 or --disc x,y,radius or --polygon x,y x,y x,y ...");

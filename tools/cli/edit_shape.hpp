@@ -2,7 +2,7 @@
 #include <string>
 #include <vector>
 
-#include "idl/map.hpp"
+#include "common/fleet/map_edit.hpp"
 
 namespace aisle::cli {
 
@@ -14,6 +14,6 @@ struct TypedShape {
 };
 
 /// Fills shape, points and radius of `edit`. @throws config::BadInput for none, several, or numbers that do not fit
-void set_shape(const TypedShape& typed, aisle::MapEdit& edit);
+void set_shape(const TypedShape& typed, fleet::MapEdit& edit);
 
 }  // namespace aisle::cli

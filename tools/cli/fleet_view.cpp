@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/bus/topics.hpp"
+#include "common/service/hear.hpp"
 #include "tools/cli/text.hpp"
 
 namespace aisle::cli {
@@ -22,58 +23,41 @@ std::string word(const Json& row, const char* key) {
 }  // namespace
 
 void FleetView::watch(bus::Bus& bus) {
-  const auto is_data = [](const bus::SampleInfo& info) { return info.kind == bus::SampleKind::kData; };
-  bus.on<topics::VehicleState>([this, is_data](const aisle::VehicleState& sample, const bus::SampleInfo& info) {
-    if (is_data(info)) take(sample, info.arrived);
-  });
-  bus.on<topics::VehicleInfo>([this, is_data](const aisle::VehicleInfo& sample, const bus::SampleInfo& info) {
-    if (is_data(info)) take(sample);
-  });
-  bus.on<topics::NavigationStatus>([this, is_data](const aisle::NavigationStatus& sample, const bus::SampleInfo& info) {
-    if (is_data(info)) {
-      take(sample);
-    } else {
-      lose_navigation(sample.agv_id().to_string());
-    }
-  });
-  bus.on<topics::Goal>([this, is_data](const aisle::Goal& sample, const bus::SampleInfo& info) {
-    if (is_data(info)) take(sample);
-  });
-  bus.on<topics::ServiceHealth>([this, is_data](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) {
-    if (is_data(info)) {
-      take(sample);
-    } else {
-      lose_service(sample.instance_id().to_string());
-    }
-  });
+  using service::End;
+  using service::hear;
+  using service::Sender;
+  hear<topics::VehicleState>(
+      bus, {[this](const fleet::VehicleState& state, const Sender& from) { take(state, from.arrived); }, {}, {}});
+  hear<topics::VehicleInfo>(bus, {[this](const fleet::Vehicle& vehicle, const Sender&) { take(vehicle); }, {}, {}});
+  hear<topics::NavigationStatus>(bus, {[this](const fleet::NavigationStatus& status, const Sender&) { take(status); },
+                                       [this](const std::string& agv_id, End) { lose_navigation(agv_id); },
+                                       {}});
+  hear<topics::Goal>(bus, {[this](const fleet::Goal& goal, const Sender&) { take(goal); }, {}, {}});
+  hear<topics::ServiceHealth>(
+      bus, {[this](const fleet::ServiceHealth& health, const Sender& from) { take(health, from.by); },
+            [this](const std::string& instance_id, End) { lose_service(instance_id); },
+            {}});
 }
 
-void FleetView::take(const aisle::VehicleState& sample, time::Stamp now) {
-  Vehicle& vehicle = vehicles_[sample.agv_id().to_string()];
-  vehicle.has_state = true;
-  vehicle.state = sample;
+void FleetView::take(const fleet::VehicleState& state, time::Stamp now) {
+  VehicleEntry& vehicle = vehicles_[state.agv_id];
+  vehicle.state = state;
   vehicle.state_arrived = now;
 }
 
-void FleetView::take(const aisle::VehicleInfo& sample) { vehicles_.try_emplace(sample.agv_id().to_string()); }
+void FleetView::take(const fleet::Vehicle& vehicle) { vehicles_.try_emplace(vehicle.id); }
 
-void FleetView::take(const aisle::NavigationStatus& sample) {
-  Vehicle& vehicle = vehicles_[sample.agv_id().to_string()];
-  vehicle.has_navigation = true;
-  vehicle.navigation = sample;
-}
+void FleetView::take(const fleet::NavigationStatus& status) { vehicles_[status.agv_id].navigation = status; }
 
-void FleetView::take(const aisle::Goal& sample) {
-  vehicles_[sample.agv_id().to_string()].goal_id = sample.cancelled() ? "" : sample.goal_id().to_string();
-}
+void FleetView::take(const fleet::Goal& goal) { vehicles_[goal.agv_id].goal_id = goal.is_cancelled ? "" : goal.id; }
 
-void FleetView::take(const aisle::ServiceHealth& sample) {
-  services_[sample.instance_id().to_string()] = to_json(sample);
+void FleetView::take(const fleet::ServiceHealth& health, const fleet::Origin& by) {
+  services_[health.instance_id] = json_of(health, by);
 }
 
 void FleetView::lose_navigation(const std::string& agv_id) {
   const auto vehicle = vehicles_.find(agv_id);
-  if (vehicle != vehicles_.end()) vehicle->second.has_navigation = false;
+  if (vehicle != vehicles_.end()) vehicle->second.navigation.reset();
 }
 
 void FleetView::lose_service(const std::string& instance_id) {
@@ -87,23 +71,23 @@ std::vector<std::string> FleetView::vehicle_ids() const {
   return ids;
 }
 
-Json FleetView::snapshot(const std::string& agv_id, const Vehicle& vehicle, time::Stamp now) const {
-  Json row{{"agv_id", agv_id}, {"online", vehicle.has_state && now - vehicle.state_arrived <= kOfflineAfter}};
-  if (vehicle.has_navigation) {
-    const aisle::NavigationStatus& navigation = vehicle.navigation;
-    row["phase"] = name_of(navigation.phase());
-    row["reason"] = name_of(navigation.reason());
-    row["detail"] = navigation.detail().to_string();
-    row["distance_left_m"] = navigation.distance_left_m();
-    row["time_left_s"] = navigation.time_left_s();
+Json FleetView::snapshot(const std::string& agv_id, const VehicleEntry& vehicle, time::Stamp now) const {
+  Json row{{"agv_id", agv_id}, {"online", vehicle.state && now - vehicle.state_arrived <= kOfflineAfter}};
+  if (vehicle.navigation) {
+    const fleet::NavigationStatus& navigation = *vehicle.navigation;
+    row["phase"] = word_of(name(navigation.phase));
+    row["reason"] = word_of(name(navigation.reason));
+    row["detail"] = navigation.detail;
+    row["distance_left_m"] = navigation.distance_left_m;
+    row["time_left_s"] = navigation.time_left_s;
   }
-  const std::string navigated = vehicle.has_navigation ? vehicle.navigation.goal_id().to_string() : "";
+  const std::string navigated = vehicle.navigation ? vehicle.navigation->goal_id : "";
   row["goal_id"] = navigated.empty() ? vehicle.goal_id : navigated;
-  if (vehicle.has_state) {
-    row["hold"] = name_of(vehicle.state.hold());
-    row["speed_mps"] = vehicle.state.twist().linear_mps();
-    row["base_in_map"] = to_json(vehicle.state.base_in_map());
-    row["refused_commands"] = vehicle.state.refused_commands();
+  if (vehicle.state) {
+    row["hold"] = word_of(name(vehicle.state->hold));
+    row["speed_mps"] = vehicle.state->motion.twist.linear_mps;
+    row["base_in_map"] = to_json(vehicle.state->motion.base_in_map);
+    row["refused_commands"] = vehicle.state->refused_commands;
     row["silent_s"] = time::seconds(now - vehicle.state_arrived);
   }
   return row;

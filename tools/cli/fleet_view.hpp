@@ -1,11 +1,18 @@
 #pragma once
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/fleet/goal.hpp"
+#include "common/fleet/health.hpp"
+#include "common/fleet/navigation.hpp"
+#include "common/fleet/origin.hpp"
+#include "common/fleet/vehicle.hpp"
+#include "common/fleet/vehicle_state.hpp"
 #include "common/time/stamp.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 
 namespace aisle::cli {
 
@@ -15,11 +22,11 @@ class FleetView {
   /// Subscribes to vehicle_state, vehicle_info, navigation_status, goal and service_health.
   void watch(bus::Bus& bus);
 
-  void take(const aisle::VehicleState& sample, time::Stamp now);
-  void take(const aisle::VehicleInfo& sample);
-  void take(const aisle::NavigationStatus& sample);
-  void take(const aisle::Goal& sample);
-  void take(const aisle::ServiceHealth& sample);
+  void take(const fleet::VehicleState& state, time::Stamp now);
+  void take(const fleet::Vehicle& vehicle);
+  void take(const fleet::NavigationStatus& status);
+  void take(const fleet::Goal& goal);
+  void take(const fleet::ServiceHealth& health, const fleet::Origin& by);
   void lose_navigation(const std::string& agv_id);
   void lose_service(const std::string& instance_id);
 
@@ -31,17 +38,15 @@ class FleetView {
   Json snapshot(time::Stamp now) const;
 
  private:
-  struct Vehicle {
-    bool has_state{false};
-    aisle::VehicleState state;
+  struct VehicleEntry {
+    std::optional<fleet::VehicleState> state;
     time::Stamp state_arrived{};
-    bool has_navigation{false};
-    aisle::NavigationStatus navigation;
+    std::optional<fleet::NavigationStatus> navigation;
     std::string goal_id;
   };
-  Json snapshot(const std::string& agv_id, const Vehicle& vehicle, time::Stamp now) const;
+  Json snapshot(const std::string& agv_id, const VehicleEntry& vehicle, time::Stamp now) const;
 
-  std::map<std::string, Vehicle> vehicles_;
+  std::map<std::string, VehicleEntry> vehicles_;
   std::map<std::string, Json> services_;
 };
 

@@ -6,7 +6,7 @@
 #include "common/process/exit_code.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/goal_talk.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 #include "tools/cli/text.hpp"
 
 namespace aisle::cli {
@@ -15,16 +15,14 @@ namespace {
 constexpr Seconds kUntilGoalIsKnown{1.5};
 
 std::string open_goal_of(const GoalTalk& talk) {
-  if (talk.navigation() && !talk.navigation()->goal_id().to_string().empty())
-    return talk.navigation()->goal_id().to_string();
-  if (talk.plan() && talk.plan()->outcome() != PlanOutcome::PLAN_CANCELLED) return talk.plan()->goal_id().to_string();
-  return talk.goal() && !talk.goal()->cancelled() ? talk.goal()->goal_id().to_string() : "";
+  if (talk.navigation() && !talk.navigation()->goal_id.empty()) return talk.navigation()->goal_id;
+  if (talk.plan() && !talk.plan()->is_cancelled()) return talk.plan()->goal_id;
+  return talk.goal() && !talk.goal()->is_cancelled ? talk.goal()->id : "";
 }
 
 bool is_cancelled(const GoalTalk& talk, const std::string& goal_id) {
-  const bool by_planner = talk.plan() && talk.plan()->goal_id().to_string() == goal_id &&
-                          talk.plan()->outcome() == PlanOutcome::PLAN_CANCELLED;
-  const bool by_vehicle = talk.navigation() && talk.navigation()->reason() == NavigationReason::REASON_CANCELLED;
+  const bool by_planner = talk.plan() && talk.plan()->goal_id == goal_id && talk.plan()->is_cancelled();
+  const bool by_vehicle = talk.navigation() && talk.navigation()->reason == fleet::Reason::kCancelled;
   return by_planner || by_vehicle;
 }
 
@@ -49,10 +47,11 @@ int cancel(const Cli& cli, const std::string& agv_id, double timeout_s) {
   if (is_cancelled(talk, goal_id))
     return report_cancelled(cli, talk, goal_id, "cancelled", "goal " + goal_id + " was cancelled before",
                             process::kDone);
-  aisle::Goal goal;
-  goal.agv_id(agv_id);
-  goal.goal_id(goal_id);
-  goal.cancelled(true);
+  fleet::Goal goal;
+  goal.agv_id = agv_id;
+  goal.id = goal_id;
+  goal.position_tolerance_m = 0.0;
+  goal.is_cancelled = true;
   if (talk.say_until(goal, Seconds(timeout_s), [&] { return is_cancelled(talk, goal_id); })) {
     return report_cancelled(cli, talk, goal_id, "cancelled", agv_id + " dropped goal " + goal_id, process::kDone);
   }

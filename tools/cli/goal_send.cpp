@@ -10,7 +10,7 @@
 #include "tools/cli/cli.hpp"
 #include "tools/cli/coordinates.hpp"
 #include "tools/cli/goal_talk.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 #include "tools/cli/text.hpp"
 
 namespace aisle::cli {
@@ -29,31 +29,25 @@ struct SendOptions {
 constexpr Seconds kUntilPlanned{10.0};
 constexpr Seconds kUntilArrived{600.0};
 
-aisle::Goal make_goal(const SendOptions& options) {
+fleet::Goal make_goal(const SendOptions& options) {
   const TypedPose typed = parse_pose("goal", options.pose);
-  aisle::Pose pose;
-  pose.x_m(typed.in_map.x);
-  pose.y_m(typed.in_map.y);
-  pose.yaw_rad(typed.in_map.yaw);
-  aisle::Goal goal;
-  goal.agv_id(options.agv_id);
-  goal.goal_id(options.goal_id.empty() ? unique_id("aisle") : options.goal_id);
-  goal.pose_in_map(pose);
-  goal.position_tolerance_m(options.tolerance_m);
-  goal.yaw_tolerance_rad(typed.has_yaw ? options.yaw_tolerance_rad : 0.0);
-  goal.cancelled(false);
+  fleet::Goal goal;
+  goal.agv_id = options.agv_id;
+  goal.id = options.goal_id.empty() ? unique_id("aisle") : options.goal_id;
+  goal.pose_in_map = typed.in_map;
+  goal.position_tolerance_m = options.tolerance_m;
+  goal.yaw_tolerance_rad = typed.has_yaw ? options.yaw_tolerance_rad : 0.0;
   return goal;
 }
 
 /// One line that replaces itself in a terminal; elsewhere a line whenever the phase changes.
-class Progress {
+class ProgressLine {
  public:
-  void show(const aisle::NavigationStatus& status) {
-    const std::string phase = name_of(status.phase());
-    const std::string reason =
-        status.reason() == NavigationReason::REASON_NONE ? "" : " (" + name_of(status.reason()) + ")";
-    const std::string line = fmt::format("{} {}{}, {:.1f} m and {:.0f} s left", printable(status.agv_id().to_string()),
-                                         phase, reason, status.distance_left_m(), status.time_left_s());
+  void show(const fleet::NavigationStatus& status) {
+    const std::string phase = name(status.phase);
+    const std::string reason = status.reason == fleet::Reason::kNone ? "" : " (" + word_of(name(status.reason)) + ")";
+    const std::string line = fmt::format("{} {}{}, {:.1f} m and {:.0f} s left", printable(status.agv_id), phase, reason,
+                                         status.distance_left_m, status.time_left_s);
     if (is_terminal_) {
       std::fprintf(stderr, "\r\x1b[K%s", line.c_str());
       is_open_ = true;
@@ -62,7 +56,7 @@ class Progress {
     }
     last_ = phase + reason;
   }
-  ~Progress() {
+  ~ProgressLine() {
     if (is_open_) std::fprintf(stderr, "\n");
   }
 
@@ -72,13 +66,10 @@ class Progress {
   std::string last_;
 };
 
-int report_sent(const Cli& cli, const aisle::Goal& goal, const std::string& result, const std::string& text, int code,
+int report_sent(const Cli& cli, const fleet::Goal& goal, const std::string& result, const std::string& text, int code,
                 double length_m = -1.0) {
   if (cli.json) {
-    Json json{{"agv_id", goal.agv_id().to_string()},
-              {"goal_id", goal.goal_id().to_string()},
-              {"result", result},
-              {"text", text}};
+    Json json{{"agv_id", goal.agv_id}, {"goal_id", goal.id}, {"result", result}, {"text", text}};
     if (length_m >= 0.0) json["length_m"] = length_m;
     std::printf("%s\n", write_json(json).c_str());
   } else {
@@ -87,7 +78,7 @@ int report_sent(const Cli& cli, const aisle::Goal& goal, const std::string& resu
   return code;
 }
 
-int report_no_answer(const Cli& cli, const GoalTalk& talk, const aisle::Goal& goal, double waited_s) {
+int report_no_answer(const Cli& cli, const GoalTalk& talk, const fleet::Goal& goal, double waited_s) {
   const bool nobody = !talk.is_read_by_anybody();
   return report_sent(
       cli, goal, "no_answer",
@@ -97,23 +88,23 @@ int report_no_answer(const Cli& cli, const GoalTalk& talk, const aisle::Goal& go
       process::kEnvironment);
 }
 
-int follow(const Cli& cli, GoalTalk& talk, const aisle::Goal& goal, Seconds limit) {
-  const std::string goal_id = goal.goal_id().to_string();
-  const std::string agv_id = goal.agv_id().to_string();
-  const auto is_over = [](NavigationPhase phase) {
-    return phase == NavigationPhase::PHASE_ARRIVED || phase == NavigationPhase::PHASE_FAILED;
+int follow(const Cli& cli, GoalTalk& talk, const fleet::Goal& goal, Seconds limit) {
+  const std::string goal_id = goal.id;
+  const std::string agv_id = goal.agv_id;
+  const auto is_over = [](fleet::Phase phase) {
+    return phase == fleet::Phase::kArrived || phase == fleet::Phase::kFailed;
   };
   std::string replaced_by;
   bool is_over_now = false;
   {
-    Progress progress;
+    ProgressLine progress;
     is_over_now = talk.listen_until(limit, [&] {
-      const bool is_other_plan = talk.plan() && talk.plan()->goal_id().to_string() != goal_id;
-      if (is_other_plan) replaced_by = talk.plan()->goal_id().to_string();
+      const bool is_other_plan = talk.plan() && talk.plan()->goal_id != goal_id;
+      if (is_other_plan) replaced_by = talk.plan()->goal_id;
       if (is_other_plan) return true;
-      if (!talk.navigation() || talk.navigation()->goal_id().to_string() != goal_id) return false;
+      if (!talk.navigation() || talk.navigation()->goal_id != goal_id) return false;
       progress.show(*talk.navigation());
-      return is_over(talk.navigation()->phase());
+      return is_over(talk.navigation()->phase);
     });
   }
   if (!replaced_by.empty())
@@ -123,32 +114,30 @@ int follow(const Cli& cli, GoalTalk& talk, const aisle::Goal& goal, Seconds limi
     return report_sent(cli, goal, "not_arrived", why + "; " + agv_id + " keeps the goal, aisle goal cancel drops it",
                        process::kNegative);
   }
-  const aisle::NavigationStatus& status = *talk.navigation();
-  if (status.phase() == NavigationPhase::PHASE_ARRIVED)
+  const fleet::NavigationStatus& status = *talk.navigation();
+  if (status.phase == fleet::Phase::kArrived)
     return report_sent(cli, goal, "arrived", agv_id + " arrived", process::kDone);
-  return report_sent(cli, goal, "failed",
-                     agv_id + " failed (" + name_of(status.reason()) + "): " + status.detail().to_string(),
+  return report_sent(cli, goal, "failed", agv_id + " failed (" + word_of(name(status.reason)) + "): " + status.detail,
                      process::kNegative);
 }
 
 int send(const Cli& cli, const SendOptions& options) {
-  const aisle::Goal goal = make_goal(options);
-  const std::string goal_id = goal.goal_id().to_string();
+  const fleet::Goal goal = make_goal(options);
+  const std::string goal_id = goal.id;
   GoalTalk talk(cli, options.agv_id);
   talk.require_vehicle();
   const Seconds until_planned = options.timeout_s > 0.0 ? Seconds(options.timeout_s) : kUntilPlanned;
-  const auto is_planned = [&] { return talk.plan() && talk.plan()->goal_id().to_string() == goal_id; };
+  const auto is_planned = [&] { return talk.plan() && talk.plan()->goal_id == goal_id; };
   if (!talk.say_until(goal, until_planned, is_planned)) return report_no_answer(cli, talk, goal, until_planned.count());
-  const aisle::Plan plan = *talk.plan();
-  if (plan.outcome() != PlanOutcome::PLAN_FOUND) {
-    const std::string outcome = name_of(plan.outcome());
-    return report_sent(cli, goal, outcome,
-                       options.agv_id + " cannot go there: " + outcome + ": " + plan.detail().to_string(),
+  const fleet::Plan plan = *talk.plan();
+  if (!plan.is_found()) {
+    const std::string outcome = word_of(name(plan.outcome));
+    return report_sent(cli, goal, outcome, options.agv_id + " cannot go there: " + outcome + ": " + plan.detail,
                        process::kNegative);
   }
   const std::string text =
-      fmt::format("{} goes {:.1f} m to {}, goal {}", options.agv_id, plan.length_m(), options.pose, goal_id);
-  if (!options.wait) return report_sent(cli, goal, "planned", text, process::kDone, plan.length_m());
+      fmt::format("{} goes {:.1f} m to {}, goal {}", options.agv_id, plan.length_m, options.pose, goal_id);
+  if (!options.wait) return report_sent(cli, goal, "planned", text, process::kDone, plan.length_m);
   if (!cli.json) std::printf("%s\n", printable(text).c_str());
   std::fflush(stdout);
   return follow(cli, talk, goal, options.timeout_s > 0.0 ? Seconds(options.timeout_s) : kUntilArrived);

@@ -6,6 +6,7 @@
 
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
+#include "common/service/hear.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -21,23 +22,26 @@ GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
       bus_(join(cli, "aisle-goal")),
       writer_(bus_->writer<topics::Goal>()),
       stamper_(*bus_, "aisle", static_cast<std::uint64_t>(bus_->wall_clock_ns()) / 1000) {
-  const auto is_data = [](const bus::SampleInfo& info) { return info.kind == bus::SampleKind::kData; };
-  bus_->on<topics::VehicleInfo>([this, is_data](const aisle::VehicleInfo& sample, const bus::SampleInfo& info) {
-    if (is_data(info)) vehicles_.insert(sample.agv_id().to_string());
-  });
-  bus_->on<topics::VehicleState>([this, is_data](const aisle::VehicleState& sample, const bus::SampleInfo& info) {
-    if (is_data(info)) vehicles_.insert(sample.agv_id().to_string());
-  });
-  bus_->on<topics::NavigationStatus>(
-      [this, is_data](const aisle::NavigationStatus& sample, const bus::SampleInfo& info) {
-        if (is_data(info) && sample.agv_id().to_string() == agv_id_) navigation_ = sample;
-      });
-  bus_->on<topics::Plan>([this, is_data](const aisle::Plan& sample, const bus::SampleInfo& info) {
-    if (is_data(info) && sample.agv_id().to_string() == agv_id_) plan_ = sample;
-  });
-  bus_->on<topics::Goal>([this, is_data](const aisle::Goal& sample, const bus::SampleInfo& info) {
-    if (is_data(info) && sample.agv_id().to_string() == agv_id_) goal_ = sample;
-  });
+  using service::Sender;
+  service::hear<topics::VehicleInfo>(
+      *bus_, {[this](const fleet::Vehicle& vehicle, const Sender&) { vehicles_.insert(vehicle.id); }, {}, {}});
+  service::hear<topics::VehicleState>(
+      *bus_, {[this](const fleet::VehicleState& state, const Sender&) { vehicles_.insert(state.agv_id); }, {}, {}});
+  service::hear<topics::NavigationStatus>(*bus_, {[this](const fleet::NavigationStatus& status, const Sender&) {
+                                                    if (status.agv_id == agv_id_) navigation_ = status;
+                                                  },
+                                                  {},
+                                                  {}});
+  service::hear<topics::Plan>(*bus_, {[this](const fleet::Plan& plan, const Sender&) {
+                                        if (plan.agv_id == agv_id_) plan_ = plan;
+                                      },
+                                      {},
+                                      {}});
+  service::hear<topics::Goal>(*bus_, {[this](const fleet::Goal& goal, const Sender&) {
+                                        if (goal.agv_id == agv_id_) goal_ = goal;
+                                      },
+                                      {},
+                                      {}});
 }
 
 void GoalTalk::require_vehicle() {
@@ -54,11 +58,12 @@ void GoalTalk::require_vehicle() {
                          " Seen are: " + names);
 }
 
-bool GoalTalk::say_until(aisle::Goal goal, Seconds limit, const std::function<bool()>& done) {
+bool GoalTalk::say_until(const fleet::Goal& goal, Seconds limit, const std::function<bool()>& done) {
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!is_interrupted()) {
-    goal.by(stamper_.next());
-    writer_.write(goal);
+    auto sample = wire::encode(goal);
+    sample.by(stamper_.next());
+    writer_.write(sample);
     const Seconds left = end - std::chrono::steady_clock::now();
     if (run_until(*bus_, std::min<Seconds>(left, kSayAgainAfter), done)) return true;
     if (left <= Seconds::zero()) break;

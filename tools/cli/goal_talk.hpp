@@ -6,6 +6,9 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/topics.hpp"
+#include "common/fleet/goal.hpp"
+#include "common/fleet/navigation.hpp"
+#include "common/fleet/plan.hpp"
 #include "common/service/origin_stamper.hpp"
 #include "tools/cli/cli.hpp"
 
@@ -21,13 +24,13 @@ class GoalTalk {
   /// when there are none
   void require_vehicle();
   /// Runs the loop as run_until(), and says `goal` at once and every 500 ms meanwhile.
-  bool say_until(aisle::Goal goal, Seconds limit, const std::function<bool()>& done);
+  bool say_until(const fleet::Goal& goal, Seconds limit, const std::function<bool()>& done);
   bool listen_until(Seconds limit, const std::function<bool()>& done) { return run_until(*bus_, limit, done); }
 
   const std::string& agv_id() const { return agv_id_; }
-  const std::optional<aisle::Plan>& plan() const { return plan_; }
-  const std::optional<aisle::NavigationStatus>& navigation() const { return navigation_; }
-  const std::optional<aisle::Goal>& goal() const { return goal_; }
+  const std::optional<fleet::Plan>& plan() const { return plan_; }
+  const std::optional<fleet::NavigationStatus>& navigation() const { return navigation_; }
+  const std::optional<fleet::Goal>& goal() const { return goal_; }
   /// Its own reader does not count.
   bool is_read_by_anybody() const { return writer_.matched_readers() > 1; }
 
@@ -38,9 +41,9 @@ class GoalTalk {
   bus::Writer<topics::Goal> writer_;
   service::OriginStamper stamper_;
   std::set<std::string> vehicles_;
-  std::optional<aisle::Plan> plan_;
-  std::optional<aisle::NavigationStatus> navigation_;
-  std::optional<aisle::Goal> goal_;  // of others
+  std::optional<fleet::Plan> plan_;
+  std::optional<fleet::NavigationStatus> navigation_;
+  std::optional<fleet::Goal> goal_;  // of others
 };
 
 }  // namespace aisle::cli

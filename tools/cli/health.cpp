@@ -11,8 +11,9 @@
 #include "common/process/clock.hpp"
 #include "common/process/exit_code.hpp"
 #include "common/service/health_file.hpp"
+#include "common/service/hear.hpp"
 #include "tools/cli/cli.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 #include "tools/cli/text.hpp"
 
 namespace aisle::cli {
@@ -35,23 +36,27 @@ void print_word(const std::string& instance_id, const std::string& state, const 
 
 int heard_health(const Cli& cli, const std::string& instance_id, double timeout_s) {
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-health");
-  std::optional<aisle::ServiceHealth> newest;
+  std::optional<fleet::ServiceHealth> newest;
+  fleet::Origin by;
   std::set<std::string> seen;
-  bus->on<topics::ServiceHealth>([&](const aisle::ServiceHealth& sample, const bus::SampleInfo& info) {
-    const std::string id = sample.instance_id().to_string();
-    if (info.kind == bus::SampleKind::kData) seen.insert(id);
-    if (id != instance_id) return;
-    newest = info.kind == bus::SampleKind::kData ? std::optional<aisle::ServiceHealth>(sample) : std::nullopt;
-  });
+  service::hear<topics::ServiceHealth>(*bus, {[&](const fleet::ServiceHealth& health, const service::Sender& from) {
+                                                seen.insert(health.instance_id);
+                                                if (health.instance_id != instance_id) return;
+                                                newest = health;
+                                                by = from.by;
+                                              },
+                                              [&](const std::string& id, service::End) {
+                                                if (id == instance_id) newest.reset();
+                                              },
+                                              {}});
   const bool is_ready =
-      run_until(*bus, Seconds(timeout_s), [&] { return newest && newest->state() == ServiceState::SERVICE_READY; });
+      run_until(*bus, Seconds(timeout_s), [&] { return newest && newest->state == fleet::ServiceState::kReady; });
   if (cli.json) {
-    std::printf("%s\n", newest ? write_json(to_json(*newest)).c_str() : "null");
+    std::printf("%s\n", newest ? write_json(json_of(*newest, by)).c_str() : "null");
   } else if (!newest) {
     std::fprintf(stderr, "%s\n", text_of_absence(cli, instance_id, seen).c_str());
   } else {
-    print_word(instance_id, name_of(newest->state()), newest->waits_for().to_string(),
-               newest->last_error().to_string());
+    print_word(instance_id, fleet::name(newest->state), newest->waits_for, newest->last_error);
   }
   return is_ready ? process::kDone : process::kNegative;
 }

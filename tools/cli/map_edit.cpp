@@ -16,17 +16,16 @@ struct EditOptions {
   double timeout_s{10.0};
 };
 
-int edit_map(const Cli& cli, const EditOptions& options, EditAction action) {
-  aisle::MapEdit edit;
-  edit.edit_id(options.edit_id.empty() ? unique_id("aisle") : options.edit_id);
-  edit.action(action);
-  edit.radius_m(0.0);
+int edit_map(const Cli& cli, const EditOptions& options, fleet::MapEdit::Action action) {
+  fleet::MapEdit edit;
+  edit.edit_id = options.edit_id.empty() ? unique_id("aisle") : options.edit_id;
+  edit.action = action;
   set_shape(options.shape, edit);
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-map-edit");
   return print_result(cli, EditTalk(*bus).apply(edit, options.map_id, options.timeout_s));
 }
 
-void add_edit_verb(CLI::App& parent, Cli& cli, const char* name, const char* purpose, EditAction action) {
+void add_edit_verb(CLI::App& parent, Cli& cli, const char* name, const char* purpose, fleet::MapEdit::Action action) {
   auto options = std::make_shared<EditOptions>();
   Verb(parent, cli, name, purpose)
       .option("--rect", options->shape.rectangle, "x1,y1,x2,y2: two opposite corners, metres")
@@ -42,12 +41,12 @@ void add_edit_verb(CLI::App& parent, Cli& cli, const char* name, const char* pur
 
 void add_map_block(CLI::App& parent, Cli& cli) {
   add_edit_verb(parent, cli, "block", "close an area for all vehicles; exit code 1 when it is refused",
-                EditAction::EDIT_BLOCK);
+                fleet::MapEdit::Action::kBlock);
 }
 
 void add_map_unblock(CLI::App& parent, Cli& cli) {
   add_edit_verb(parent, cli, "unblock", "open an area that was closed; exit code 1 when it is refused",
-                EditAction::EDIT_UNBLOCK);
+                fleet::MapEdit::Action::kUnblock);
 }
 
 }  // namespace aisle::cli

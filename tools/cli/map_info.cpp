@@ -9,34 +9,43 @@
 #include "common/bus/topics.hpp"
 #include "common/config/reader.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/service/hear.hpp"
 #include "tools/cli/cli.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 #include "tools/cli/text.hpp"
 
 namespace aisle::cli {
 namespace {
 
-Json without_tile_hashes(const aisle::MapInfo& info) {
-  Json json = to_json(info);
+struct SaidMap {
+  grid::MapSummary summary;
+  fleet::Origin by;
+};
+
+Json without_tile_hashes(const SaidMap& said) {
+  const grid::Geometry& geometry = said.summary.tiling.geometry;
+  Json json = json_of(said.summary, said.by);
   json["tiles"] = json["tile_hashes"].size();
-  json["width_m"] = info.width_cells() * info.resolution_m();
-  json["height_m"] = info.height_cells() * info.resolution_m();
+  json["width_m"] = geometry.width * geometry.resolution_m;
+  json["height_m"] = geometry.height * geometry.resolution_m;
   json.erase("tile_hashes");
   return json;
 }
 
 int show_map(const Cli& cli, double timeout_s) {
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-map-info");
-  std::map<std::string, aisle::MapInfo> maps;
-  bus->on<topics::MapInfo>([&](const aisle::MapInfo& sample, const bus::SampleInfo& sample_info) {
-    if (sample_info.kind == bus::SampleKind::kData) maps[sample.map_id().to_string()] = sample;
-  });
+  std::map<std::string, SaidMap> maps;
+  service::hear<topics::MapInfo>(*bus, {[&](const grid::MapSummary& summary, const service::Sender& from) {
+                                          maps[summary.map_id] = {summary, from.by};
+                                        },
+                                        {},
+                                        {}});
   if (!run_until(*bus, Seconds(timeout_s), [&] { return !maps.empty(); })) {
     throw config::BadEnvironment("no map seen in " + place_of(cli.settings) +
                                  "; is aisle-map running? aisle doctor looks for the cause");
   }
-  for (const auto& [id, sample] : maps) {
-    const Json json = without_tile_hashes(sample);
+  for (const auto& [id, said] : maps) {
+    const Json json = without_tile_hashes(said);
     std::printf("%s", cli.json ? (write_json(json) + "\n").c_str() : text_of_sample(json, Length::kFull).c_str());
   }
   return process::kDone;

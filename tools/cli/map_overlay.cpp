@@ -12,9 +12,10 @@
 #include "common/bus/topics.hpp"
 #include "common/config/reader.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/service/hear.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/edit_talk.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 #include "tools/cli/text.hpp"
 
 namespace aisle::cli {
@@ -22,35 +23,38 @@ namespace {
 
 constexpr int kListen_s = 2;  // a standing track is said twice a second
 
+struct SaidTrack {
+  fleet::Track track;
+  fleet::Origin by;
+};
+
 /// Hears the tracker: the newest sample of each live track, moving ones too.
 class TrackBook {
  public:
   explicit TrackBook(bus::Bus& bus) {
-    bus.on<topics::Track>([this](const aisle::Track& sample, const bus::SampleInfo& info) {
-      if (info.kind == bus::SampleKind::kData)
-        tracks_[sample.track_id()] = sample;
-      else
-        tracks_.erase(sample.track_id());
-    });
-    bus.on<topics::TrackingStatus>([this](const aisle::TrackingStatus&, const bus::SampleInfo& info) {
-      if (info.kind == bus::SampleKind::kData) has_tracker_ = true;
-    });
+    service::hear<topics::Track>(bus, {[this](const fleet::Track& track, const service::Sender& from) {
+                                         tracks_[track.id] = {track, from.by};
+                                       },
+                                       [this](std::uint64_t id, service::End) { tracks_.erase(id); },
+                                       {}});
+    service::hear<topics::TrackingStatus>(
+        bus, {[this](const fleet::TrackingStatus&, const service::Sender&) { has_tracker_ = true; }, {}, {}});
   }
   bool has_tracker() const { return has_tracker_ || !tracks_.empty(); }
-  const aisle::Track* find(std::uint64_t id) const {
+  const fleet::Track* find(std::uint64_t id) const {
     const auto found = tracks_.find(id);
-    return found == tracks_.end() ? nullptr : &found->second;
+    return found == tracks_.end() ? nullptr : &found->second.track;
   }
-  std::vector<aisle::Track> standing() const {
-    std::vector<aisle::Track> standing;
-    for (const auto& [id, track] : tracks_) {
-      if (track.is_static()) standing.push_back(track);
+  std::vector<SaidTrack> standing() const {
+    std::vector<SaidTrack> standing;
+    for (const auto& [id, said] : tracks_) {
+      if (said.track.is_static) standing.push_back(said);
     }
     return standing;
   }
 
  private:
-  std::map<std::uint64_t, aisle::Track> tracks_;
+  std::map<std::uint64_t, SaidTrack> tracks_;
   bool has_tracker_{false};
 };
 
@@ -68,11 +72,11 @@ int show_overlay(const Cli& cli, double wait_s) {
   run_until(*bus, Seconds(kListen_s), [] { return false; });
   Json json = Json::array();
   std::vector<std::vector<std::string>> rows{{"TRACK", "X_M", "Y_M", "RADIUS_M", "KNOWN_FOR_S", "UNSEEN_S"}};
-  for (const aisle::Track& track : book.standing()) {
-    json.push_back(to_json(track));
-    rows.push_back({std::to_string(track.track_id()), fmt::format("{:.2f}", track.position_in_map().x_m()),
-                    fmt::format("{:.2f}", track.position_in_map().y_m()), fmt::format("{:.2f}", track.radius_m()),
-                    fmt::format("{:.0f}", track.age_s()), fmt::format("{:.0f}", track.unseen_s())});
+  for (const auto& [track, by] : book.standing()) {
+    json.push_back(json_of(track, by));
+    rows.push_back({std::to_string(track.id), fmt::format("{:.2f}", track.position_in_map.x),
+                    fmt::format("{:.2f}", track.position_in_map.y), fmt::format("{:.2f}", track.radius_m),
+                    fmt::format("{:.0f}", track.age_s), fmt::format("{:.0f}", track.unseen_s)});
   }
   if (cli.json)
     std::printf("%s\n", write_json(json).c_str());
@@ -91,13 +95,13 @@ std::uint64_t track_id_of(const std::string& text) {
 }
 
 /// The disc that covers the track. Named after it: however often it is accepted, it is applied once.
-aisle::MapEdit edit_from(const aisle::Track& track) {
-  aisle::MapEdit edit;
-  edit.edit_id("track-" + std::to_string(track.track_id()));
-  edit.action(EditAction::EDIT_BLOCK);
-  edit.shape(EditShape::SHAPE_DISC);
-  edit.points({track.position_in_map()});
-  edit.radius_m(track.radius_m());
+fleet::MapEdit edit_from(const fleet::Track& track) {
+  fleet::MapEdit edit;
+  edit.edit_id = "track-" + std::to_string(track.id);
+  edit.action = fleet::MapEdit::Action::kBlock;
+  edit.shape = fleet::MapEdit::Shape::kDisc;
+  edit.points_in_map = {track.position_in_map};
+  edit.radius_m = track.radius_m;
   return edit;
 }
 
@@ -118,9 +122,9 @@ int accept_track(const Cli& cli, const AcceptOptions& options) {
   TrackBook book(*bus);
   run_until(*bus, Seconds(options.timeout_s), [&] { return book.find(id) != nullptr; });
   require_tracker(cli, book);
-  const aisle::Track* track = book.find(id);
+  const fleet::Track* track = book.find(id);
   if (track == nullptr) return refuse(fmt::format("no track {} is there; aisle map overlay lists what stands", id));
-  if (!track->is_static())
+  if (!track->is_static)
     return refuse(fmt::format("track {} has not stood for 3 s: only what stands becomes part of the map", id));
   return print_result(cli, EditTalk(*bus).apply(edit_from(*track), options.map_id, options.timeout_s));
 }

@@ -12,7 +12,7 @@
 #include "common/process/exit_code.hpp"
 #include "common/service/map_client.hpp"
 #include "tools/cli/cli.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 
 namespace aisle::cli {
 namespace {

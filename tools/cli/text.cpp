@@ -89,6 +89,11 @@ std::string printable(const std::string& text) {
   return out;
 }
 
+std::string word_of(std::string name) {
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
+
 std::string text_of_sample(const Json& sample, Length length) {
   std::string out;
   add_lines(sample, length, "", out);

@@ -5,6 +5,9 @@
 
 namespace aisle::cli {
 
+/// A name of an enumerator as one word, "no_goal", as the JSON of samples has it.
+std::string word_of(std::string name);
+
 /// How much of a sample a person wants to see.
 enum class Length { kShort, kFull };
 

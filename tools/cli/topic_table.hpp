@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 
 namespace aisle::cli {
 

@@ -11,7 +11,7 @@
 #include "common/process/exit_code.hpp"
 #include "common/process/output_file.hpp"
 #include "tools/cli/cli.hpp"
-#include "tools/cli/json/json.hpp"
+#include "tools/cli/json.hpp"
 #include "tools/lab/tracking/picture.hpp"
 #include "tools/lab/tracking/trial.hpp"
 

@@ -119,6 +119,7 @@ class CliSite : public ::testing::Test {
                    : is_outside     ? PlanOutcome::PLAN_OUT_OF_MAP
                                     : PlanOutcome::PLAN_FOUND);
       plan.detail(std::string(is_outside ? "x = 500 is beyond 40" : ""));
+      if (plan.outcome() == PlanOutcome::PLAN_FOUND) plan.waypoints_in_map().resize(2);
       plans_.write(plan);
       status_.agv_id(goal.agv_id().to_string());
       status_.goal_id(goal.goal_id().to_string());

@@ -67,23 +67,23 @@ TEST(Arguments, WithAMinusAndADigitAreNoFlags) {
 }
 
 TEST(EditShape, IsOneOfThree) {
-  aisle::MapEdit rectangle;
+  fleet::MapEdit rectangle;
   set_shape({"1,2,3,4", "", {}}, rectangle);
-  EXPECT_EQ(rectangle.shape(), EditShape::SHAPE_RECTANGLE);
-  ASSERT_EQ(rectangle.points().size(), 2u);
-  EXPECT_EQ(rectangle.points()[1].y_m(), 4.0);
-  aisle::MapEdit disc;
+  EXPECT_EQ(rectangle.shape, fleet::MapEdit::Shape::kRectangle);
+  ASSERT_EQ(rectangle.points_in_map.size(), 2u);
+  EXPECT_EQ(rectangle.points_in_map[1].y, 4.0);
+  fleet::MapEdit disc;
   set_shape({"", "1,2,0.5", {}}, disc);
-  EXPECT_EQ(disc.shape(), EditShape::SHAPE_DISC);
-  EXPECT_EQ(disc.radius_m(), 0.5);
-  aisle::MapEdit polygon;
+  EXPECT_EQ(disc.shape, fleet::MapEdit::Shape::kDisc);
+  EXPECT_EQ(disc.radius_m, 0.5);
+  fleet::MapEdit polygon;
   set_shape({"", "", {"0,0", "4,0", "2,3"}}, polygon);
-  EXPECT_EQ(polygon.shape(), EditShape::SHAPE_POLYGON);
-  EXPECT_EQ(polygon.points().size(), 3u);
+  EXPECT_EQ(polygon.shape, fleet::MapEdit::Shape::kPolygon);
+  EXPECT_EQ(polygon.points_in_map.size(), 3u);
 }
 
 TEST(EditShape, ThatDoesNotFitIsRefused) {
-  aisle::MapEdit edit;
+  fleet::MapEdit edit;
   EXPECT_THAT(refusal_of([&] { set_shape({}, edit); }), HasSubstr("give one shape"));
   EXPECT_THAT(refusal_of([&] { set_shape({"1,2,3,4", "1,2,3", {}}, edit); }), HasSubstr("give one shape"));
   EXPECT_THAT(refusal_of([&] { set_shape({"1,2,1,4", "", {}}, edit); }), HasSubstr("has no area"));
@@ -112,23 +112,23 @@ TEST(Rate, CountsGapsBetweenSamples) {
   EXPECT_DOUBLE_EQ(rate.bytes_per_s(), 30.0 * 64);
 }
 
-aisle::VehicleState state_of(const std::string& agv_id) {
-  aisle::VehicleState state;
-  state.agv_id(agv_id);
-  state.twist().linear_mps(0.8);
-  state.hold(HoldReason::HOLD_NONE);
+fleet::VehicleState state_of(const std::string& agv_id) {
+  fleet::VehicleState state;
+  state.agv_id = agv_id;
+  state.motion.twist.linear_mps = 0.8;
+  state.hold = fleet::Hold::kNone;
   return state;
 }
 
 TEST(FleetView, ShowsWhatAVehicleDoesAndWhenItIsSilent) {
   FleetView view;
   view.take(state_of("agv-1"), seconds(10));
-  aisle::NavigationStatus status;
-  status.agv_id(std::string("agv-1"));
-  status.goal_id(std::string("g7"));
-  status.phase(NavigationPhase::PHASE_BLOCKED);
-  status.reason(NavigationReason::REASON_OBSTACLE);
-  status.distance_left_m(12.34);
+  fleet::NavigationStatus status;
+  status.agv_id = "agv-1";
+  status.goal_id = "g7";
+  status.phase = fleet::Phase::kBlocked;
+  status.reason = fleet::Reason::kObstacle;
+  status.distance_left_m = 12.34;
   view.take(status);
   const std::string text = text_of_fleet(view.snapshot(seconds(10)));
   EXPECT_THAT(text, HasSubstr("agv-1    blocked  obstacle  g7    12.3    0.80       0.00  0.00  -"));
@@ -139,11 +139,11 @@ TEST(FleetView, ShowsWhatAVehicleDoesAndWhenItIsSilent) {
 
 TEST(FleetView, KnowsServicesThatAreGone) {
   FleetView view;
-  aisle::ServiceHealth health;
-  health.instance_id(std::string("map"));
-  health.state(ServiceState::SERVICE_WAITING);
-  health.waits_for(std::string("map_info"));
-  view.take(health);
+  fleet::ServiceHealth health;
+  health.instance_id = "map";
+  health.state = fleet::ServiceState::kWaiting;
+  health.waits_for = "map_info";
+  view.take(health, {});
   EXPECT_THAT(text_of_fleet(view.snapshot(seconds(1))), HasSubstr("map      waiting  map_info"));
   view.lose_service("map");
   EXPECT_THAT(text_of_fleet(view.snapshot(seconds(1))), HasSubstr("gone"));

@@ -79,13 +79,13 @@ TEST(Diagnosis, OfEndpointsNamesTypeQosAndPartition) {
 }
 
 TEST(Diagnosis, OfServicesSaysWhatTheyWaitFor) {
-  aisle::ServiceHealth ready;
-  ready.state(ServiceState::SERVICE_READY);
-  aisle::ServiceHealth waiting;
-  waiting.state(ServiceState::SERVICE_WAITING);
-  waiting.waits_for(std::string("map_info"));
-  aisle::ServiceHealth ailing = ready;
-  ailing.last_error(std::string("disk full"));
+  fleet::ServiceHealth ready;
+  ready.state = fleet::ServiceState::kReady;
+  fleet::ServiceHealth waiting;
+  waiting.state = fleet::ServiceState::kWaiting;
+  waiting.waits_for = "map_info";
+  fleet::ServiceHealth ailing = ready;
+  ailing.last_error = "disk full";
   EXPECT_THAT(judge_services({{"a", ready}}, {}), IsEmpty());
   const std::vector<Problem> problems =
       judge_services({{"a", ready}, {"b", waiting}, {"c", ailing}, {"d", ready}}, {"d"});
@@ -98,26 +98,23 @@ TEST(Diagnosis, OfServicesSaysWhatTheyWaitFor) {
 }
 
 TEST(Diagnosis, OfVehiclesFindsTwoWithOneIdButNotARestart) {
-  const auto state = [](const char* agv_id, const char* source, std::uint64_t boot) {
-    aisle::VehicleState sample;
-    sample.agv_id(std::string(agv_id));
-    sample.by().source_id(std::string(source));
-    sample.by().boot_id(boot);
-    sample.hold(HoldReason::HOLD_NONE);
-    return sample;
-  };
   VehicleWatch watch;
-  watch.take(state("agv-1", "fake-vehicle-agv-1", 5));
-  for (int i = 0; i < 3; ++i) watch.take(state("agv-1", "fake-vehicle-agv-1", 6));
+  const auto take = [&](const char* agv_id, const char* source, std::uint64_t boot, fleet::Hold hold) {
+    fleet::VehicleState state;
+    state.agv_id = agv_id;
+    state.hold = hold;
+    watch.take(state, {source, boot, 0, 1, 0});
+  };
+  const fleet::Hold none = fleet::Hold::kNone;
+  take("agv-1", "fake-vehicle-agv-1", 5, none);
+  for (int i = 0; i < 3; ++i) take("agv-1", "fake-vehicle-agv-1", 6, none);
   EXPECT_THAT(watch.judge(), IsEmpty());
-  for (int i = 0; i < 3; ++i) watch.take(state("agv-1", "truck", 7));
+  for (int i = 0; i < 3; ++i) take("agv-1", "truck", 7, none);
   ASSERT_THAT(watch.judge(), SizeIs(1));
   EXPECT_EQ(
       watch.judge()[0].text,
       "two vehicles call themselves 'agv-1': fake-vehicle-agv-1 (boot 6) and truck (boot 7); give one another id");
-  aisle::VehicleState held = state("agv-2", "x", 1);
-  held.hold(HoldReason::HOLD_CONTACT);
-  watch.take(held);
+  take("agv-2", "x", 1, fleet::Hold::kContact);
   EXPECT_THAT(watch.judge(), SizeIs(2));
 }
 

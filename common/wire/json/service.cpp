@@ -1,13 +1,13 @@
-#include "tools/cli/json/parts.hpp"
+#include "common/wire/json/parts.hpp"
 
-namespace aisle::cli {
+namespace aisle::wire {
 namespace {
 
 constexpr std::array kStates{"starting", "waiting", "ready", "degraded", "stopping"};
 
-}  // namespace
-
 std::string name_of(aisle::ServiceState state) { return enumerator_name(kStates, state); }
+
+}  // namespace
 
 Json to_json(const aisle::ServiceHealth& sample) {
   Json counters = Json::object();
@@ -32,4 +32,4 @@ Json to_json(const aisle::ServiceHealth& sample) {
               {"counters", std::move(counters)}};
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::wire

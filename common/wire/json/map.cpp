@@ -1,15 +1,15 @@
-#include "tools/cli/json/parts.hpp"
+#include "common/wire/json/parts.hpp"
 
-namespace aisle::cli {
+namespace aisle::wire {
 namespace {
 
 constexpr std::array kActions{"block", "unblock"};
 constexpr std::array kShapes{"rectangle", "polygon", "disc"};
 constexpr std::array kEditOutcomes{"applied", "already_applied", "refused"};
 
-}  // namespace
-
 std::string name_of(aisle::EditOutcome outcome) { return enumerator_name(kEditOutcomes, outcome); }
+
+}  // namespace
 
 Json to_json(const aisle::MapInfo& sample) {
   Json hashes = Json::array();
@@ -58,4 +58,4 @@ Json to_json(const aisle::MapEditResult& sample) {
               {"changed_cells", sample.changed_cells()}};
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::wire

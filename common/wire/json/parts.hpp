@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <string>
 
-#include "tools/cli/json/json.hpp"
+#include "common/wire/json/json.hpp"
 
-namespace aisle::cli {
+namespace aisle::wire {
 
 /// The name at the enumerator's place; its number when a newer program knows more of them.
 template <std::size_t N, class Enum>
@@ -31,4 +31,4 @@ Json array_of(const Sequence& sequence) {
   return array;
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::wire

@@ -1,17 +1,13 @@
 #pragma once
-// One to_json for each type of idl/, with the field names of the IDL; enumerators in lower case without their prefix,
+// Samples as they came, for people and scripts: one to_json for each type of idl/, with the field names of the IDL; enumerators in lower case without their prefix,
 // hashes as hexadecimal text (a JSON number would lose digits). Numbers that are not finite become null when written.
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "idl/geometry.hpp"
-#include "idl/map.hpp"
-#include "idl/planning.hpp"
-#include "idl/service.hpp"
-#include "idl/tracking.hpp"
-#include "idl/vehicle.hpp"
+#include "common/wire/codecs.hpp"
+#include "common/wire/geometry.hpp"
 
-namespace aisle::cli {
+namespace aisle::wire {
 
 /// Keeps the order of the fields.
 using Json = nlohmann::ordered_json;
@@ -38,14 +34,17 @@ Json to_json(const aisle::Scan& sample);
 Json to_json(const aisle::VelocityCommand& sample);
 Json to_json(const aisle::WorldObstacle& sample);
 
-std::string name_of(aisle::EditOutcome outcome);
-std::string name_of(aisle::PlanOutcome outcome);
-std::string name_of(aisle::NavigationPhase phase);
-std::string name_of(aisle::NavigationReason reason);
-std::string name_of(aisle::HoldReason reason);
-std::string name_of(aisle::ServiceState state);
+inline Json to_json(const geometry::Pose2& pose_in_map) { return to_json(encode(pose_in_map)); }
+
+/// A value as `aisle topic echo` shows it: as JSON of the sample that it is written as, with its origin.
+template <class Value>
+Json json_of(const Value& value, const fleet::Origin& by) {
+  auto sample = encode(value);
+  stamp(sample, by);
+  return to_json(sample);
+}
 
 /// One line. What came over the wire may not be UTF-8; such bytes are replaced.
 std::string write_json(const Json& json);
 
-}  // namespace aisle::cli
+}  // namespace aisle::wire

@@ -1,6 +1,6 @@
-#include "tools/cli/json/json.hpp"
+#include "common/wire/json/json.hpp"
 
-namespace aisle::cli {
+namespace aisle::wire {
 
 Json to_json(const aisle::Point& sample) { return Json{{"x_m", sample.x_m()}, {"y_m", sample.y_m()}}; }
 
@@ -24,4 +24,4 @@ Json to_json(const aisle::Origin& sample) {
 
 std::string write_json(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
-}  // namespace aisle::cli
+}  // namespace aisle::wire

@@ -1,6 +1,6 @@
-#include "tools/cli/json/parts.hpp"
+#include "common/wire/json/parts.hpp"
 
-namespace aisle::cli {
+namespace aisle::wire {
 namespace {
 
 constexpr std::array kPlanOutcomes{"found",      "no_path",     "start_blocked", "goal_blocked",
@@ -15,11 +15,11 @@ Json json_of_intent(const aisle::IntentPoint& point) {
   return Json{{"offset_s", point.offset_s()}, {"base_in_map", to_json(point.base_in_map())}};
 }
 
-}  // namespace
-
 std::string name_of(aisle::PlanOutcome outcome) { return enumerator_name(kPlanOutcomes, outcome); }
 std::string name_of(aisle::NavigationPhase phase) { return enumerator_name(kPhases, phase); }
 std::string name_of(aisle::NavigationReason reason) { return enumerator_name(kReasons, reason); }
+
+}  // namespace
 
 Json to_json(const aisle::Goal& sample) {
   return Json{{"agv_id", sample.agv_id().to_string()},
@@ -69,4 +69,4 @@ Json to_json(const aisle::NavigationStatus& sample) {
               {"intent", std::move(intent)}};
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::wire

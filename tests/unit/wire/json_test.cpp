@@ -1,11 +1,11 @@
-#include "tools/cli/json/json.hpp"
+#include "common/wire/json/json.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-namespace aisle::cli {
+namespace aisle::wire {
 namespace {
 
 TEST(JsonOf, APlanHasItsFieldsInTheOrderOfTheIdl) {
@@ -27,13 +27,25 @@ TEST(JsonOf, APlanHasItsFieldsInTheOrderOfTheIdl) {
 }
 
 TEST(JsonOf, EnumeratorsCoversTheLastOfEach) {
-  EXPECT_EQ(name_of(PlanOutcome::PLAN_CANCELLED), "cancelled");
-  EXPECT_EQ(name_of(NavigationPhase::PHASE_HELD), "held");
-  EXPECT_EQ(name_of(NavigationReason::REASON_AUTHORITY), "authority");
-  EXPECT_EQ(name_of(HoldReason::HOLD_DUPLICATE_ID), "duplicate_id");
-  EXPECT_EQ(name_of(ServiceState::SERVICE_STOPPING), "stopping");
-  EXPECT_EQ(name_of(EditOutcome::EDIT_REFUSED), "refused");
-  EXPECT_EQ(name_of(static_cast<ServiceState>(7)), "7");
+  aisle::Plan plan;
+  plan.outcome(PlanOutcome::PLAN_CANCELLED);
+  EXPECT_EQ(to_json(plan)["outcome"], "cancelled");
+  aisle::NavigationStatus status;
+  status.phase(NavigationPhase::PHASE_HELD);
+  status.reason(NavigationReason::REASON_AUTHORITY);
+  EXPECT_EQ(to_json(status)["phase"], "held");
+  EXPECT_EQ(to_json(status)["reason"], "authority");
+  aisle::VehicleState state;
+  state.hold(HoldReason::HOLD_DUPLICATE_ID);
+  EXPECT_EQ(to_json(state)["hold"], "duplicate_id");
+  aisle::ServiceHealth health;
+  health.state(ServiceState::SERVICE_STOPPING);
+  EXPECT_EQ(to_json(health)["state"], "stopping");
+  aisle::MapEditResult result;
+  result.outcome(EditOutcome::EDIT_REFUSED);
+  EXPECT_EQ(to_json(result)["outcome"], "refused");
+  health.state(static_cast<ServiceState>(7));
+  EXPECT_EQ(to_json(health)["state"], "7");
 }
 
 TEST(JsonOf, NumbersThatAreNoneAndBytesThatAreNoTextCanBeWritten) {
@@ -68,4 +80,4 @@ TEST(JsonOf, HashesKeepAllTheirDigits) {
 }
 
 }  // namespace
-}  // namespace aisle::cli
+}  // namespace aisle::wire

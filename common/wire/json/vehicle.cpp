@@ -1,6 +1,6 @@
-#include "tools/cli/json/parts.hpp"
+#include "common/wire/json/parts.hpp"
 
-namespace aisle::cli {
+namespace aisle::wire {
 namespace {
 
 constexpr std::array kFootprints{"disc", "rectangle"};
@@ -8,9 +8,9 @@ constexpr std::array kModels{"differential", "omnidirectional", "tricycle"};
 constexpr std::array kHolds{"none", "no_command", "late_command", "contact", "duplicate_id"};
 constexpr std::array kBodies{"vehicle", "person", "block"};
 
-}  // namespace
-
 std::string name_of(aisle::HoldReason reason) { return enumerator_name(kHolds, reason); }
+
+}  // namespace
 
 Json to_json(const aisle::VehicleInfo& sample) {
   return Json{{"agv_id", sample.agv_id().to_string()},
@@ -85,4 +85,4 @@ Json to_json(const aisle::WorldObstacle& sample) {
               {"ahead_m", sample.ahead_m()}};
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::wire

@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "tools/cli/json/parts.hpp"
+#include "common/wire/json/parts.hpp"
 
-namespace aisle::cli {
+namespace aisle::wire {
 namespace {
 
 Json json_of_use(const aisle::ScanUse& use) {
@@ -87,4 +87,4 @@ Json to_json(const aisle::TrackingStatus& sample) {
               {"processing_ms", sample.processing_ms()}};
 }
 
-}  // namespace aisle::cli
+}  // namespace aisle::wire
