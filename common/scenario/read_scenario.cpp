@@ -69,7 +69,7 @@ std::optional<kinematics::Model> find_model(const std::string& name) {
 // What the file says of each thing; the names of the keys stand here and nowhere else.
 
 struct VehicleEntry {
-  Vehicle value;
+  VehicleSetup value;
   void describe(YamlReader& r) {
     read_id(r, "id", value.id);
     r.field("model", value.model)
@@ -209,7 +209,7 @@ struct ScenarioFile {
     const auto take = [&](const char* key, const std::string& id) {
       if (!ids.insert(id).second) r.reject(key, "'" + id + "' names two things; ids are unique in a scenario");
     };
-    for (const Vehicle& vehicle : value.vehicles) take("vehicles", vehicle.id);
+    for (const VehicleSetup& vehicle : value.vehicles) take("vehicles", vehicle.id);
     check_missions();
     for (const Mover& mover : value.movers) take("movers", mover.id);
     for (const Block& block : value.blocks) take("blocks", block.id);
@@ -217,7 +217,7 @@ struct ScenarioFile {
 
   void check_missions() const {
     std::set<std::string> known;
-    for (const Vehicle& vehicle : value.vehicles) known.insert(vehicle.id);
+    for (const VehicleSetup& vehicle : value.vehicles) known.insert(vehicle.id);
     std::set<std::string> with_mission;
     for (const MissionEntry& mission : missions) {
       const std::string& id = mission.value.vehicle;
@@ -230,7 +230,7 @@ struct ScenarioFile {
 
 }  // namespace
 
-kinematics::Model Vehicle::kinematic_model() const {
+kinematics::Model VehicleSetup::kinematic_model() const {
   return find_model(model).value_or(kinematics::Model::kDifferential);
 }
 

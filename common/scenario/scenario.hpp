@@ -11,7 +11,8 @@
 
 namespace aisle::scenario {
 
-struct Vehicle {
+/// A vehicle as the scenario's file describes it.
+struct VehicleSetup {
   std::string id;                     // "agv-1"
   std::string model{"differential"};  // or "omnidirectional" or "tricycle"
   geometry::Pose2 start_in_map;
@@ -25,6 +26,7 @@ struct Vehicle {
   geometry::Footprint footprint() const { return geometry::footprint_of(radius_m, length_m, width_m, ahead_m); }
   kinematics::Model kinematic_model() const;
 };
+using Vehicle = VehicleSetup;
 
 /// Goals in order; `loops` times over (1: once).
 struct Mission {

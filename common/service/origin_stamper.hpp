@@ -3,7 +3,7 @@
 #include <string>
 
 #include "common/bus/bus.hpp"
-#include "idl/geometry.hpp"
+#include "common/wire/origin.hpp"
 
 namespace aisle::service {
 

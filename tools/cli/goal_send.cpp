@@ -41,7 +41,7 @@ fleet::Goal make_goal(const SendOptions& options) {
 }
 
 /// One line that replaces itself in a terminal; elsewhere a line whenever the phase changes.
-class ProgressLine {
+class GoalProgress {
  public:
   void show(const fleet::NavigationStatus& status) {
     const std::string phase = name(status.phase);
@@ -56,7 +56,7 @@ class ProgressLine {
     }
     last_ = phase + reason;
   }
-  ~ProgressLine() {
+  ~GoalProgress() {
     if (is_open_) std::fprintf(stderr, "\n");
   }
 
@@ -97,7 +97,7 @@ int follow(const Cli& cli, GoalTalk& talk, const fleet::Goal& goal, Seconds limi
   std::string replaced_by;
   bool is_over_now = false;
   {
-    ProgressLine progress;
+    GoalProgress progress;
     is_over_now = talk.listen_until(limit, [&] {
       const bool is_other_plan = talk.plan() && talk.plan()->goal_id != goal_id;
       if (is_other_plan) replaced_by = talk.plan()->goal_id;

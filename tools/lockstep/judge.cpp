@@ -43,7 +43,7 @@ double gap_to_walls_m(const grid::OccupancyGrid& walls, const geometry::Body& bo
   return is_disc ? least - body.radius_m : least;
 }
 
-void Judge::pair(const Vehicle& vehicle, const std::string& other, double gap_m, Result& result,
+void Judge::pair(const JudgedVehicle& vehicle, const std::string& other, double gap_m, Result& result,
                  std::vector<Touch>& touches) {
   if (vehicle.is_moving && gap_m < kLookM) result.least_clearance_m = std::min(result.least_clearance_m, gap_m);
   const std::string key = vehicle.id + " " + other;
@@ -60,18 +60,18 @@ void Judge::pair(const Vehicle& vehicle, const std::string& other, double gap_m,
     touches.push_back({0.0, vehicle.id, other, vehicle.body.base_in_map.position(), begins, vehicle.is_moving});
 }
 
-std::vector<Touch> Judge::look(const std::vector<Vehicle>& vehicles, const std::vector<Thing>& things,
+std::vector<Touch> Judge::look(const std::vector<JudgedVehicle>& vehicles, const std::vector<Thing>& things,
                                const grid::OccupancyGrid& walls, const grid::ClearanceField& clearance,
                                Result& result) {
   std::vector<Touch> touches;
-  for (const Vehicle& a : vehicles) {
+  for (const JudgedVehicle& a : vehicles) {
     const double at_least_m = clearance.clearance_m(a.body.base_in_map.position()) - geometry::reach_m(a.body) -
                               walls.geometry().resolution_m;
     const double asked_m = std::max(kNearM, a.is_moving ? std::min(result.least_clearance_m, kLookM) : 0.0);
     const double gap_m = at_least_m < asked_m ? gap_to_walls_m(walls, a.body, asked_m) : asked_m;
     if (gap_m < asked_m) pair(a, "wall", gap_m, result, touches);
     for (const Thing& thing : things) pair(a, thing.id, geometry::separation_m(a.body, thing.body), result, touches);
-    for (const Vehicle& b : vehicles)
+    for (const JudgedVehicle& b : vehicles)
       if (&a != &b) pair(a, b.id, geometry::separation_m(a.body, b.body), result, touches);
   }
   return touches;

@@ -16,7 +16,7 @@ double gap_to_walls_m(const grid::OccupancyGrid& walls, const geometry::Body& bo
 /// they are 2 cm apart.
 class Judge {
  public:
-  struct Vehicle {
+  struct JudgedVehicle {
     std::string id;
     geometry::Body body;
     bool is_moving{false};
@@ -26,11 +26,11 @@ class Judge {
     geometry::Body body;
   };
   /// Returns each new contact, and each that a vehicle in motion makes worse.
-  std::vector<Touch> look(const std::vector<Vehicle>& vehicles, const std::vector<Thing>& things,
+  std::vector<Touch> look(const std::vector<JudgedVehicle>& vehicles, const std::vector<Thing>& things,
                           const grid::OccupancyGrid& walls, const grid::ClearanceField& clearance, Result& result);
 
  private:
-  void pair(const Vehicle& vehicle, const std::string& other, double gap_m, Result& result,
+  void pair(const JudgedVehicle& vehicle, const std::string& other, double gap_m, Result& result,
             std::vector<Touch>& touches);
   std::set<std::string> touching_, moving_;
 };

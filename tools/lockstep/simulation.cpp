@@ -339,7 +339,7 @@ class Run {
   }
 
   void judge() {
-    std::vector<Judge::Vehicle> vehicles;
+    std::vector<Judge::JudgedVehicle> vehicles;
     for (const Agv& a : agvs_) vehicles.push_back({a.id, body_of(a), a.moved || is_moving(a)});
     std::vector<Judge::Thing> things;
     for (const fake_world::Thing& thing : world_.things()) things.push_back({thing.id, thing.body});

@@ -39,7 +39,7 @@ void DriveRecorder::take(const fleet::Obstacle& obstacle, std::int64_t stamp_ns)
 /// Jerk is the second difference of the speed over two periods; a turn's sign changes between two turns beyond
 /// kTurningRadps, whatever lies in between.
 void DriveRecorder::take(const fleet::VehicleState& state) {
-  Vehicle& vehicle = vehicles_[state.agv_id];
+  VehicleEntry& vehicle = vehicles_[state.agv_id];
   const double mps = state.motion.twist.linear_mps;
   const double mps2 = vehicle.has_state ? (mps - vehicle.mps) / kStatePeriodS : 0.0;
   const double jerk = (mps2 - vehicle.mps2) / kStatePeriodS;
@@ -56,7 +56,7 @@ void DriveRecorder::take(const fleet::VehicleState& state) {
 }
 
 void DriveRecorder::take(const fleet::Plan& plan) {
-  Vehicle& vehicle = vehicles_[plan.agv_id];
+  VehicleEntry& vehicle = vehicles_[plan.agv_id];
   if (!plan.is_found() || vehicle.planned_goal == plan.goal_id) return;
   vehicle.planned_goal = plan.goal_id;
   const std::vector<geometry::Point2>& way = plan.waypoints_in_map;

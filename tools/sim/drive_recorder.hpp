@@ -23,7 +23,7 @@ class DriveRecorder {
   std::uint64_t trace_hash() const { return trace_hash_; }
 
  private:
-  struct Vehicle {
+  struct VehicleEntry {
     bool has_state{false};
     double mps{0.0}, mps2{0.0}, turn_radps{0.0};
     std::string planned_goal;  // whose first plan was measured
@@ -32,7 +32,7 @@ class DriveRecorder {
   void take(const fleet::VehicleState& state);
   void take(const fleet::Plan& plan);
 
-  std::map<std::string, Vehicle> vehicles_;
+  std::map<std::string, VehicleEntry> vehicles_;
   std::uint64_t trace_hash_{14695981039346656037ULL};
   double planned_m_{0.0};
   int turn_sign_changes_{0};

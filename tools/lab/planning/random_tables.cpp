@@ -63,23 +63,23 @@ grid::OccupancyGrid block_map(unsigned seed) {
 }
 
 /// A paper's planner and its baseline.
-struct Claim {
+struct Comparison {
   const char* planner;
   global_planner::Heuristic heuristic;
   global_planner::Moves moves;
 };
-constexpr Claim kClaims[] = {{"li", global_planner::Heuristic::kEuclidean, global_planner::Moves::kFour},
-                             {"wu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
-                             {"qu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
-                             {"yu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
-                             {"wang", global_planner::Heuristic::kChebyshev, global_planner::Moves::kEight}};
+constexpr Comparison kComparisons[] = {{"li", global_planner::Heuristic::kEuclidean, global_planner::Moves::kFour},
+                                       {"wu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
+                                       {"qu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
+                                       {"yu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
+                                       {"wang", global_planner::Heuristic::kChebyshev, global_planner::Moves::kEight}};
 
 }  // namespace
 
 std::string block_direction_table(const Progress& progress) {
   std::vector<std::vector<std::string>> table{
       {"planner", "from", "maps", "length", "shorter", "fewer turns", "fewer nodes", "fewer expanded"}};
-  for (const Claim& claim : kClaims) {
+  for (const Comparison& claim : kComparisons) {
     progress(std::string("block maps, directions: ") + claim.planner);
     Contestant from_drawn{"A* as drawn", global_planner::traditional_astar(claim.heuristic, claim.moves),
                           Tally(claim.planner)};

@@ -21,7 +21,7 @@ double share(std::int64_t part, std::int64_t whole) {
 
 /// For each person the index of its claim, or -1. First what still matches keeps matching, as CLEAR MOT asks: it is the
 /// change of a pair that counts as a switch. Then the rest is assigned with the least total distance.
-std::vector<int> Scorer::match(const std::vector<Person>& people, const std::vector<Claim>& claims) const {
+std::vector<int> Scorer::match(const std::vector<Person>& people, const std::vector<Track>& claims) const {
   std::vector<int> claim_of(people.size(), -1);
   std::vector<char> is_taken(claims.size(), 0);
   for (std::size_t p = 0; p < people.size(); ++p) {
@@ -65,7 +65,7 @@ Honesty Scorer::Weighing::honesty() const {
 
 /// Normalised estimation error squared: e^T P^-1 e, of place and of velocity apart. Claims without a covariance say
 /// nothing about how sure they are.
-void Scorer::weigh(const Person& person, const Claim& claim) {
+void Scorer::weigh(const Person& person, const Track& claim) {
   const Eigen::Matrix4d covariance = Eigen::Map<const Eigen::Matrix4d>(claim.covariance.data());
   if (covariance.diagonal().minCoeff() <= 0.0) return;
 
@@ -78,7 +78,7 @@ void Scorer::weigh(const Person& person, const Claim& claim) {
 }
 
 /// Counts one person at one moment; `claim` is none when it was missed.
-void Scorer::judge(const Person& person, const Claim* claim) {
+void Scorer::judge(const Person& person, const Track* claim) {
   constexpr double kOldEnough_s = 1.0;
   History& history = histories_[person.id];
   if (person.is_counted) ++people_;
@@ -110,7 +110,7 @@ void Scorer::judge(const Person& person, const Claim* claim) {
 }
 
 /// Counts each claim: right, false, or of a person that does not count; and how long which ids were together, for IDF1.
-void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Claim>& claims,
+void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Track>& claims,
                       const std::vector<int>& claim_of) {
   std::vector<int> person_of(claims.size(), -1);
   for (std::size_t p = 0; p < people.size(); ++p) {
@@ -131,7 +131,7 @@ void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Claim
   }
 }
 
-void Scorer::look(const std::vector<Person>& people, const std::vector<Claim>& claims) {
+void Scorer::look(const std::vector<Person>& people, const std::vector<Track>& claims) {
   ++moments_;
   const std::vector<int> claim_of = match(people, claims);
   for (std::size_t p = 0; p < people.size(); ++p) {

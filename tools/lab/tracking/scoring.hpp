@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/fleet/track.hpp"
 #include "common/geometry/pose.hpp"
 
 namespace aisle::tracking {
@@ -18,14 +19,8 @@ struct Person {
   bool is_counted{true};  // false: no ray met the person; a track of it is neither right nor wrong, and none is no miss
 };
 
-/// What a tracker says is there.
-struct Claim {
-  std::uint64_t id{0};
-  geometry::Point2 position_in_map;
-  geometry::Point2 velocity_in_map;
-  double age_s{0.0};
-  std::array<double, 16> covariance{};  // of (x, y, vx, vy), row by row; all zero: it does not say
-};
+/// What a tracker says is there. A covariance of zeros: it does not say how sure it is.
+using fleet::Track;
 
 /// How honest the covariances are: squared errors over what they should be (normalised estimation error squared), of
 /// matched tracks older than 1 s; chi-square with 2 degrees of freedom when they are.
@@ -59,7 +54,7 @@ class Scorer {
   explicit Scorer(double period_s, double gate_m = 0.5) : period_s_(period_s), gate_m_(gate_m) {}
 
   /// The next moment, `period_s` after the one before.
-  void look(const std::vector<Person>& people, const std::vector<Claim>& claims);
+  void look(const std::vector<Person>& people, const std::vector<Track>& claims);
   Score score() const;
 
  private:
@@ -82,10 +77,10 @@ class Scorer {
     int claimed{0};  // moments
     int right{0};    // matched with a person, counted or not
   };
-  std::vector<int> match(const std::vector<Person>& people, const std::vector<Claim>& claims) const;
-  void judge(const Person& person, const Claim* claim);
-  void weigh(const Person& person, const Claim& claim);
-  void note_ids(const std::vector<Person>& people, const std::vector<Claim>& claims, const std::vector<int>& claim_of);
+  std::vector<int> match(const std::vector<Person>& people, const std::vector<Track>& claims) const;
+  void judge(const Person& person, const Track* claim);
+  void weigh(const Person& person, const Track& claim);
+  void note_ids(const std::vector<Person>& people, const std::vector<Track>& claims, const std::vector<int>& claim_of);
   std::int64_t ids_explained() const;
 
   double period_s_;

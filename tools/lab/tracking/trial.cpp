@@ -168,13 +168,12 @@ class Trial {
     std::vector<std::vector<fleet::Track>> tracks;
     for (std::size_t c = 0; c < contestants_.size(); ++c) {
       tracks.push_back(contestants_[c]->tracks(stamp(t_s_)));
-      std::vector<Claim> claims;
+      std::vector<fleet::Track> claims;
       for (const fleet::Track& track : tracks.back()) {
         const bool is_block = std::any_of(truth_.blocks.begin(), truth_.blocks.end(), [&](const Body& block) {
           return geometry::distance_m(block, track.position_in_map) < kBlockMargin_m;
         });
-        if (!is_block)
-          claims.push_back({track.id, track.position_in_map, track.velocity_in_map, track.age_s, track.covariance});
+        if (!is_block) claims.push_back(track);
       }
       scorers_[c].look(there, claims);
     }

@@ -10,7 +10,14 @@ namespace {
 constexpr double kPeriod_s = 0.1;
 
 Person person(int id, double x, bool is_counted = true) { return {id, {x, 0.0}, {1.0, 0.0}, is_counted}; }
-Claim claim(std::uint64_t id, double x, double age_s = 0.5) { return {id, {x, 0.0}, {1.0, 0.0}, age_s}; }
+Track claim(std::uint64_t id, double x, double age_s = 0.5) {
+  Track track;
+  track.id = id;
+  track.position_in_map = {x, 0.0};
+  track.velocity_in_map = {1.0, 0.0};
+  track.age_s = age_s;
+  return track;
+}
 
 TEST(Scoring, GivesFullMarksToThePerfect) {
   Scorer scorer(kPeriod_s);
@@ -91,7 +98,7 @@ TEST(Scoring, BlamesNobodyForWhoIsNotCounted) {
 TEST(Scoring, CountsFalseTracksByIdAndHowLongTheyLast) {
   Scorer scorer(kPeriod_s);
   for (int i = 0; i < 600; ++i) {  // a minute
-    std::vector<Claim> claims{claim(7, 0.0)};
+    std::vector<Track> claims{claim(7, 0.0)};
     if (i < 5) claims.push_back(claim(8, 9.0));
     if (i >= 100 && i < 103) claims.push_back(claim(9, 9.0));
     if (i == 300) claims.push_back(claim(7, 9.0));  // once right: not a false track
@@ -103,10 +110,10 @@ TEST(Scoring, CountsFalseTracksByIdAndHowLongTheyLast) {
 
 TEST(Scoring, MeasuresVelocityOfOldTracksAsAVector) {
   Scorer scorer(kPeriod_s);
-  Claim young = claim(7, 0.0, 1.0);
+  Track young = claim(7, 0.0, 1.0);
   young.velocity_in_map = {9.0, 9.0};
   scorer.look({person(1, 0.0)}, {young});
-  Claim old = claim(7, 0.0, 1.1);
+  Track old = claim(7, 0.0, 1.1);
   old.velocity_in_map = {1.3, 0.4};  // off by (0.3, 0.4)
   scorer.look({person(1, 0.0)}, {old});
   EXPECT_NEAR(scorer.score().velocity_rms_mps, 0.5, 1e-12);
@@ -114,7 +121,7 @@ TEST(Scoring, MeasuresVelocityOfOldTracksAsAVector) {
 
 TEST(Scoring, WeighsErrorsByTheCovarianceOfWhoSaysOne) {
   Scorer scorer(kPeriod_s);
-  Claim sure = claim(7, 0.2, 2.0);  // 0.2 m off in x, 0.3 m/s in vy
+  Track sure = claim(7, 0.2, 2.0);  // 0.2 m off in x, 0.3 m/s in vy
   sure.velocity_in_map = {1.0, 0.3};
   sure.covariance[0] = sure.covariance[5] = 0.1 * 0.1;
   sure.covariance[10] = sure.covariance[15] = 0.1 * 0.1;
