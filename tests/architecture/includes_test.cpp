@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -79,15 +82,77 @@ TEST(Architecture, OnlyTheBusIncludesFastDds) {
   }
 }
 
-TEST(Architecture, MessageTypesStayAtTheEdge) {
-  const Strings edge{"common/bus/", "common/wire/", "common/service/", "services/", "tools/cli/", "tools/referee/"};
+/// Only the room that turns samples into values, and the one that carries them, know the wire's types.
+TEST(Architecture, OnlyBusAndWireIncludeTheIdl) {
   for (const Source& source : all_sources()) {
-    for (const std::string& include : source.includes) {
-      if (!begins_with(include, "idl/")) continue;
-      EXPECT_TRUE(begins_with_any(source.file, edge) && core_of(source.file).empty())
-          << source.file << " includes " << include;
+    if (begins_with_any(source.file, {"common/bus/", "common/wire/"})) continue;
+    for (const std::string& include : source.includes)
+      EXPECT_FALSE(begins_with(include, "idl/")) << source.file << " includes " << include;
+  }
+}
+
+/// Names of the structs of idl/, and the beginnings of its enumerators, e.g. "NavigationStatus" and "PHASE".
+struct WireNames {
+  std::set<std::string> structs;
+  std::set<std::string> enumerators;
+};
+
+WireNames names_of_the_idl() {
+  const std::regex struct_name(R"(\bstruct\s+(\w+))");
+  const std::regex enum_body(R"(\benum\s+\w+\s*\{([^}]*)\})");
+  const std::regex word(R"(\w+)");
+  WireNames names;
+  for (const auto& entry : fs::directory_iterator(aisle::test_support::source_folder() / "idl")) {
+    if (entry.path().extension() != ".idl") continue;
+    std::ifstream in(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    using Each = std::sregex_iterator;
+    for (Each it(text.begin(), text.end(), struct_name); it != Each(); ++it) names.structs.insert((*it)[1]);
+    for (Each it(text.begin(), text.end(), enum_body); it != Each(); ++it) {
+      const std::string body = (*it)[1];
+      for (Each each(body.begin(), body.end(), word); each != Each(); ++each) names.enumerators.insert(each->str());
     }
   }
+  return names;
+}
+
+/// What comes over the wire is checked at the decoder: a tool or command line that names a type or an
+/// enumerator of the wire reads a sample past it.
+TEST(Architecture, NobodyReadsARawSample) {
+  const WireNames names = names_of_the_idl();
+  ASSERT_GT(names.structs.size(), 15U);
+  ASSERT_GT(names.enumerators.size(), 50U);
+  const std::regex qualified(R"(\baisle::(\w+))");
+  const std::regex enumerator(R"(\b[A-Z]+_[A-Z_]+\b)");
+  using Each = std::sregex_iterator;
+  for (const Source& source : all_sources()) {
+    if (!begins_with(source.file, "tools/")) continue;
+    for (const std::string& line : source.code) {
+      const std::string code = std::regex_replace(line, std::regex(R"("[^"]*")"), "");
+      for (Each it(code.begin(), code.end(), qualified); it != Each(); ++it)
+        EXPECT_EQ(names.structs.count((*it)[1]), 0U) << source.file << ": " << line;
+      for (Each it(code.begin(), code.end(), enumerator); it != Each(); ++it)
+        EXPECT_EQ(names.enumerators.count(it->str()), 0U) << source.file << ": " << line;
+    }
+  }
+}
+
+/// Each is defined once; topics, which carry the names of their values, are not meant.
+TEST(Architecture, TheFleetsValuesHaveOneDefinition) {
+  const std::regex definition(R"(\b(?:struct|class|enum)\s+(?:class\s+)?(Vehicle|Plan|Goal|Track|Claim)\b(?!\s*;))");
+  std::map<std::string, Strings> homes;
+  for (const Source& source : all_sources()) {
+    if (begins_with(source.file, "common/bus/topics")) continue;
+    for (const std::string& line : source.code) {
+      std::smatch match;
+      if (std::regex_search(line, match, definition)) homes[match[1]].push_back(source.file);
+    }
+  }
+  for (const char* name : {"Vehicle", "Plan", "Goal", "Track"}) {
+    ASSERT_EQ(homes[name].size(), 1U) << name << " is defined in " << testing::PrintToString(homes[name]);
+    EXPECT_TRUE(begins_with(homes[name][0], "common/fleet/")) << name << " is defined in " << homes[name][0];
+  }
+  EXPECT_LE(homes["Claim"].size(), 1U) << "Claim is defined in " << testing::PrintToString(homes["Claim"]);
 }
 
 /// The bus holds the clocks, so that a whole site can run in virtual time. (Logging and a process's own CPU time are
