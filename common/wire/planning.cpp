@@ -13,11 +13,11 @@ namespace {
 constexpr std::size_t kMostWaypoints = 4096;
 constexpr std::size_t kMostIntent = 64;
 constexpr std::size_t kMostDetail = 256;
-constexpr double kWidestTolerance_m = 100.0;
-constexpr double kWidestTolerance_rad = 7.0;  // a turn and more
-constexpr double kLongestWay_m = 1e9;
-constexpr double kLongestIntent_s = 3600.0;
-constexpr double kLargestBlock_m = 100.0;
+constexpr double kWidestToleranceM = 100.0;
+constexpr double kWidestToleranceRad = 7.0;  // a turn and more
+constexpr double kLongestWayM = 1e9;
+constexpr double kLongestIntentS = 3600.0;
+constexpr double kLargestBlockM = 100.0;
 
 aisle::PlanOutcome to_wire(fleet::PlanOutcome value) {
   switch (value) {
@@ -239,8 +239,8 @@ Decoded<fleet::Goal> decode(const aisle::Goal& sample) {
   goal.is_cancelled = sample.cancelled();
   checks.id("agv_id", goal.agv_id)
       .id("goal_id", goal.id)
-      .within("position_tolerance_m", goal.position_tolerance_m, 0.0, kWidestTolerance_m)
-      .within("yaw_tolerance_rad", goal.yaw_tolerance_rad, 0.0, kWidestTolerance_rad);
+      .within("position_tolerance_m", goal.position_tolerance_m, 0.0, kWidestToleranceM)
+      .within("yaw_tolerance_rad", goal.yaw_tolerance_rad, 0.0, kWidestToleranceRad);
   return checks.decoded(std::move(goal));
 }
 
@@ -286,9 +286,9 @@ Decoded<fleet::Plan> decode(const aisle::Plan& sample) {
       .optional_id("goal_id", plan.goal_id)
       .optional_id("map_id", plan.map_id)
       .optional_id("planner", plan.planner)
-      .within("position_tolerance_m", plan.position_tolerance_m, 0.0, kWidestTolerance_m)
-      .within("yaw_tolerance_rad", plan.yaw_tolerance_rad, 0.0, kWidestTolerance_rad)
-      .within("length_m", plan.length_m, 0.0, kLongestWay_m)
+      .within("position_tolerance_m", plan.position_tolerance_m, 0.0, kWidestToleranceM)
+      .within("yaw_tolerance_rad", plan.yaw_tolerance_rad, 0.0, kWidestToleranceRad)
+      .within("length_m", plan.length_m, 0.0, kLongestWayM)
       .finite("planning_ms", plan.planning_ms)
       .count("waypoints_in_map", sample.waypoints_in_map().size(), plan.is_found() ? 1 : 0, kMostWaypoints);
   if (!checks.ok()) return Decoded<fleet::Plan>::refused(checks.reason());
@@ -341,14 +341,14 @@ Decoded<fleet::NavigationStatus> decode(const aisle::NavigationStatus& sample) {
       .optional_id("goal_id", status.goal_id)
       .finite("distance_left_m", status.distance_left_m)
       .finite("time_left_s", status.time_left_s)
-      .within("blocked_radius_m", status.blocked_radius_m, 0.0, kLargestBlock_m)
+      .within("blocked_radius_m", status.blocked_radius_m, 0.0, kLargestBlockM)
       .finite("control_ms", status.control_ms)
       .count("intent", sample.intent().size(), 0, kMostIntent);
   if (!checks.ok()) return Decoded<fleet::NavigationStatus>::refused(checks.reason());
 
   double before_s = 0.0;
   for (const aisle::IntentPoint& point : sample.intent()) {
-    checks.within("intent.offset_s", point.offset_s(), before_s, kLongestIntent_s);
+    checks.within("intent.offset_s", point.offset_s(), before_s, kLongestIntentS);
     before_s = point.offset_s();
     status.intent.push_back({point.offset_s(), decode(point.base_in_map(), checks, "intent.base_in_map")});
   }

@@ -12,11 +12,11 @@ namespace {
 constexpr std::size_t kMostScans = 256;
 constexpr std::size_t kMostTracks = 1024;
 constexpr std::size_t kMostCells = 4096;
-constexpr double kLargestRadius_m = 100.0;
-constexpr double kSmallestCell_m = 1e-3;
-constexpr double kLargestCell_m = 100.0;
-constexpr double kShortestStep_s = 1e-3;
-constexpr double kLongestStep_s = 3600.0;
+constexpr double kLargestRadiusM = 100.0;
+constexpr double kSmallestCellM = 1e-3;
+constexpr double kLargestCellM = 100.0;
+constexpr double kShortestStepS = 1e-3;
+constexpr double kLongestStepS = 3600.0;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ Decoded<fleet::Track> decode(const aisle::Track& sample) {
   track.scan_stamp_ns = sample.scan_stamp_ns();
   checks.within("velocity_x_mps", sample.velocity_x_mps(), -kFastestMps, kFastestMps)
       .within("velocity_y_mps", sample.velocity_y_mps(), -kFastestMps, kFastestMps)
-      .within("radius_m", sample.radius_m(), 0.0, kLargestRadius_m)
+      .within("radius_m", sample.radius_m(), 0.0, kLargestRadiusM)
       .finite("age_s", sample.age_s())
       .finite("unseen_s", sample.unseen_s());
   for (std::size_t i = 0; i < track.covariance.size(); ++i) {
@@ -123,8 +123,8 @@ Decoded<fleet::CoverageTile> decode(const aisle::Coverage& sample) {
   tile.age_step_s = sample.age_step_s();
   checks.id("source_id", tile.source_id)
       .optional_id("map_id", tile.map_id)
-      .within("cell_m", tile.cell_m, kSmallestCell_m, kLargestCell_m)
-      .within("age_step_s", tile.age_step_s, kShortestStep_s, kLongestStep_s)
+      .within("cell_m", tile.cell_m, kSmallestCellM, kLargestCellM)
+      .within("age_step_s", tile.age_step_s, kShortestStepS, kLongestStepS)
       .within("width_cells", sample.width_cells(), 1.0, kMostCells)
       .within("height_cells", sample.height_cells(), 1.0, kMostCells);
   if (!checks.ok()) return Decoded<fleet::CoverageTile>::refused(checks.reason());
