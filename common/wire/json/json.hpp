@@ -1,6 +1,7 @@
 #pragma once
-// Samples as they came, for people and scripts: one to_json for each type of idl/, with the field names of the IDL; enumerators in lower case without their prefix,
-// hashes as hexadecimal text (a JSON number would lose digits). Numbers that are not finite become null when written.
+// Samples as they came, for people and scripts: one to_json for each type of idl/, with the field names of the IDL;
+// enumerators in lower case without their prefix, hashes as hexadecimal text (a JSON number would lose digits). Numbers
+// that are not finite become null when written.
 #include <nlohmann/json.hpp>
 #include <string>
 
