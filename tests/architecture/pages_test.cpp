@@ -1,4 +1,5 @@
-// The pages for contributors name paths that exist, and the changelog begins with the version that is built.
+// The pages for contributors name paths that exist, every room of common/ says what it is for, and the changelog begins
+// with the version that is built.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -51,6 +52,13 @@ TEST_P(Page, NamesPathsThatExist) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Page, testing::Values("CONTRIBUTING.md", "README.md"));
+
+TEST(Rooms, SayWhatTheyAreFor) {
+  for (const auto& entry : fs::directory_iterator(test_support::source_folder() / "common")) {
+    if (!entry.is_directory()) continue;
+    EXPECT_TRUE(fs::exists(entry.path() / "README.md")) << entry.path().filename();
+  }
+}
 
 TEST(Changelog, BeginsWithTheVersionOfTheBuild) {
   const std::string build = text_of(test_support::source_folder() / "CMakeLists.txt");
