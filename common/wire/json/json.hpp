@@ -1,41 +1,89 @@
 #pragma once
-// Samples as they came, for people and scripts: one to_json for each type of idl/, with the field names of the IDL;
-// enumerators in lower case without their prefix, hashes as hexadecimal text (a JSON number would lose digits). Numbers
-// that are not finite become null when written.
+// Samples as they came, for people and scripts, by the fields of the IDL and in their order, so that a new topic needs
+// no code here. Enumerators are in lower case without their prefix, hashes hexadecimal text (a JSON number would lose
+// digits). Numbers that are not finite become null when written.
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "common/wire/codecs.hpp"
 #include "common/wire/geometry.hpp"
+#include "idl/fields.hpp"
 
 namespace aisle::wire {
 
 /// Keeps the order of the fields.
 using Json = nlohmann::ordered_json;
 
-Json to_json(const aisle::Point& sample);
-Json to_json(const aisle::Pose& sample);
-Json to_json(const aisle::Twist& sample);
-Json to_json(const aisle::Origin& sample);
-Json to_json(const aisle::MapInfo& sample);
-Json to_json(const aisle::MapTile& sample);
-Json to_json(const aisle::MapRequest& sample);
-Json to_json(const aisle::MapEdit& sample);
-Json to_json(const aisle::MapEditResult& sample);
-Json to_json(const aisle::Goal& sample);
-Json to_json(const aisle::Plan& sample);
-Json to_json(const aisle::NavigationStatus& sample);
-Json to_json(const aisle::ServiceHealth& sample);
-Json to_json(const aisle::Track& sample);
-Json to_json(const aisle::TrackingStatus& sample);
+// Types of which people want to see more, or something else, than the fields.
+/// With a picture of the tile and counts of its cells.
 Json to_json(const aisle::Coverage& sample);
-Json to_json(const aisle::VehicleInfo& sample);
-Json to_json(const aisle::VehicleState& sample);
-Json to_json(const aisle::Scan& sample);
-Json to_json(const aisle::VelocityCommand& sample);
-Json to_json(const aisle::WorldObstacle& sample);
+/// The counters are an object, by name.
+Json to_json(const aisle::ServiceHealth& sample);
+
+namespace detail {
+struct AnyVisit {
+  template <class Field>
+  void operator()(const char*, const Field&) const;
+};
+}  // namespace detail
+
+/// Of every other type: each field under its name in the IDL.
+template <class Sample,
+          class = decltype(idl::visit_fields(std::declval<const Sample&>(), std::declval<detail::AnyVisit>()))>
+Json to_json(const Sample& sample);
 
 inline Json to_json(const geometry::Pose2& pose_in_map) { return to_json(encode(pose_in_map)); }
+
+namespace detail {
+
+template <class T, class = void>
+struct IsText : std::false_type {};
+template <class T>
+struct IsText<T, std::void_t<decltype(std::declval<const T&>().to_string())>> : std::true_type {};
+
+template <class T, class = void>
+struct IsSequence : std::false_type {};
+template <class T>
+struct IsSequence<T, std::void_t<decltype(std::declval<const T&>().begin())>> : std::true_type {};
+
+std::string hexadecimal(std::uint64_t value);
+/// The word at the enumerator's place; its number when a newer program knows more of them.
+std::string word_at(const std::vector<const char*>& words, std::int64_t index);
+
+/// A whole number whose name has "hash" in it is hexadecimal.
+template <class Field>
+Json json_of_field(const std::string& name, const Field& field) {
+  if constexpr (std::is_same_v<Field, bool> || std::is_floating_point_v<Field>) {
+    return field;
+  } else if constexpr (std::is_integral_v<Field>) {
+    if (name.find("hash") != std::string::npos) return hexadecimal(static_cast<std::uint64_t>(field));
+    return field;
+  } else if constexpr (std::is_enum_v<Field>) {
+    return word_at(idl::words_of(Field{}), static_cast<std::int64_t>(field));
+  } else if constexpr (IsText<Field>::value) {
+    return field.to_string();
+  } else if constexpr (IsSequence<Field>::value) {
+    Json array = Json::array();
+    for (const auto& element : field) array.push_back(json_of_field(name, element));
+    return array;
+  } else {
+    return to_json(field);
+  }
+}
+
+}  // namespace detail
+
+template <class Sample, class>
+Json to_json(const Sample& sample) {
+  Json json = Json::object();
+  idl::visit_fields(sample,
+                    [&](const char* name, const auto& field) { json[name] = detail::json_of_field(name, field); });
+  return json;
+}
 
 /// A value as `aisle topic echo` shows it: as JSON of the sample that it is written as, with its origin.
 template <class Value>
