@@ -144,12 +144,16 @@ std::vector<FaultAction> schedule(const FaultPlan& plan, const std::vector<std::
   return Layout(plan, services, others, seed).all();
 }
 
-LinkFault harm_at(const FaultPlan& plan, double t_s, const std::string& from, const std::string& to) {
+std::chrono::nanoseconds moment_of(double s) {
+  return std::chrono::nanoseconds(static_cast<std::int64_t>(std::llround(s * 1e9)));
+}
+
+LinkFault harm_at(const FaultPlan& plan, std::chrono::nanoseconds t, const std::string& from, const std::string& to) {
   LinkFault all;
   all.reorder_ms = 0.0;
-  if (t_s >= plan.stop_s) return all;
+  if (t >= moment_of(plan.stop_s)) return all;
   for (const LinkFault& link : plan.links) {
-    if (t_s < link.begin_s || t_s >= link.begin_s + link.for_s) continue;
+    if (t < moment_of(link.begin_s) || t >= moment_of(link.begin_s + link.for_s)) continue;
     if (!is_named(link.from, from) || !is_named(link.to, to)) continue;
     all.loss = either(all.loss, link.loss);
     all.duplicates = either(all.duplicates, link.duplicates);

@@ -1,4 +1,5 @@
 #pragma once
+#include <chrono>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -44,8 +45,12 @@ const char* name_of(FaultAction::Kind kind);
 std::vector<FaultAction> schedule(const FaultPlan& plan, const std::vector<std::string>& services,
                                   const std::vector<std::string>& others, std::uint64_t seed);
 
-/// How messages from `from` to `to` are harmed at `t_s`, all links of the plan together: losses of independent causes,
-/// delays one after the other.
-LinkFault harm_at(const FaultPlan& plan, double t_s, const std::string& from, const std::string& to);
+/// Seconds of a plan as the network counts time: rounded, so that 2.01 s means the same moment to all.
+std::chrono::nanoseconds moment_of(double s);
+
+/// How messages from `from` to `to` are harmed at `t` after the start of the run, all links of the plan together:
+/// losses of independent causes, delays one after the other. Moments are those of moment_of(): at the time of an action
+/// kLinksChange, what begins then has begun, and what ends then is over.
+LinkFault harm_at(const FaultPlan& plan, std::chrono::nanoseconds t, const std::string& from, const std::string& to);
 
 }  // namespace aisle::sim

@@ -62,7 +62,6 @@ class ScopedDefaultLogger {
   std::shared_ptr<spdlog::logger> before_;
 };
 
-nanoseconds of_seconds(double s) { return nanoseconds(static_cast<std::int64_t>(s * 1e9)); }
 nanoseconds of_milliseconds(double ms) { return nanoseconds(static_cast<std::int64_t>(ms * 1e6)); }
 
 referee::Expectation expectation_of(const scenario::Scenario& scenario) {
@@ -144,7 +143,7 @@ class Site {
     for (const auto& process : processes_)
       (process->blueprint().is_world ? others : services).push_back(process->name());
     for (const FaultAction& action : schedule(faults_.plan, services, others, faults_.seed))
-      network_.at(begun_ + of_seconds(action.t_s), [this, action] { apply(action); });
+      network_.at(begun_ + moment_of(action.t_s), [this, action] { apply(action); });
   }
 
   void apply(const FaultAction& action) {
@@ -168,7 +167,7 @@ class Site {
       case Kind::kGoOn:
         return find(action.process).hang(action.kind == Kind::kHang);
       case Kind::kClockJump:
-        clock_offsets_[action.process] += of_seconds(action.by_s);
+        clock_offsets_[action.process] += moment_of(action.by_s);
         return network_.set_wall_clock_offset(action.process, clock_offsets_[action.process]);
       case Kind::kDiskFull:
       case Kind::kDiskFree:
@@ -209,7 +208,7 @@ class Site {
   }
 
   Link link_now(const std::string& from, const std::string& to) {
-    const LinkFault harm = harm_at(faults_.plan, now_s(), from, to);
+    const LinkFault harm = harm_at(faults_.plan, network_.now() - begun_, from, to);
     Link link = network_.options().link;
     link.latency += of_milliseconds(harm.delay_ms);
     link.jitter += of_milliseconds(harm.jitter_ms);

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <set>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 namespace aisle::sim {
 namespace {
 
+using namespace std::chrono_literals;
 using Kind = FaultAction::Kind;
 using ::testing::HasSubstr;
 
@@ -119,12 +121,33 @@ TEST(FaultSchedule, HarmsOfOneLinkAddUpWhileTheyLast) {
   plan.links[1].for_s = 10.0;
   plan.links[1].loss = 0.5;
   plan.links[1].delay_ms = 20.0;
-  EXPECT_DOUBLE_EQ(harm_at(plan, 5.0, "map", "x").loss, 0.5);
-  EXPECT_DOUBLE_EQ(harm_at(plan, 10.0, "map", "x").loss, 0.75);
-  EXPECT_DOUBLE_EQ(harm_at(plan, 10.0, "map", "x").delay_ms, 30.0);
-  EXPECT_DOUBLE_EQ(harm_at(plan, 10.0, "x", "map").loss, 0.5);
-  EXPECT_DOUBLE_EQ(harm_at(plan, 20.0, "map", "x").loss, 0.5);
-  EXPECT_DOUBLE_EQ(harm_at(plan, 60.0, "map", "x").loss, 0.0) << "the plan stopped";
+  EXPECT_DOUBLE_EQ(harm_at(plan, 5s, "map", "x").loss, 0.5);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 10s, "map", "x").loss, 0.75);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 10s, "map", "x").delay_ms, 30.0);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 10s, "x", "map").loss, 0.5);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 20s, "map", "x").loss, 0.5);
+  EXPECT_DOUBLE_EQ(harm_at(plan, 60s, "map", "x").loss, 0.0) << "the plan stopped";
+}
+
+/// Their products with 1e9 fall short of a whole number of nanoseconds.
+TEST(FaultSchedule, HarmBeginsAndEndsExactlyWithTheActionsThatSaySo) {
+  for (const double stop_s : {60.0, 4.02}) {
+    FaultPlan plan;
+    plan.stop_s = stop_s;
+    plan.links.resize(2);
+    plan.links[0].begin_s = 2.01;
+    plan.links[0].for_s = stop_s > 4.02 ? 2.01 : 30.0;
+    plan.links[0].loss = 1.0;
+    plan.links[1].for_s = 4.02;
+    plan.links[1].delay_ms = 20.0;
+    const std::vector<FaultAction> actions = schedule(plan, kServices, kWorld, 1);
+    ASSERT_EQ(actions.size(), 4u);
+    EXPECT_EQ(harm_at(plan, moment_of(actions[0].t_s), "map", "x").delay_ms, 20.0);
+    EXPECT_EQ(harm_at(plan, moment_of(actions[1].t_s), "map", "x").loss, 1.0) << "begins at 2.01 s";
+    EXPECT_EQ(harm_at(plan, moment_of(actions[3].t_s), "map", "x").loss, 0.0) << "over at 4.02 s";
+    EXPECT_EQ(harm_at(plan, moment_of(actions[3].t_s), "map", "x").delay_ms, 0.0) << "over at 4.02 s";
+    EXPECT_EQ(moment_of(actions[3].t_s), 4020ms);
+  }
 }
 
 }  // namespace

@@ -106,6 +106,21 @@ TEST(SiteFaults, LossDelayDuplicatesAndOtherOrderAreCountedAndRepeatedExactly) {
       << "another seed hits other packets";
 }
 
+TEST(SiteFaults, ALinkIsHarmedFromAMomentThatBinaryNumbersMissAndNoLongerThanToAnother) {
+  FaultPlan plan;
+  plan.links.resize(1);
+  plan.links[0].begin_s = 2.01;
+  plan.links[0].for_s = 2.01;
+  plan.links[0].delay_ms = 20.0;
+  const auto delayed_until = [&](double end_s) {
+    return drive(hall_with_two_vehicles(1), faults_of(plan), [&](double t_s) { return t_s < end_s; })
+        .faults["delayed_packets"];
+  };
+  EXPECT_EQ(delayed_until(2.0), 0u);
+  EXPECT_GT(delayed_until(4.0), 0u);
+  EXPECT_EQ(delayed_until(6.0), delayed_until(5.0));
+}
+
 TEST(SiteFaults, EveryServiceMayCrashOnceAndTheFleetGoesOn) {
   FaultPlan plan;
   double at_s = 2.0;
