@@ -116,7 +116,7 @@ TEST(SiteFaults, ALinkIsHarmedFromAMomentThatBinaryNumbersMissAndNoLongerThanToA
     return drive(hall_with_two_vehicles(1), faults_of(plan), [&](double t_s) { return t_s < end_s; })
         .faults["delayed_packets"];
   };
-  EXPECT_EQ(delayed_until(2.0), 0u);
+  EXPECT_EQ(delayed_until(1.0), 0u);
   EXPECT_GT(delayed_until(4.0), 0u);
   EXPECT_EQ(delayed_until(6.0), delayed_until(5.0));
 }
