@@ -49,9 +49,15 @@ CommandVerdict CommandAuthority::judge(const VelocityCommand& command, const Ori
   return verdict;
 }
 
+CommandVerdict CommandAuthority::refuse_unread() {
+  ++refused_;
+  return CommandVerdict::kMalformed;
+}
+
 CommandVerdict CommandAuthority::look_at(const VelocityCommand& command, const Origin& by) const {
   if (command.agv_id != agv_id_) return CommandVerdict::kForeignVehicle;
   if (!is_sane(command.twist)) return CommandVerdict::kMalformed;
+  if (by.source_id.empty() || by.sequence_number == 0) return CommandVerdict::kMalformed;
   if (by.epoch < epoch_) return CommandVerdict::kOldEpoch;
   if (by.epoch > epoch_ || source_id_.empty()) return CommandVerdict::kAccepted;
   if (by.source_id != source_id_ || by.boot_id != boot_id_) return CommandVerdict::kForeignSource;

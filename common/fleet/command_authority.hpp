@@ -11,7 +11,7 @@ namespace aisle::fleet {
 enum class CommandVerdict {
   kAccepted,
   kForeignVehicle,  // addressed to another agv id
-  kMalformed,       // not finite, or beyond all reason
+  kMalformed,       // not finite, beyond all reason, without a source or a sequence number
   kOldEpoch,        // of a source that was replaced
   kForeignSource,   // the epoch is held by another source, or another boot of it
   kOldSequence,     // already used, or overtaken
@@ -20,15 +20,18 @@ enum class CommandVerdict {
 /// One word for logs and counters.
 const char* name(CommandVerdict verdict);
 
-/// Which source drives a vehicle. A command is accepted with the vehicle's own id, finite values, an epoch that is at
-/// least the accepted one, and a sequence number used never before. A higher epoch takes over, whoever sends it; within
-/// an epoch only its first source and boot is heard (a lease with an epoch: authority is not left to the middleware).
+/// Which source drives a vehicle. A command is accepted with the vehicle's own id, finite values, a source id, an epoch
+/// that is at least the accepted one, and a sequence number (they count from 1) used never before. A higher epoch takes
+/// over, whoever sends it; within an epoch only its first source and boot is heard (a lease with an epoch: authority is
+/// not left to the middleware).
 class CommandAuthority {
  public:
   /// `accepted_epoch`: of before a restart of the vehicle, 0 at first.
   CommandAuthority(std::string agv_id, std::uint32_t accepted_epoch);
 
   CommandVerdict judge(const VelocityCommand& command, const Origin& by);
+  /// A command for this vehicle that could not be read at all: kMalformed, and counted as refused.
+  CommandVerdict refuse_unread();
 
   std::uint32_t accepted_epoch() const { return epoch_; }
   std::uint64_t refused() const { return refused_; }

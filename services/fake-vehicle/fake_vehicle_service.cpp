@@ -52,8 +52,12 @@ FakeVehicleService::FakeVehicleService(service::Shell& shell, const ServiceConfi
 }
 
 void FakeVehicleService::listen() {
-  shell_.inbox<topics::VelocityCommand>(
-      [this](const fleet::VelocityCommand& command, const service::Sender& from) { take(command, from); });
+  shell_
+      .inbox<topics::VelocityCommand>(
+          [this](const fleet::VelocityCommand& command, const service::Sender& from) { take(command, from); })
+      .on_refused([this](const std::string& agv_id, const std::string&) {
+        if (agv_id == agv_id_ && !yields_) shell_.count(std::string("refused_") + name(authority_.refuse_unread()));
+      });
   shell_
       .inbox<topics::WorldObstacle>([this](const fleet::Obstacle& obstacle, const service::Sender& from) {
         bodies_.seen(obstacle.id, obstacle.body(), obstacle.kind == fleet::Obstacle::Kind::kVehicle, from.by.boot_id,

@@ -87,6 +87,14 @@ class Site {
     commands_.write(sample);
   }
 
+  void command_malformed(const std::string& agv_id) {
+    aisle::VelocityCommand sample;
+    sample.agv_id(agv_id);
+    sample.by(wire::encode(fleet::Origin{"local-planner-agv-1", 1, epoch, ++sequence_, process::wall_clock_ns()}));
+    sample.twist().linear_mps(std::nan(""));
+    commands_.write(sample);
+  }
+
   void show_person(double x, double y) {
     aisle::WorldObstacle sample;
     sample.obstacle_id(std::string("person"));
@@ -219,6 +227,19 @@ TEST(FakeVehicleService, ANewerEpochDrivesTheOldOneIsRefused) {
       run([&] { return site.state->refused_commands() > 3 && site.state->hold() == HoldReason::HOLD_LATE_COMMAND; }));
   EXPECT_EQ(site.state->command_by().epoch(), 3u);
   EXPECT_GT(vehicle.health.counters["refused_old_epoch"], 3u);
+}
+
+TEST(FakeVehicleService, CountsItsOwnMalformedCommandsAsRefused) {
+  Site site(kDomain + 13);
+  VehicleProcess vehicle(kDomain + 13, 5, standing_at(3, 5));
+  const auto run = [&](const std::function<bool()>& done) { return run_until({&site.bus, &vehicle.bus}, done); };
+  site.speed_mps = 0.2;
+  ASSERT_TRUE(run([&] { return site.state && site.state->accepted_epoch() == 1; }));
+  site.command_malformed("agv-2");
+  site.command_malformed("agv-1");
+  ASSERT_TRUE(run([&] { return site.state->refused_commands() > 0; }));
+  EXPECT_EQ(site.state->refused_commands(), 1u);
+  EXPECT_EQ(vehicle.health.counters["refused_malformed"], 1u);
 }
 
 TEST(FakeVehicleService, SeesAPersonAndStopsAtThem) {

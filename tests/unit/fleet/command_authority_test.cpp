@@ -53,6 +53,21 @@ TEST(CommandAuthority, RefusesCommandsForOthersAndNumbersThatAreNone) {
   }
 }
 
+TEST(CommandAuthority, RefusesACommandOfWhichTheSourceIsUnknown) {
+  CommandAuthority authority("agv-1", 0);
+  EXPECT_EQ(authority.judge(kCommand, Origin{}), CommandVerdict::kMalformed);
+  EXPECT_EQ(authority.judge(kCommand, from("", 1, 1, 1)), CommandVerdict::kMalformed);
+  EXPECT_EQ(authority.judge(kCommand, from("a", 1, 1, 0)), CommandVerdict::kMalformed);
+  EXPECT_EQ(authority.accepted_epoch(), 0u);
+  EXPECT_EQ(authority.judge(kCommand, from("a", 1, 1, 1)), CommandVerdict::kAccepted);
+}
+
+TEST(CommandAuthority, ACommandThatCouldNotBeReadCountsAsRefused) {
+  CommandAuthority authority("agv-1", 0);
+  EXPECT_EQ(authority.refuse_unread(), CommandVerdict::kMalformed);
+  EXPECT_EQ(authority.refused(), 1u);
+}
+
 TEST(CommandAuthority, ARefusedCommandChangesNothing) {
   CommandAuthority authority("agv-1", 0);
   EXPECT_EQ(authority.judge(kCommand, from("a", 1, 1, 1)), CommandVerdict::kAccepted);
