@@ -1,5 +1,6 @@
 #include "common/wire/vehicle.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "common/wire/geometry.hpp"
@@ -148,6 +149,16 @@ kinematics::SteeredAxle decode_axle(const aisle::VehicleInfo& sample, Checks& ch
   return {sample.wheelbase_m(), sample.max_steering_rad(), sample.max_steering_rate_radps(), sample.steers_behind()};
 }
 
+/// None before the first command, and none when it names no vehicle or no source: where the vehicle is counts all the
+/// same.
+std::optional<fleet::CommandInForce> decode_command(const aisle::VehicleState& sample) {
+  Checks checks;
+  fleet::CommandInForce command{sample.command_agv_id().to_string(), decode(sample.command_by(), checks, "command_by"),
+                                sample.command_plan_id()};
+  checks.id("command_agv_id", command.agv_id);
+  return checks.ok() ? std::optional(std::move(command)) : std::nullopt;
+}
+
 }  // namespace
 
 aisle::VehicleInfo encode(const fleet::Vehicle& vehicle) {
@@ -224,13 +235,8 @@ Decoded<fleet::VehicleState> decode(const aisle::VehicleState& sample) {
   state.hold = checks.known("hold", sample.hold(), from_wire(sample.hold()));
   state.accepted_epoch = sample.accepted_epoch();
   state.refused_commands = sample.refused_commands();
+  state.command = decode_command(sample);
   checks.id("agv_id", state.agv_id).within("steering_rad", sample.steering_rad(), -geometry::kPi, geometry::kPi);
-
-  std::string command_agv_id = sample.command_agv_id().to_string();
-  if (command_agv_id.empty()) return checks.decoded(std::move(state));  // no command yet
-  checks.id("command_agv_id", command_agv_id);
-  fleet::Origin by = decode(sample.command_by(), checks, "command_by");
-  state.command = fleet::CommandInForce{std::move(command_agv_id), std::move(by), sample.command_plan_id()};
   return checks.decoded(std::move(state));
 }
 
@@ -289,8 +295,8 @@ Decoded<fleet::VelocityCommand> decode(const aisle::VelocityCommand& sample) {
   command.map_revision = sample.map_revision();
   command.twist = decode(sample.twist(), checks, "twist");
   command.scan_stamp_ns = sample.scan_stamp_ns();
-  command.control_ms = sample.control_ms();
-  checks.id("agv_id", command.agv_id).optional_id("goal_id", command.goal_id).finite("control_ms", command.control_ms);
+  if (std::isfinite(sample.control_ms())) command.control_ms = sample.control_ms();  // for people: refuses nothing
+  checks.id("agv_id", command.agv_id).optional_id("goal_id", command.goal_id);
   return checks.decoded(std::move(command));
 }
 

@@ -94,9 +94,29 @@ TEST(Refusals, OfAVehicleState) {
       {"twist", [](auto& s) { s.twist().linear_mps(101.0); }},
       {"steering_rad", [](auto& s) { s.steering_rad(3.2); }},
       {"hold", [](auto& s) { s.hold(static_cast<HoldReason>(5)); }},
-      {"command_agv_id", [](auto& s) { s.command_agv_id("\n"); }},
-      {"command_by", [](auto& s) { s.command_by().source_id(""); }},
   });
+}
+
+/// The pose is good without the command.
+TEST(Refusals, NotOfAVehicleStateForTheCommandInForce) {
+  const std::function<void(aisle::VehicleState&)> spoils[]{
+      [](auto& s) { s.command_agv_id(""); },
+      [](auto& s) { s.command_agv_id("\n"); },
+      [](auto& s) { s.command_by().source_id(""); },
+      [](auto& s) { s.command_by().source_id("a\nb"); },
+      [](auto& s) { s.command_by().sequence_number(0); },
+  };
+  aisle::VehicleState sound;
+  bus_test::fill(sound);
+  ASSERT_TRUE(decode(sound)->command.has_value());
+  for (const auto& spoil : spoils) {
+    aisle::VehicleState sample = sound;
+    spoil(sample);
+    const auto decoded = decode(sample);
+    ASSERT_TRUE(static_cast<bool>(decoded)) << decoded.reason();
+    EXPECT_FALSE(decoded->command.has_value());
+    EXPECT_EQ(decoded->accepted_epoch, sound.accepted_epoch());
+  }
 }
 
 TEST(Refusals, OfAScan) {
@@ -110,8 +130,19 @@ TEST(Refusals, OfAVelocityCommand) {
       {"twist", [](auto& s) { s.twist().linear_mps(kNan); }},
       {"twist", [](auto& s) { s.twist().angular_radps(-101.0); }},
       {"twist", [](auto& s) { s.twist().sideways_mps(kInfinity); }},
-      {"control_ms", [](auto& s) { s.control_ms(kNan); }},
   });
+}
+
+/// It is for people, and drives nothing.
+TEST(Refusals, NotOfAVelocityCommandForItsComputingTime) {
+  for (const double bad : {kNan, kInfinity}) {
+    aisle::VelocityCommand sample;
+    bus_test::fill(sample);
+    sample.control_ms(bad);
+    const auto decoded = decode(sample);
+    ASSERT_TRUE(static_cast<bool>(decoded)) << decoded.reason();
+    EXPECT_EQ(decoded->control_ms, 0.0);
+  }
 }
 
 TEST(Refusals, OfAWorldObstacle) {
