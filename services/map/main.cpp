@@ -1,5 +1,8 @@
+#include <spdlog/logger.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "common/service/run_service.hpp"
 #include "services/map/map_config.hpp"
@@ -21,8 +24,10 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1e-3, 1e3));
     app.add_option("--subdivide", config.subdivide, "cut each cell of the file into N x N")->check(CLI::Range(1, 64));
   };
-  return service::run_service(
-      argc, argv, {"map", "Serves the site's map and its edits", ""}, options, [&](service::Shell& shell) {
-        return std::make_unique<map::MapService>(shell, map::open_map(config, shell.wall_clock_ns()));
-      });
+  return service::run_service(argc, argv, {"map", "Serves the site's map and its edits", ""}, options,
+                              [&](service::Shell& shell) {
+                                map::MapStore store = map::open_map(config, shell.wall_clock_ns());
+                                shell.log().info(map::start_text(config, store));
+                                return std::make_unique<map::MapService>(shell, std::move(store));
+                              });
 }

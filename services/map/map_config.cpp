@@ -1,5 +1,7 @@
 #include "services/map/map_config.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
@@ -53,6 +55,14 @@ MapStore open_map(const MapConfig& config, std::int64_t now_ns) {
   auto journal = std::make_unique<Journal>(config.journal, id, base.summary().hash,
                                            Journal::Options{std::int64_t{config.journal_max_mb} << 20});
   return {std::move(base), std::move(journal), limits};
+}
+
+std::string start_text(const MapConfig& config, const MapStore& store) {
+  const SiteMap& map = store.map();
+  const grid::Geometry& g = map.grid().geometry();
+  return fmt::format("map={} cells={}x{} resolution_m={} tiles={} revision={} edits={} journal={}", map.map_id(),
+                     g.width, g.height, g.resolution_m, map.tiles(), map.revision(), store.edits(),
+                     config.journal.empty() ? "none: edits last until this process ends" : config.journal);
 }
 
 }  // namespace aisle::map

@@ -38,4 +38,7 @@ struct MapConfig {
 /// @throws config::BadInput, config::BadEnvironment
 MapStore open_map(const MapConfig& config, std::int64_t now_ns);
 
+/// The line of the log at the start: what is served, and where its edits are kept.
+std::string start_text(const MapConfig& config, const MapStore& store);
+
 }  // namespace aisle::map

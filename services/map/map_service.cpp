@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kRequestPeriod{10};
 constexpr int kTilesPerPeriod = 128;  // 4 kB each: 50 MB/s at most
+constexpr int kLogLinesPerSecond = 20;
 
 }  // namespace
 
@@ -19,6 +20,7 @@ MapService::MapService(service::Shell& shell, MapStore store)
       tiles_(shell.outbox<topics::MapTile>()),
       info_(shell.outbox<topics::MapInfo>()),
       results_(shell.outbox<topics::MapEditResult>()),
+      lines_left_(kLogLinesPerSecond),
       publish_soon_(shell.soon([this] { write(publication_.changes()); })) {
   shell
       .inbox<topics::MapEdit>([this](const fleet::MapEdit& edit, const service::Sender& from) {
@@ -30,6 +32,7 @@ MapService::MapService(service::Shell& shell, MapStore store)
       });
   shell.inbox<topics::MapRequest>([this](const fleet::MapRequest& request) { take(request); });
   shell.every(kRequestPeriod, [this] { write(publication_.requested(kTilesPerPeriod)); });
+  shell.every(std::chrono::seconds(1), [this] { lines_left_ = kLogLinesPerSecond; });
   shell.report([](service::Health&) {});  // ready from the start
   write(publication_.whole());
 }
@@ -44,12 +47,9 @@ void MapService::take(const fleet::MapRequest& request) {
 
 void MapService::answer(const fleet::MapEditResult& result) {
   shell_.count(counter_of(result.outcome));
-  if (result.outcome == fleet::MapEditResult::Outcome::kApplied)
-    shell_.log().info("edit={} applied revision={}", result.edit_id, result.revision);
-  if (result.outcome == fleet::MapEditResult::Outcome::kRefused) {
-    shell_.health().last_error = "edit " + result.edit_id + " refused: " + result.detail;
-    shell_.warn("edit", shell_.health().last_error);
-  }
+  const bool is_refused = result.outcome == fleet::MapEditResult::Outcome::kRefused;
+  if (is_refused) shell_.health().last_error = "edit " + result.edit_id + " refused: " + result.detail;
+  if (--lines_left_ >= 0) shell_.log().log(is_refused ? spdlog::level::err : spdlog::level::info, log_text(result));
   publish_soon_();
 }
 

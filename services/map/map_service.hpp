@@ -26,6 +26,7 @@ class MapService {
   service::Outbox<topics::MapTile> tiles_;
   service::Outbox<topics::MapInfo> info_;
   service::Outbox<topics::MapEditResult> results_;
+  int lines_left_;                      // of the log, for edits, in this second
   std::function<void()> publish_soon_;  // once for all edits that wait
 };
 

@@ -22,6 +22,13 @@ const char* counter_of(MapEditResult::Outcome outcome) {
   return "edits_refused";
 }
 
+std::string log_text(const MapEditResult& result) {
+  const std::string edit = "edit=" + result.edit_id;
+  if (result.outcome == MapEditResult::Outcome::kRefused) return edit + " refused reason=\"" + result.detail + "\"";
+  return edit + (result.outcome == MapEditResult::Outcome::kApplied ? " applied" : " was applied before") +
+         " revision=" + std::to_string(result.revision) + " changed_cells=" + std::to_string(result.changed_cells);
+}
+
 std::string first_word(const std::string& reason) { return reason.substr(0, reason.find(' ')).substr(0, 32); }
 
 Batch Publication::whole() const {

@@ -20,6 +20,8 @@ struct Batch {
 
 /// Under which name an edit's outcome is counted.
 const char* counter_of(fleet::MapEditResult::Outcome outcome);
+/// The line of the log about an edit's outcome; of a repeated edit, with the revision that it led to.
+std::string log_text(const fleet::MapEditResult& result);
 /// "points" of "points has 0 elements, not 1 to 64": reasons begin with the field. At most 32 characters.
 std::string first_word(const std::string& reason);
 

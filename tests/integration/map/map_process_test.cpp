@@ -68,6 +68,8 @@ TEST_F(MapProcess, KeepsItsEditsOverARestart) {
   const auto cells = site.map.grid().cells();
   process->signal(SIGTERM);
   EXPECT_EQ(process->wait(std::chrono::seconds(5)), 0);
+  EXPECT_THAT(process->err(), HasSubstr("map=floor cells=120x80 resolution_m=0.25 tiles=4 revision=1 edits=0 journal=" +
+                                        journal().string()));
 
   process = start_on_floor(kDomain);
   Site fresh(kDomain, "fresh");
@@ -159,6 +161,7 @@ TEST_F(MapProcess, WithoutAJournalStartsAgainWithANewerRevision) {
   const std::uint64_t revision = site.map.revision();
   process->signal(SIGKILL);
   process->wait(std::chrono::seconds(5));
+  EXPECT_THAT(process->err(), HasSubstr("edits=0 journal=none: edits last until this process ends"));
   process = start_plain();
   ASSERT_TRUE(run([&] { return site.map.revision() > revision; })) << process->err();
   EXPECT_EQ(site.map.grid().cells(), base);

@@ -2,9 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <spdlog/logger.h>
+#include <spdlog/sinks/ostream_sink.h>
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <sstream>
 
 #include "tests/integration/map/site_fixture.hpp"
 
@@ -31,9 +35,11 @@ grid::OccupancyGrid floor_plan() {
 struct Service {
   explicit Service(int domain, std::uint64_t revision = 1)
       : bus(local_settings(domain, "map")),
-        shell(bus, {"map", "map", "", 1, "", 0}),
+        shell(bus, {"map", "map", "", 1, "", 0},
+              {std::make_shared<spdlog::logger>("map", std::make_shared<spdlog::sinks::ostream_sink_mt>(log)), {}, {}}),
         map(shell, MapStore(SiteMap("floor", floor_plan(), revision), nullptr, {})) {}
   bus::DdsBus bus;
+  std::ostringstream log;
   service::Shell shell;
   service::Health& health{shell.health()};
   MapService map;
@@ -116,6 +122,38 @@ TEST(MapService, AnswersEveryEditOnceAndRefusesWithAReason) {
   EXPECT_EQ(service.health.counters["bad_map_edit.points"], 2U);
   EXPECT_EQ(service.health.counters["bad_map_edit.shape"], 1U);
   EXPECT_THAT(service.health.last_error, HasSubstr("refused"));
+}
+
+TEST(MapService, NamesEachEditInTheLogAndHoldsBackAFlood) {
+  Service service(kDomain + 4);
+  Site site(kDomain + 4);
+  const auto run = [&](const std::function<bool()>& done) {
+    return testing::run_until({&service.bus, &site.bus}, done);
+  };
+  ASSERT_TRUE(run([&] { return site.can_send() && site.map.is_complete(); }));
+  MapEdit foreign = rectangle("", Action::kBlock, {0.0, 5.0}, {1.0, 6.0});
+  foreign.map_id = "annex";
+  const auto send = [&](const std::string& id) {
+    foreign.edit_id = id;
+    site.send(foreign);
+  };
+  for (int i = 0; i < 12; ++i) send("edit-" + std::to_string(i));
+  ASSERT_TRUE(run([&] { return site.results.size() == 12; }));
+  for (int i = 0; i < 12; ++i)
+    EXPECT_THAT(service.log.str(), HasSubstr("[error] edit=edit-" + std::to_string(i) + " refused reason="));
+
+  const time::Stamp begun = service.bus.now();
+  for (int i = 0; i < 200; ++i) {
+    send("flood-" + std::to_string(i));
+    service.bus.run_once(std::chrono::milliseconds(0));
+    site.bus.run_once(std::chrono::milliseconds(0));
+  }
+  ASSERT_TRUE(run([&] { return service.health.counters["edits_refused"] == 212; }));
+  const double seconds = time::seconds(service.bus.now() - begun);
+  const std::string log = service.log.str();
+  int lines = 0;
+  for (std::size_t at = log.find("edit=flood-"); at != std::string::npos; at = log.find("edit=flood-", at + 1)) ++lines;
+  EXPECT_LE(lines, 20 * (static_cast<int>(seconds) + 2)) << "in " << seconds << " s";
 }
 
 TEST(MapService, WritesTilesAgainForWhoMissesThem) {

@@ -55,6 +55,15 @@ TEST(Publication, OfARefusalIsItsResultAlone) {
   EXPECT_EQ(batch.results[0].revision, 1U);
 }
 
+TEST(Publication, AnEditIsNamedInTheLogWhateverItsOutcome) {
+  Publication site = publication();
+  const fleet::MapEdit wall = block("wall", {1.0, 1.0}, {2.0, 2.0});
+  EXPECT_EQ(log_text(site.take(wall, "test", 1)), "edit=wall applied revision=2 changed_cells=100");
+  EXPECT_EQ(log_text(site.take(wall, "test", 2)), "edit=wall was applied before revision=2 changed_cells=100");
+  EXPECT_EQ(log_text(site.refuse("odd", "shape = 77 is no known value")),
+            "edit=odd refused reason=\"shape = 77 is no known value\"");
+}
+
 TEST(Publication, OfWhatWasAskedForComesInPartsAndTheSummaryLast) {
   Publication site = publication();
   EXPECT_THAT(site.ask({"mirror", "site", 1, {5, 0, 5, 3, 99}}), ElementsAre("tiles beyond the map"));
