@@ -209,6 +209,7 @@ void LocalPlannerService::report(service::Health& health) const {
   health.counters["cycles"] = cycles_;
   health.counters["epoch"] = epoch_.value_or(0);
   health.counters["plan_epoch"] = plan_authority_.epoch();
+  if (cycles_ == 0) return health.wait_for("its first cycle");
   switch (reason_) {
     case Reason::kNoState:
       health.wait_for((inputs_.vehicle ? "vehicle_state of " : "vehicle_info of ") + agv_id_);

@@ -201,6 +201,13 @@ TEST(LocalPlannerService, DrivesToTheGoalWithTheNextEpochAndTellsWhy) {
   EXPECT_EQ(site.status()->plan_id(), 7U);
 }
 
+TEST(LocalPlannerService, IsNotReadyBeforeItRan) {
+  PlannerProcess planner(188, 1);
+  planner.shell.report_now();
+  EXPECT_EQ(planner.health.state, fleet::ServiceState::kWaiting);
+  EXPECT_EQ(planner.health.waits_for, "its first cycle");
+}
+
 TEST(LocalPlannerService, StopsWhenTheTrackerFallsSilent) {
   Site site(181);
   PlannerProcess planner(181, 1);
