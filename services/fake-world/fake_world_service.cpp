@@ -91,6 +91,7 @@ void FakeWorldService::report(service::Health& health) const {
   health.counters["things"] = world_.things().size();
   if (clock_.started_at_ns()) return;
   for (const std::string& id : clock_.missing()) health.wait_for(health.waits_for.empty() ? "vehicles " + id : id);
+  if (health.waits_for.empty()) health.wait_for("vehicles");  // the scenario names none, and no start was given
 }
 
 }  // namespace aisle::fake_world

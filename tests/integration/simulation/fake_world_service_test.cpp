@@ -92,6 +92,14 @@ TEST(FakeWorldService, BeginsWhenTheVehiclesAreThere) {
   ASSERT_TRUE(run([&] { return world.health.state == fleet::ServiceState::kReady; }));
 }
 
+TEST(FakeWorldService, IsNotReadyWhenNothingCanStartIt) {
+  scenario::Scenario empty = yard();
+  empty.vehicles.clear();
+  WorldProcess world(kDomain + 6, 5, {empty, 1, std::nullopt, {}});
+  ASSERT_TRUE(run_until({&world.bus}, [&] { return world.health.state == fleet::ServiceState::kWaiting; }));
+  EXPECT_EQ(world.health.waits_for, "vehicles");
+}
+
 TEST(FakeWorldService, NothingJumpsOverARestart) {
   const Folder folder("world-memory");
   const ServiceConfig config{yard(), 1, std::nullopt, folder.path() / "world.state"};
