@@ -42,14 +42,18 @@ struct LinkFault {
   }
 };
 
-/// When something happens: at `at_s`, then every `every_s` (0: once) until the plan stops.
+/// When something happens: at `at_s`, then every `every_s` (0: once; else at least kLeastPeriodS, so that a plan stays
+/// small) until the plan stops.
 struct Occasion {
   double at_s{0.0};
   double every_s{0.0};
 
+  static constexpr double kLeastPeriodS = 0.01;
+
   template <class Reader>
   void describe(Reader& r) {
     r.field("at_s", at_s, 0.0, LinkFault::kLongestS).field("every_s", every_s, 0.0, LinkFault::kLongestS);
+    if (every_s > 0.0 && every_s < kLeastPeriodS) r.reject("every_s", "neither 0 nor at least 0.01 s");
   }
 };
 

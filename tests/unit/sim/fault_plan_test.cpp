@@ -67,6 +67,8 @@ TEST(FaultPlan, NamesWhatItCannotTake) {
   EXPECT_THAT(refusal_of("crash: []\n"), HasSubstr("crashes"));
   EXPECT_THAT(refusal_of("disks:\n  - {kind: burnt}\n"), HasSubstr("burnt"));
   EXPECT_THAT(refusal_of("hangs:\n  - {at_s: -1.0}\n"), HasSubstr("at_s"));
+  EXPECT_THAT(refusal_of("hangs:\n  - {every_s: 1e-8}\n"), HasSubstr("every_s: neither 0 nor"));
+  EXPECT_EQ(plan_of("hangs:\n  - {every_s: 0.01}\n").hangs[0].every_s, 0.01);
 }
 
 TEST(FaultPlan, APlanFromASeedIsTheSamePlanEachTimeAndFromItsOwnText) {
