@@ -59,6 +59,11 @@ class Layout {
     return fitting[random_() % fitting.size()];
   }
 
+  bool fits_any(const std::string& pattern) const {
+    const auto fits = [&](const std::string& name) { return is_named(pattern, name); };
+    return std::any_of(services_.begin(), services_.end(), fits) || std::any_of(others_.begin(), others_.end(), fits);
+  }
+
   [[noreturn]] void refuse(const std::string& pattern) const {
     std::vector<std::string> known = services_;
     known.insert(known.end(), others_.begin(), others_.end());
@@ -71,6 +76,8 @@ class Layout {
 
   void add_links() {
     for (const LinkFault& link : plan_.links) {
+      if (!fits_any(link.from)) refuse(link.from);
+      if (!fits_any(link.to)) refuse(link.to);
       if (link.begin_s >= plan_.stop_s) continue;
       actions_.push_back({link.begin_s, Kind::kLinksChange});
       actions_.push_back({std::min(link.begin_s + link.for_s, plan_.stop_s), Kind::kLinksChange});

@@ -110,6 +110,22 @@ TEST(FaultSchedule, ANameThatFitsNobodyIsRefusedWithTheNearest) {
   }
 }
 
+TEST(FaultSchedule, ALinkThatFitsNobodyIsRefusedWithTheNearest) {
+  for (const auto end : {&LinkFault::from, &LinkFault::to}) {
+    FaultPlan plan;
+    plan.links.resize(1);
+    plan.links[0].*end = "fake-vehicle-*";
+    EXPECT_EQ(schedule(plan, kServices, kWorld, 1).size(), 2u);
+    plan.links[0].*end = "local-planer-agv-1";
+    try {
+      schedule(plan, kServices, kWorld, 1);
+      FAIL() << "was taken";
+    } catch (const config::BadInput& refused) {
+      EXPECT_THAT(refused.what(), HasSubstr("did you mean 'local-planner-agv-1'"));
+    }
+  }
+}
+
 TEST(FaultSchedule, HarmsOfOneLinkAddUpWhileTheyLast) {
   FaultPlan plan;
   plan.stop_s = 60.0;
