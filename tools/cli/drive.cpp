@@ -139,6 +139,11 @@ void print(const Cli& cli, const Options& options, const Driven& driven) {
               has_least ? fmt::format("{:.3f} m", totals.least_clearance_m).c_str() : "-, as nothing came near");
   std::printf("%.1f m in %.1f s, %d replans, %d changes of the turn's sign, jerk %.2f m/s^3\n", totals.distance_m,
               totals.time_s, totals.replans, totals.omega_sign_changes, totals.jerk_rms);
+  std::string faults;
+  for (const auto& [kind, count] : driven.faults)
+    faults += fmt::format("{}{} {}", faults.empty() ? "" : ", ", kind, count);
+  if (!faults.empty()) std::printf("faults: %s\n", faults.c_str());
+  if (!driven.violations.empty()) std::printf("violations of authority: %zu\n", driven.violations.size());
   std::printf("%.0f x real time by CPU time, trace %s\n", realtime_factor, hash.c_str());
 }
 

@@ -168,6 +168,13 @@ TEST(Drive, AGoalThatCannotBeReachedIsMissedWithItsReason) {
   EXPECT_TRUE(report["least_clearance_m"].is_null()) << "it never moved";
 }
 
+TEST(Drive, SaysWhatFaultsDid) {
+  ChildProcess aisle(
+      {test_support::program("aisle"), "drive", "--truth", "--scenario", "crossing", "--fault-seed", "3"});
+  EXPECT_TRUE(aisle.wait(seconds(120))) << aisle.err();
+  EXPECT_THAT(aisle.out(), HasSubstr("faults: "));
+}
+
 TEST(Drive, TellsHowFarItIsAndEndsWhenAsked) {
   ChildProcess aisle({test_support::program("aisle"), "drive", "--scenario", "warehouse", "--runs", "100000"});
   ASSERT_TRUE(aisle.wait_for_output("of 100000: ", seconds(60))) << aisle.err();

@@ -162,6 +162,23 @@ TEST_F(Reports, AreDrawnOfAnEmptyRunToo) {
   EXPECT_THAT(summary(RunReport{}), HasSubstr("goals reached"));
 }
 
+TEST(Troubles, AreALineForEachReasonNotToPass) {
+  RunReport report;
+  EXPECT_TRUE(report.troubles().empty());
+  report.duration_s = 90.0;
+  report.goals_expected = 2;
+  GoalRecord goal;
+  goal.agv_id = "agv-1";
+  goal.goal_id = "agv-1-0";
+  goal.outcome = GoalOutcome::kFailed;
+  goal.reason = "no way";
+  report.goals.push_back(goal);
+  report.violations.push_back({AuthorityViolation::Kind::kStalePlan, "agv-2", 3.5, "obeyed plan 1 of 2"});
+  EXPECT_THAT(report.troubles(),
+              ::testing::ElementsAre("   3.500 VIOLATION of authority: agv-2 obeyed plan 1 of 2",
+                                     "  90.000 agv-1 goal missed: agv-1-0 no way", "  90.000 goals never given: 1"));
+}
+
 TEST_F(Reports, AreWrittenWhole) {
   const char* kept = std::getenv("AISLE_TEST_OUT");
   const std::filesystem::path folder =

@@ -1,5 +1,7 @@
 #include "tools/referee/core/run_report.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <numeric>
@@ -54,6 +56,22 @@ double RunReport::cpu_percent_total() const {
     if (row.service != "referee") sum += row.cpu_percent_mean();
   }
   return sum;
+}
+
+std::vector<std::string> RunReport::troubles() const {
+  std::vector<std::string> lines;
+  for (const Contact& c : contacts)
+    lines.push_back(
+        fmt::format("{:8.3f} CONTACT {} {} {}", c.begin_s, c.a, c.b, c.vehicle_moved() ? "moving" : "standing"));
+  for (const AuthorityViolation& v : violations)
+    lines.push_back(fmt::format("{:8.3f} VIOLATION of authority: {} {}", v.t_s, v.agv_id, v.text));
+
+  for (const GoalRecord& goal : goals)
+    if (goal.outcome == GoalOutcome::kFailed)
+      lines.push_back(fmt::format("{:8.3f} {} goal missed: {} {}", duration_s, goal.agv_id, goal.goal_id, goal.reason));
+  const int never_given = goals_expected - static_cast<int>(goals.size());
+  if (never_given > 0) lines.push_back(fmt::format("{:8.3f} goals never given: {}", duration_s, never_given));
+  return lines;
 }
 
 bool RunReport::came_too_near() const {

@@ -94,6 +94,8 @@ struct RunReport {
   double cpu_percent_total() const;  // of the services, not of the referee
   /// Did a vehicle and a person come nearer than the scenario allows?
   bool came_too_near() const;
+  /// A line, with its second, for each contact, violation and missed goal: why a run did not pass.
+  std::vector<std::string> troubles() const;
   /// Every goal reached, nothing touched, no person passed too near, no vehicle obeyed a command that it should refuse.
   bool passed() const;
 };
