@@ -33,6 +33,7 @@ class Disk final : public process::FileStore {
   bool is_full() const { return is_full_; }
   /// Cuts each file off in its middle, as a host that lost its power may leave it. @pre no process has them open
   void tear_files();
+  bool is_empty() const { return files_.empty(); }
   /// @pre no process has them open
   void lose_files() { files_.clear(); }
 

@@ -28,7 +28,7 @@ class Layout {
     for (const Hang& hang : plan_.hangs) add_pair(hang, hang.process, hang.for_s, Kind::kHang, Kind::kGoOn);
     for (const ClockJump& jump : plan_.clock_jumps) {
       for (const double t_s : times_of(jump))
-        actions_.push_back({t_s, Kind::kClockJump, one_of(jump.process), "", false, jump.by_s});
+        actions_.push_back({t_s, Kind::kClockJump, one_of(jump.process), "", false, jump.by_s, ++faults_});
     }
     for (const DiskFault& disk : plan_.disks) add_disk(disk);
     std::stable_sort(actions_.begin(), actions_.end(),
@@ -97,21 +97,24 @@ class Layout {
   void add_pair(const Occasion& occasion, const std::string& process, double for_s, Kind begin, Kind end) {
     for (const double t_s : times_of(occasion)) {
       const std::string name = one_of(process);
-      actions_.push_back({t_s, begin, name});
-      actions_.push_back({std::min(t_s + for_s, plan_.stop_s), end, name});
+      const int fault = ++faults_;
+      actions_.push_back({t_s, begin, name, "", false, 0.0, fault});
+      actions_.push_back({std::min(t_s + for_s, plan_.stop_s), end, name, "", false, 0.0, fault});
     }
   }
 
   void add_disk(const DiskFault& disk) {
     if (disk.kind == "full") return add_pair(disk, disk.process, disk.for_s, Kind::kDiskFull, Kind::kDiskFree);
     const Kind kind = disk.kind == "torn" ? Kind::kFilesTorn : Kind::kFilesLost;
-    for (const double t_s : times_of(disk)) actions_.push_back({t_s, kind, one_of(disk.process)});
+    for (const double t_s : times_of(disk))
+      actions_.push_back({t_s, kind, one_of(disk.process), "", false, 0.0, ++faults_});
   }
 
   const FaultPlan& plan_;
   const std::vector<std::string>& services_;
   const std::vector<std::string>& others_;
   std::mt19937_64 random_;
+  int faults_{0};
   std::vector<FaultAction> actions_;
 };
 

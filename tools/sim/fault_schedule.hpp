@@ -30,6 +30,7 @@ struct FaultAction {
   std::string to{};       // of a cut
   bool both_ways{false};
   double by_s{0.0};  // of a clock jump
+  int fault{0};      // its number in the plan; what ends a fault bears the same number as what began it
 };
 
 /// "crash", "cut", ...; how it is counted. Empty for what only ends another fault.

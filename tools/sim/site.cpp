@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <set>
 #include <utility>
 
 #include "tools/referee/referee_service.hpp"
@@ -71,6 +72,11 @@ referee::Expectation expectation_of(const scenario::Scenario& scenario) {
   return expectation;
 }
 
+/// The faults that lie on a process now, by their numbers in the plan: it recovers when the last of a kind is over.
+struct Burden {
+  std::set<int> downs, hangs, full_disk;
+};
+
 class Site {
  public:
   using Says = std::function<void(const std::string&)>;
@@ -127,11 +133,12 @@ class Site {
         network_, std::move(blueprint), log_->clone(name), [this, name](const std::string& why) {
           say(name + " ended: " + why);
           ++counts_["ended_by_itself"];
-          network_.at(network_.now() + kRestart, [this, name] { find(name).start(); });
+          burdens_[name].hangs.clear();
+          network_.at(network_.now() + kRestart, [this, name] { start_unless_down(name); });
         });
     Process& added = *processes_.emplace_back(std::move(process));
     const auto number = static_cast<int>(processes_.size());
-    network_.at(begun_ + number * kBetweenStarts, [&added] { added.start(); });
+    network_.at(begun_ + number * kBetweenStarts, [this, &added] { start_unless_down(added.name()); });
   }
 
   Process& find(const std::string& name) {
@@ -146,55 +153,106 @@ class Site {
       network_.at(begun_ + moment_of(action.t_s), [this, action] { apply(action); });
   }
 
+  /// Counts what changes something, and tells of it.
   void apply(const FaultAction& action) {
-    using Kind = FaultAction::Kind;
     const std::string name = name_of(action.kind);
-    if (!name.empty()) {
-      ++counts_[name];
-      say(name + " " + action.process + (action.to.empty() ? "" : (action.both_ways ? " <-> " : " -> ") + action.to));
-    }
+    if (!carry_out(action) || name.empty()) return;
+    ++counts_[name];
+    say(name + " " + action.process + (action.to.empty() ? "" : (action.both_ways ? " <-> " : " -> ") + action.to));
+  }
+
+  /// False when the site is as it was: another fault has done the same already, or does so still.
+  bool carry_out(const FaultAction& action) {
+    using Kind = FaultAction::Kind;
     switch (action.kind) {
       case Kind::kLinksChange:
-        return set_links();
+        set_links();
+        return true;
       case Kind::kCut:
       case Kind::kHeal:
         return set_cut(action);
       case Kind::kCrash:
-        return find(action.process).crash();
+        return take_down(find(action.process), action.fault);
       case Kind::kStart:
-        return find(action.process).start();
+        bring_up(action.process, action.fault);
+        return true;
       case Kind::kHang:
+        return begin_hang(find(action.process), action.fault);
       case Kind::kGoOn:
-        return find(action.process).hang(action.kind == Kind::kHang);
+        if (end_of(burdens_[action.process].hangs, action.fault)) find(action.process).hang(false);
+        return true;
       case Kind::kClockJump:
         clock_offsets_[action.process] += moment_of(action.by_s);
-        return network_.set_wall_clock_offset(action.process, clock_offsets_[action.process]);
+        network_.set_wall_clock_offset(action.process, clock_offsets_[action.process]);
+        return action.by_s != 0.0;
       case Kind::kDiskFull:
+        find(action.process).disk().set_full(true);
+        return burdens_[action.process].full_disk.insert(action.fault).second &&
+               burdens_[action.process].full_disk.size() == 1;
       case Kind::kDiskFree:
-        return find(action.process).disk().set_full(action.kind == Kind::kDiskFull);
+        if (end_of(burdens_[action.process].full_disk, action.fault)) find(action.process).disk().set_full(false);
+        return true;
       case Kind::kFilesTorn:
       case Kind::kFilesLost:
-        return harm_files(find(action.process), action.kind == Kind::kFilesTorn);
+        return harm_files(find(action.process), action);
     }
+    return false;
+  }
+
+  /// True when `fault` was the last of `faults`.
+  static bool end_of(std::set<int>& faults, int fault) { return faults.erase(fault) > 0 && faults.empty(); }
+
+  /// A process that ends takes its hangs with it.
+  bool take_down(Process& process, int fault) {
+    const bool was_up = process.is_up();
+    process.crash();
+    burdens_[process.name()].hangs.clear();
+    burdens_[process.name()].downs.insert(fault);
+    return was_up;
+  }
+
+  void bring_up(const std::string& name, int fault) {
+    burdens_[name].downs.erase(fault);
+    start_unless_down(name);
+  }
+
+  void start_unless_down(const std::string& name) {
+    if (burdens_[name].downs.empty()) find(name).start();
+  }
+
+  bool begin_hang(Process& process, int fault) {
+    if (!process.is_up()) return false;
+    std::set<int>& hangs = burdens_[process.name()].hangs;
+    hangs.insert(fault);
+    process.hang(true);
+    return hangs.size() == 1;
   }
 
   /// Files change while nobody has them open: the host lost its power, and the process with it.
-  void harm_files(Process& process, bool torn) {
-    const bool was_up = process.is_up();
-    process.crash();
-    if (torn) {
+  bool harm_files(Process& process, const FaultAction& action) {
+    const bool was_up = take_down(process, action.fault);
+    const bool had_files = !process.disk().is_empty();
+    if (action.kind == FaultAction::Kind::kFilesTorn) {
       process.disk().tear_files();
     } else {
       process.disk().lose_files();
     }
-    if (was_up) network_.at(network_.now() + kRestart, [&process] { process.start(); });
+    network_.at(network_.now() + kRestart, [this, action] { bring_up(action.process, action.fault); });
+    return was_up || had_files;
   }
 
-  void set_cut(const FaultAction& action) {
-    const int more = action.kind == FaultAction::Kind::kCut ? 1 : -1;
-    cuts_[{action.process, action.to}] += more;
-    if (action.both_ways) cuts_[{action.to, action.process}] += more;
+  bool set_cut(const FaultAction& action) {
+    const bool begins = action.kind == FaultAction::Kind::kCut;
+    bool changes = false;
+    const auto set = [&](const std::string& from, const std::string& to) {
+      int& cuts = cuts_[{from, to}];
+      changes = changes || cuts == (begins ? 0 : 1);
+      cuts += begins ? 1 : -1;
+    };
+    set(action.process, action.to);
+    if (action.both_ways) set(action.to, action.process);
     set_links();
+    return changes;
   }
 
   /// The laws of nature between the parts of the world are spared, and so is all that the referee hears.
@@ -250,6 +308,7 @@ class Site {
     result.contacts = static_cast<int>(report.contacts.size());
     result.contacts_moving_vehicle = report.contacts_moving_vehicle();
     result.distance_m = report.distance_m();
+    std::map<std::string, int> goals_of = expectation_of(setup_.scenario).goals_of;
     const bool anybody_drove = result.distance_m > 0.0;  // else it is the scenario's clearance, not the drivers'
     result.least_clearance_m =
         anybody_drove ? report.clearances.overall_m().value_or(lockstep::kNothingNearM) : lockstep::kNothingNearM;
@@ -257,27 +316,18 @@ class Site {
     result.replans = report.replans();
     for (const scenario::Vehicle& vehicle : setup_.scenario.vehicles) {
       int reached = 0;
-      int assigned = 0;
       double done_s = -1.0;
       for (const referee::GoalRecord& goal : report.goals) {
-        if (goal.agv_id != vehicle.id) continue;
-        ++assigned;
-        if (goal.outcome != referee::GoalOutcome::kReached) continue;
+        if (goal.agv_id != vehicle.id || goal.outcome != referee::GoalOutcome::kReached) continue;
         ++reached;
         done_s = std::max(done_s, goal.decided_s);
       }
       result.reached.push_back(reached);
-      result.done_s.push_back(reached == assigned ? done_s : -1.0);
+      result.done_s.push_back(reached >= goals_of[vehicle.id] ? done_s : -1.0);
       const auto row = report.vehicles.find(vehicle.id);
       result.replanned.push_back(row == report.vehicles.end() ? 0 : row->second.replans);
     }
-    for (const referee::Contact& c : report.contacts)
-      result.log.push_back(
-          fmt::format("{:8.3f} CONTACT {} {} {}", c.begin_s, c.a, c.b, c.vehicle_moved() ? "moving" : "standing"));
-    for (const referee::GoalRecord& goal : report.goals)
-      if (goal.outcome == referee::GoalOutcome::kFailed)
-        result.log.push_back(
-            fmt::format("{:8.3f} {} goal missed: {} {}", report.duration_s, goal.agv_id, goal.goal_id, goal.reason));
+    result.log = report.troubles();
   }
 
   const lockstep::Setup& setup_;
@@ -294,6 +344,7 @@ class Site {
   DriveRecorder recorder_;
   std::vector<std::unique_ptr<Process>> processes_;
   std::map<std::string, nanoseconds> clock_offsets_;
+  std::map<std::string, Burden> burdens_;                    // by process
   std::map<std::pair<std::string, std::string>, int> cuts_;  // how many cuts lie on each way now
   std::map<std::string, std::uint64_t> counts_;
 };

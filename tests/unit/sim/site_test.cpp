@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/lockstep/building.hpp"
@@ -79,6 +80,19 @@ TEST(Site, AGoalInAWallFailsWithItsReason) {
   for (const referee::GoalRecord& goal : outcome.report.goals)
     told = told || (goal.agv_id == "agv-1" && goal.reason.find("clearance") != std::string::npos);
   EXPECT_TRUE(told);
+}
+
+TEST(Site, AVehicleWithGoalsToComeIsNotDone) {
+  lockstep::Setup setup = hall_with_two_vehicles(1);
+  setup.scenario.missions.front().goals_in_map = {{3.5, 3.0, 0.0}, {13.0, 3.0, 0.0}};
+  bool was_there = false;
+  for (const double end_s : {4.0, 6.0, 8.0, 10.0}) {
+    const Outcome outcome = drive(setup, {}, [&](double t_s) { return t_s < end_s; });
+    was_there = was_there || outcome.result.reached.at(0) == 1;
+    EXPECT_EQ(outcome.result.done_s.at(0), -1.0) << end_s;
+  }
+  EXPECT_TRUE(was_there);
+  EXPECT_GT(drive(setup).result.done_s.at(0), 0.0);
 }
 
 TEST(Site, EndsWhenItsUserHasEnough) {
@@ -216,6 +230,52 @@ TEST(SiteFaults, TornAndLostFilesCostNoContact) {
     const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
     expect_a_good_run(outcome);
   }
+}
+
+TEST(SiteFaults, AShortFaultWithinALongOneNeitherEndsItNorIsCounted) {
+  const double undisturbed_s = drive(hall_with_two_vehicles(1)).result.done_s.at(0);
+  FaultPlan hangs;
+  for (const auto& [at_s, for_s] : {std::pair(5.0, 5.0), std::pair(6.0, 0.5)}) {
+    hangs.hangs.push_back(once<Hang>(at_s, "local-planner-agv-1"));
+    hangs.hangs.back().for_s = for_s;
+  }
+  const Outcome hung = drive(hall_with_two_vehicles(1), faults_of(hangs));
+  expect_a_good_run(hung);
+  EXPECT_EQ(hung.faults.at("hang"), 1u);
+  EXPECT_GT(hung.result.done_s.at(0), undisturbed_s + 4.0);
+
+  FaultPlan crashes;
+  for (const auto& [at_s, for_s] : {std::pair(5.0, 5.0), std::pair(6.0, 0.5)}) {
+    crashes.crashes.push_back(once<Crash>(at_s, "local-planner-agv-1"));
+    crashes.crashes.back().restart_after_s = for_s;
+  }
+  const Outcome crashed = drive(hall_with_two_vehicles(1), faults_of(crashes));
+  expect_a_good_run(crashed);
+  EXPECT_EQ(crashed.faults.at("crash"), 1u);
+  EXPECT_GT(crashed.result.done_s.at(0), undisturbed_s + 4.0);
+
+  lockstep::Setup setup = hall_with_two_vehicles(1);
+  setup.scenario.map_edits.push_back({4.0, true, {6.0, 6.5}, {7.0, 7.5}});
+  FaultPlan disks;
+  for (const auto& [at_s, for_s] : {std::pair(2.0, 30.0), std::pair(2.5, 0.5)}) {
+    disks.disks.push_back(once<DiskFault>(at_s, "map"));
+    disks.disks.back().for_s = for_s;
+  }
+  const Outcome full = drive(setup, faults_of(disks));
+  EXPECT_EQ(full.faults.at("disk_full"), 1u);
+  EXPECT_THAT(full.report.edits.at(0).outcome, HasSubstr("refused"));
+}
+
+TEST(SiteFaults, ARestartedProcessDoesNotHangWithTheOldOne) {
+  FaultPlan plan;
+  plan.hangs.push_back(once<Hang>(5.0, "local-planner-agv-1"));
+  plan.hangs.back().for_s = 30.0;
+  plan.crashes.push_back(once<Crash>(6.0, "local-planner-agv-1"));
+  plan.hangs.push_back(once<Hang>(9.0, "local-planner-agv-1"));
+  const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+  expect_a_good_run(outcome);
+  EXPECT_EQ(outcome.faults.at("hang"), 2u);
+  EXPECT_LT(outcome.result.done_s.at(0), 35.0) << "the first hang would have ended then";
 }
 
 TEST(SiteFaults, AProcessThatDoesNotExistIsNamed) {
