@@ -27,7 +27,6 @@ MapService::MapService(service::Shell& shell, MapStore store)
         answer(publication_.take(edit, from.by.source_id, shell_.wall_clock_ns()));
       })
       .on_refused([this](const std::string& edit_id, const std::string& reason) {
-        shell_.count("bad_map_edit." + first_word(reason));
         answer(publication_.refuse(edit_id, reason));
       });
   shell.inbox<topics::MapRequest>([this](const fleet::MapRequest& request) { take(request); });
