@@ -33,6 +33,7 @@ using Describe = std::function<void(config::YamlReader&)>;
 
 constexpr milliseconds kUsagePeriod{500};
 constexpr milliseconds kLongestWait{100};  // until a signal is noticed
+constexpr milliseconds kGoodbye{200};      // for all shells together
 constexpr seconds kTidyPeriod{5};  // a map or a crowd of peers came: what they needed for a moment is given back
 
 thread_local std::vector<Describe>* config_bindings = nullptr;
@@ -210,6 +211,8 @@ struct Process::State {
     }
     spdlog::info("stopped by a signal");
     for (const auto& shell : shells) shell->say_goodbye();
+    const time::Stamp latest = bus.now() + kGoodbye;
+    for (const auto& shell : shells) shell->wait_for_goodbye(latest);
     process::take_an_abort_for_the_end();
   }
 

@@ -21,7 +21,6 @@ using std::chrono::seconds;
 constexpr milliseconds kHealthPeriod{1000};
 constexpr milliseconds kReportPeriod{250};
 constexpr milliseconds kLivelinessPeriod{500};  // of a lease of 2 s
-constexpr milliseconds kGoodbye{200};
 constexpr seconds kWarningPeriod{10};
 
 PeerHealth peer_of(const fleet::ServiceHealth& health, const Sender& from) {
@@ -277,7 +276,11 @@ void Shell::publish_changes() { state_->publish_changes(); }
 void Shell::say_goodbye() {
   state_->health.state = fleet::ServiceState::kStopping;
   state_->publish();
-  state_->writer.wait_until_acknowledged(kGoodbye);
+}
+
+void Shell::wait_for_goodbye(time::Stamp latest) {
+  const time::Stamp left = std::max(latest - now(), time::Stamp{0});
+  state_->writer.wait_until_acknowledged(std::chrono::duration_cast<milliseconds>(left));
 }
 
 std::shared_ptr<void>& Shell::channel_slot(const std::string& topic) { return state_->shared->channels[topic]; }

@@ -125,8 +125,11 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
 
   /// Publishes when state, waits_for or last_error changed since the last time.
   void publish_changes();
-  /// The last word: ServiceState::kStopping, waiting at most 200 ms until it was heard.
+  /// The last word: ServiceState::kStopping.
   void say_goodbye();
+  /// Waits until the last word was heard, at most until `latest` on the bus's clock. Of several shells, all say goodbye
+  /// before one waits.
+  void wait_for_goodbye(time::Stamp latest);
   bool has_failed() const;
   /// Is this the only shell of its process?
   bool is_alone() const;
