@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -63,7 +64,9 @@ class Channel {
   void hand_over(const Sample& sample, const bus::SampleInfo& info) {
     const auto decoded = wire::decode(sample);
     const Sender sender{wire::origin_of(sample), info.arrived};
-    for (Subscription<Topic>& subscription : subscriptions_) {
+    const std::size_t count = subscriptions_.size();  // what a handler adds hears from the next sample on
+    for (std::size_t i = 0; i < count; ++i) {
+      Subscription<Topic>& subscription = subscriptions_[i];
       subscription.owner.guarded([&] {
         if (decoded) return subscription.take(*decoded, sender);
         subscription.owner.note_dropped(Topic::kName, decoded.reason());
@@ -73,7 +76,9 @@ class Channel {
   }
 
   void end(const Sample& sample, End how) {
-    for (Subscription<Topic>& subscription : subscriptions_) {
+    const std::size_t count = subscriptions_.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      Subscription<Topic>& subscription = subscriptions_[i];
       if (subscription.gone) subscription.owner.guarded([&] { subscription.gone(key_of<Topic>(sample), how); });
     }
   }

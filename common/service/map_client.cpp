@@ -58,8 +58,9 @@ void MapClient::note(grid::MapMirror::Change change) {
       clearance_ = grid::ClearanceField(mirror_.grid(), options_.clearance_max_m);
     }
   }
-  for (const OnMap& handler : on_map_)
-    handler(mirror_.grid(), clearance_, mirror_.changed_low(), mirror_.changed_high());
+  const std::size_t count = on_map_.size();  // what a handler adds is called from the next map on
+  for (std::size_t i = 0; i < count; ++i)
+    on_map_[i](mirror_.grid(), clearance_, mirror_.changed_low(), mirror_.changed_high());
 }
 
 void MapClient::ask_for_missing() {

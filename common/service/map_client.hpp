@@ -1,11 +1,11 @@
 #pragma once
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
 #include <string>
 #include <tuple>
-#include <vector>
 
 #include "common/bus/bus.hpp"
 #include "common/grid/clearance.hpp"
@@ -80,7 +80,7 @@ class MapClient {
   grid::MapMirror mirror_;
   grid::ClearanceField clearance_;
   std::uint64_t hash_{0};
-  std::vector<OnMap> on_map_;
+  std::deque<OnMap> on_map_;  // a handler may add one: those before it stay where they are
   std::map<std::string, std::uint64_t> dropped_;
 };
 

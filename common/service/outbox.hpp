@@ -61,12 +61,14 @@ class Outbox {
 
   /// Opens the writer anew with this epoch and strength: among the writers of an instance the strongest is heard.
   void claim(std::uint32_t epoch, int strength) {
+    if (!state_) return;
     state_->epoch = epoch;
     state_->writer = state_->bus.template writer<Topic>(strength);
     state_->is_open = true;
   }
   /// Closes the writer: the next strongest is heard.
   void release() {
+    if (!state_) return;
     state_->writer = {};
     state_->is_open = false;
   }

@@ -21,6 +21,7 @@ using ::testing::HasSubstr;
 using testing::local_settings;
 using testing::rectangle;
 using testing::Site;
+using ::testing::StartsWith;
 using Action = MapEdit::Action;
 
 constexpr int kDomain = 161;  // and the next ones
@@ -88,6 +89,29 @@ TEST(MapService, MirrorsGetTheMapAndItsEdits) {
   EXPECT_EQ(late.map.revision(), 2U);
 }
 
+TEST(MapClient, AHandlerMayAddHandlers) {
+  Service service(kDomain + 10);
+  Site site(kDomain + 10);
+  int added = 0;
+  const std::string text = "what the first handler holds";
+  std::string seen;
+  site.map.on_map([&, text](const grid::OccupancyGrid&, const grid::ClearanceField&, grid::Cell, grid::Cell) {
+    for (int i = 0; i < 100; ++i)
+      site.map.on_map(
+          [&](const grid::OccupancyGrid&, const grid::ClearanceField&, grid::Cell, grid::Cell) { ++added; });
+    seen = text;
+  });
+  const auto run = [&](const std::function<bool()>& done) {
+    return testing::run_until({&service.bus, &site.bus}, done);
+  };
+  ASSERT_TRUE(run([&] { return site.map.is_complete() && site.can_send(); }));
+  EXPECT_EQ(seen, text);
+  EXPECT_EQ(added, 0) << "from the next map on";
+  site.send(rectangle("wall", Action::kBlock, {0.0, 5.0}, {1.0, 6.0}));
+  ASSERT_TRUE(run([&] { return site.map.revision() == 2; }));
+  EXPECT_EQ(added, 100);
+}
+
 TEST(MapService, AnswersEveryEditOnceAndRefusesWithAReason) {
   Service service(kDomain + 1);
   Site site(kDomain + 1);
@@ -119,8 +143,10 @@ TEST(MapService, AnswersEveryEditOnceAndRefusesWithAReason) {
   EXPECT_THAT(site.results["foreign"].detail, HasSubstr("annex"));
   EXPECT_EQ(service.map.store().map().revision(), 3U);
   EXPECT_EQ(service.health.counters["edits_refused"], 4U);
-  EXPECT_EQ(service.health.counters["bad_map_edit.points"], 2U);
-  EXPECT_EQ(service.health.counters["bad_map_edit.shape"], 1U);
+  EXPECT_EQ(service.health.counters["dropped_map_edit"], 3U) << "nan, far and strange";
+  EXPECT_THAT(site.results["nan"].detail, StartsWith("points"));
+  EXPECT_THAT(site.results["far"].detail, StartsWith("points"));
+  EXPECT_THAT(site.results["strange"].detail, StartsWith("shape"));
   EXPECT_THAT(service.health.last_error, HasSubstr("refused"));
 }
 

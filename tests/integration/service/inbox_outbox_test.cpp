@@ -15,6 +15,7 @@
 #include <tuple>
 #include <vector>
 
+#include "common/bus/dds/dds_bus.hpp"
 #include "common/service/shell.hpp"
 
 namespace aisle::service {
@@ -99,6 +100,25 @@ TEST(Inbox, DropsCountsAndTellsWhatItsCodecRefuses) {
   EXPECT_EQ(reader.shell.health().counters["dropped_map_edit"], 1U);
 }
 
+TEST(Inbox, AHandlerMayAddInboxesOfItsTopic) {
+  Station writer(kDomain + 41, "writer");
+  Station reader(kDomain + 41, "reader");
+  Outbox<topics::MapEdit> edits = writer.shell.outbox<topics::MapEdit>();
+  int heard = 0, last = 0, added = 0;
+  reader.shell.inbox<topics::MapEdit>([&](const fleet::MapEdit&) {
+    if (++heard > 1) return;
+    for (int i = 0; i < 1000; ++i) reader.shell.inbox<topics::MapEdit>([&](const fleet::MapEdit&) { ++added; });
+  });
+  reader.shell.inbox<topics::MapEdit>([&](const fleet::MapEdit&) { ++last; });
+  ASSERT_TRUE(run_until({&writer.bus, &reader.bus}, [&] { return edits.matched_readers() > 0; }));
+  edits.write(edit("one"));
+  ASSERT_TRUE(run_until({&writer.bus, &reader.bus}, [&] { return last == 1; }));
+  EXPECT_EQ(added, 0) << "from the next sample on";
+  edits.write(edit("two"));
+  ASSERT_TRUE(run_until({&writer.bus, &reader.bus}, [&] { return last == 2; }));
+  EXPECT_EQ(added, 1000);
+}
+
 TEST(Inbox, TellsTheEndOfAnInstanceByItsKey) {
   auto writer = std::make_unique<Station>(kDomain + 2, "writer");
   Station reader(kDomain + 2, "reader");
@@ -149,6 +169,15 @@ TEST(Outbox, OfATopicWithOneOwnerIsClosedUntilItIsClaimed) {
   EXPECT_EQ(from[0].by.epoch, 5U);
   commands.release();
   EXPECT_FALSE(commands.write(command));
+}
+
+TEST(Outbox, DefaultMadeWritesNothing) {
+  Outbox<topics::VelocityCommand> none;
+  none.claim(5, 5);
+  EXPECT_FALSE(none.write({}));
+  EXPECT_FALSE(none.dispose("agv-1"));
+  EXPECT_EQ(none.matched_readers(), 0);
+  none.release();
 }
 
 TEST(Shell, ReportsWhatItsServiceWaitsFor) {
@@ -245,6 +274,20 @@ TEST(Shells, TheFailureOfOneDoesNotStopTheOther) {
   // The last one's failure is the process's.
   pair.second.post([] { throw std::runtime_error("nor this one"); });
   EXPECT_THROW(run_until({&pair.bus}, [] { return false; }), std::runtime_error);
+}
+
+TEST(Shells, SayAllGoodbyeBeforeOneWaits) {
+  Pair pair(kDomain + 42);
+  ASSERT_TRUE(pair.run([&] { return pair.said.count("test-agv-1") > 0 && pair.said.count("test-agv-2") > 0; }));
+  const time::Stamp begun = pair.bus.now();
+  pair.first.say_goodbye();
+  pair.second.say_goodbye();
+  pair.first.wait_for_goodbye(begun);  // a moment that is past: no wait
+  pair.second.wait_for_goodbye(begun + milliseconds(200));
+  ASSERT_TRUE(run_until({&pair.observer.bus}, [&] {
+    return pair.said["test-agv-1"].state == fleet::ServiceState::kStopping &&
+           pair.said["test-agv-2"].state == fleet::ServiceState::kStopping;
+  }));
 }
 
 TEST(Shells, AloneOneLetsItsExceptionPass) {
