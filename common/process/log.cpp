@@ -79,17 +79,4 @@ RateLimit::Pass RateLimit::ask(const std::string& kind, time::Stamp now) {
   return {true, std::exchange(entry.kept_back, 0)};
 }
 
-LimitedWarnings::LimitedWarnings(time::Stamp period, std::function<time::Stamp()> now)
-    : limit_(period), now_(std::move(now)) {}
-
-void LimitedWarnings::warn(const std::string& kind, const std::string& text) {
-  const RateLimit::Pass pass = limit_.ask(kind, now_());
-  if (!pass.allowed) return;
-  if (pass.kept_back == 0) {
-    spdlog::warn("{}", text);
-  } else {
-    spdlog::warn("{} (and {} more)", text, pass.kept_back);
-  }
-}
-
 }  // namespace aisle::process

@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -43,18 +42,6 @@ class RateLimit {
   time::Stamp period_;
   std::size_t max_kinds_;
   std::unordered_map<std::string, Entry> entries_;
-};
-
-/// Warns through spdlog, at most once a period for each kind; says "(and N more)" when lines were kept back.
-class LimitedWarnings {
- public:
-  /// `now`: the clock that periods are measured on.
-  LimitedWarnings(time::Stamp period, std::function<time::Stamp()> now);
-  void warn(const std::string& kind, const std::string& text);
-
- private:
-  RateLimit limit_;
-  std::function<time::Stamp()> now_;
 };
 
 }  // namespace aisle::process

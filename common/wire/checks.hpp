@@ -38,7 +38,7 @@ class [[nodiscard]] Decoded {
 
 /// Checks one sample, field by field, and keeps the first reason. All bounds are inclusive; a NaN is within no bounds.
 ///   Checks checks;
-///   checks.within("radius_m", sample.radius_m(), 0.0, 10.0).known("shape", sample.shape(), EditShape::SHAPE_DISC);
+///   checks.within("radius_m", sample.radius_m(), 0.0, 10.0).id("edit_id", edit.edit_id);
 ///   if (!checks.ok()) return Decoded<Edit>::refused(checks.reason());
 class Checks {
  public:
@@ -62,14 +62,6 @@ class Checks {
   /// The same, but it may be empty: "none".
   Checks& optional_id(const char* field, const std::string& value) {
     return has_control_characters(value) ? refuse(field, " has control characters") : *this;
-  }
-  /// An enumerator of an IDL enum that counts from 0 to `last`.
-  template <class Enum>
-  Checks& known(const char* field, Enum value, Enum last) {
-    const auto number = static_cast<long long>(value);
-    return number >= 0 && number <= static_cast<long long>(last)
-               ? *this
-               : refuse(field, " = " + std::to_string(number) + " is no known value");
   }
   /// An enumerator, of the wire's enum, that stands for `ours`; none: the number is no enumerator.
   template <class Theirs, class Ours>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "idl/map.hpp"
@@ -21,7 +22,7 @@ TEST(Checks, PassWhatIsWithinItsBounds) {
       .count("d", 3, 3, 3)
       .id("e", "agv-1")
       .holds(true, "f");
-  checks.known("g", EditShape::SHAPE_DISC, EditShape::SHAPE_DISC);
+  EXPECT_EQ(checks.known("g", EditShape::SHAPE_DISC, std::optional(7)), 7);
   EXPECT_TRUE(checks.ok());
   EXPECT_EQ(checks.reason(), "");
 }
@@ -36,8 +37,9 @@ TEST(Checks, NoNumberIsWithinNoBounds) {
 TEST(Checks, NameTheFieldTheValueAndTheLimit) {
   EXPECT_EQ(Checks().within("radius_m", 12.5, 0.0, 10.0).reason(), "radius_m = 12.5 is not within 0 and 10");
   EXPECT_EQ(Checks().count("points", 0, 1, 64).reason(), "points has 0 elements, not 1 to 64");
-  EXPECT_EQ(Checks().known("shape", static_cast<EditShape>(7), EditShape::SHAPE_DISC).reason(),
-            "shape = 7 is no known value");
+  Checks checks;
+  checks.known("shape", static_cast<EditShape>(7), std::optional<int>());
+  EXPECT_EQ(checks.reason(), "shape = 7 is no known value");
 }
 
 TEST(Checks, KeepTheFirstReason) {
