@@ -71,8 +71,8 @@ class Bus {
     return Writer<Topic>(raw_writer(Topic::kName, strength));
   }
 
-  /// Calls `handler` for each sample, disposal and loss of writers, in order of arrival. Handlers of one topic share a
-  /// reader.
+  /// Calls `handler` for each sample, disposal and loss of writers, in order of arrival within a key. Handlers of one
+  /// topic share a reader.
   template <class Topic>
   void on(std::function<void(const typename Topic::Sample&, const SampleInfo&)> handler) {
     raw_on(Topic::kName, [handler = std::move(handler)](const void* sample, const SampleInfo& info) {
