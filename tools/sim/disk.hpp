@@ -28,8 +28,8 @@ class Disk final : public process::FileStore {
   std::map<std::string, File> as_synced() const;
   void restore(std::map<std::string, File> files) { files_ = std::move(files); }
 
-  /// While it is full, nothing is written: no kept file is replaced, and SQLite may not overwrite what lies there either.
-  /// Files may still be cut shorter and removed.
+  /// While it is full, nothing is written: no kept file is replaced, and SQLite may not overwrite what lies there
+  /// either. Files may still be cut shorter and removed.
   void set_full(bool full) { is_full_ = full; }
   bool is_full() const { return is_full_; }
   /// Cuts each file off in its middle, as a host that lost its power may leave it. @pre no process has them open
