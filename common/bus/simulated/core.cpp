@@ -41,16 +41,24 @@ void Core::give_turns() {
 }
 
 bool Core::passes(const Process& from, const Process& to) const {
-  return !from.frozen_since && !to.frozen_since && !links_.link(from.host, to.host).cut;
+  return !from.frozen_since && !to.frozen_since && !links_.link(from.host, to.host).passes_nothing();
+}
+
+time::Stamp Core::extra_latency(const Process& a, const Process& b) const {
+  const time::Stamp slower = std::max(links_.link(a.host, b.host).latency, links_.link(b.host, a.host).latency);
+  return std::max(time::Stamp{}, slower - options_.link.latency);
 }
 
 void Core::tell(Process& from, Process& to, std::function<void()> arrival) {
   if (to.gone) return;
-  if (!passes(from, to)) {
-    after(options_.heartbeat, [this, &from, &to, arrival = std::move(arrival)] { tell(from, to, arrival); });
+  const Links::Fate fate = passes(from, to) ? links_.send(from.host, to.host) : Links::Fate{};
+  if (fate.copies == 0) {
+    after(options_.heartbeat, [this, &from, &to, arrival = std::move(arrival)] {
+      if (!from.gone) tell(from, to, arrival);
+    });
     return;
   }
-  after(links_.link(from.host, to.host).latency, [&to, arrival = std::move(arrival)] {
+  after(fate.after[0], [&to, arrival = std::move(arrival)] {
     if (!to.gone) arrival();
   });
 }

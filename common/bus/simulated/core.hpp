@@ -54,9 +54,12 @@ class Core : public std::enable_shared_from_this<Core> {
     to.held_bytes += bytes;
     to.held.emplace_back(arrival);
   }
-  /// As send(), but sent again until it arrives: what discovery's reliable endpoints say. Once.
+  /// As send(), but once, and sent again until it arrives: what discovery's reliable endpoints say. A process that is
+  /// gone sends nothing again.
   void tell(Process& from, Process& to, std::function<void()> arrival);
   bool passes(const Process& from, const Process& to) const;
+  /// By how much the slower way between them takes longer than a link of the network's own does.
+  time::Stamp extra_latency(const Process& a, const Process& b) const;
   Links& links() { return links_; }
 
   // Discovery.
@@ -87,6 +90,7 @@ class Core : public std::enable_shared_from_this<Core> {
   void match(WriterEnd& writer, ReaderEnd& reader);
   bool fit(WriterEnd& writer, ReaderEnd& reader);
   void establish(Match& match);
+  void fall_silent(Process& process);
   void forget(Process& forgetful, Process& other);
   void watch_cuts();
   void forget_when_still(Process& forgetful, Process& other, time::Stamp silent_since);

@@ -18,7 +18,7 @@ std::shared_ptr<Process> Core::join(const Settings& settings, const std::string&
 void Core::meet_soon(Process& a, Process& b, time::Stamp delay) {
   const auto pair = std::minmax(a.id, b.id);
   if (!meeting_.insert(pair).second) return;
-  after(delay, [this, &a, &b, pair] {
+  after(delay + extra_latency(a, b), [this, &a, &b, pair] {
     meeting_.erase(pair);
     meet(a, b);
   });
@@ -58,7 +58,7 @@ void Core::introduce(ReaderEnd& reader) {
 void Core::match_soon(WriterEnd& writer, ReaderEnd& reader) {
   if (&writer.process == &reader.process) return match(writer, reader);
   if (writer.process.known.count(reader.process.id) == 0) return;  // they match when they meet
-  after(options_.matching, [this, &writer, &reader] {
+  after(options_.matching + extra_latency(writer.process, reader.process), [this, &writer, &reader] {
     const bool passes_both = passes(writer.process, reader.process) && passes(reader.process, writer.process);
     passes_both ? match(writer, reader) : match_soon(writer, reader);
   });
@@ -122,13 +122,18 @@ void Core::leave(Process& process) {
     Process& other = *processes_[static_cast<std::size_t>(id)];
     tell(process, other, [this, &other, &process] { forget(other, process); });
   }
-  process.stop();
+  fall_silent(process);
 }
 
 void Core::crash(Process& process) {
   if (process.gone) return;
-  process.crashed_at = now_;
-  const std::set<int> known = process.known;
+  process.crashed = true;
+  fall_silent(process);
+}
+
+/// Others that are not told forget it after its lease.
+void Core::fall_silent(Process& process) {
+  process.gone_at = now_;
   process.stop();
   for (const auto& other : processes_) {
     if (other->known.count(process.id) > 0) forget_when_still(*other, process, now_);
@@ -163,7 +168,7 @@ void Core::set_all_links(const Link& link) {
 /// Since when `listener` has not been able to hear `speaker`; empty when it can.
 std::optional<time::Stamp> Core::silent_since(const Process& speaker, const Process& listener) const {
   std::optional<time::Stamp> since = links_.cut_since(speaker.host, listener.host);
-  for (const std::optional<time::Stamp>& other : {speaker.frozen_since, speaker.crashed_at}) {
+  for (const std::optional<time::Stamp>& other : {speaker.frozen_since, speaker.gone_at}) {
     if (other && (!since || *other < *since)) since = other;
   }
   return since;

@@ -93,6 +93,7 @@ class WriterEnd {
 
  private:
   bool say(const void* sample, const InstanceId& instance, bool disposed);
+  void end_acknowledged();
   bool is_full() const;
   void keep(const ChangePtr& change);
   void publish(const ChangePtr& change);
@@ -107,6 +108,7 @@ class WriterEnd {
 
   Core& core_;
   std::uint64_t sequence_{0};
+  int unended_{0};                                    // samples written since all were acknowledged
   std::map<InstanceId, std::deque<ChangePtr>> kept_;  // of a transient-local writer, by instance, the newest `depth`
   std::set<InstanceId> written_;                      // instances that were not disposed
 };

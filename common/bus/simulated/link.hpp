@@ -9,11 +9,13 @@ namespace aisle::bus::simulated {
 struct Link {
   std::chrono::nanoseconds latency{std::chrono::microseconds(100)};  // at least 1 us
   std::chrono::nanoseconds jitter{0};  // added to the latency, uniformly from 0 to this: packets overtake each other
-  double loss{0.0};                    // probability of a packet, 0..1
+  double loss{0.0};                    // probability of a packet, 0..1; at 1 nothing passes, as on a cut
   double duplicate{0.0};               // probability that a packet arrives twice, 0..1
   double reorder{0.0};                 // probability that a packet is held back by `hold_back`, 0..1
   std::chrono::nanoseconds hold_back{std::chrono::milliseconds(50)};
   bool cut{false};  // nothing passes; what is under way still arrives
+
+  bool passes_nothing() const { return cut || loss >= 1.0; }
 };
 
 /// What was done to packets, since the network began.

@@ -23,9 +23,9 @@ const Link& Links::link(int from, int to) const {
 }
 
 void Links::set_link(int from, int to, const Link& link, time::Stamp now) {
-  const bool was_cut = this->link(from, to).cut;
-  if (link.cut && !was_cut) cut_since_[{from, to}] = now;
-  if (link.cut && was_cut) cut_since_.try_emplace({from, to}, all_cut_since_);
+  const bool was_cut = this->link(from, to).passes_nothing();
+  if (link.passes_nothing() && !was_cut) cut_since_[{from, to}] = now;
+  if (link.passes_nothing() && was_cut) cut_since_.try_emplace({from, to}, all_cut_since_);
   own_[{from, to}] = link;
 }
 
@@ -33,12 +33,12 @@ void Links::set_all_between(const Link& link, time::Stamp now) {
   for (auto entry = own_.begin(); entry != own_.end();) {
     entry = entry->first.first == entry->first.second ? std::next(entry) : own_.erase(entry);
   }
-  if (link.cut && !between_.cut) all_cut_since_ = now;
+  if (link.passes_nothing() && !between_.passes_nothing()) all_cut_since_ = now;
   between_ = link;
 }
 
 std::optional<time::Stamp> Links::cut_since(int from, int to) const {
-  if (!link(from, to).cut) return std::nullopt;
+  if (!link(from, to).passes_nothing()) return std::nullopt;
   const auto found = own_.count({from, to}) > 0 ? cut_since_.find({from, to}) : cut_since_.end();
   return found != cut_since_.end() ? found->second : all_cut_since_;
 }

@@ -15,7 +15,8 @@ namespace aisle::bus::simulated {
 
 class Core;
 
-/// Times of the protocol, as the DDS bus sets them.
+/// Times of the protocol, as the DDS bus sets them. Those of discovery are on links like `link`; slower ones add what
+/// they take longer.
 struct Options {
   Link link;                                           // every link until set_link() says otherwise
   std::chrono::nanoseconds discovery{20'000'000};      // from joining to knowing each other

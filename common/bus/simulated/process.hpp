@@ -48,8 +48,8 @@ class Process {
   std::map<std::string, std::unique_ptr<ReaderEnd>> readers;  // by topic
   bool samples_wait{false};                                   // some reader has something to hand over
   std::set<int> known;                                        // participants, by id
-  bool driven{false}, hung{false}, gone{false};
-  std::optional<time::Stamp> frozen_since, crashed_at;
+  bool driven{false}, hung{false}, gone{false}, crashed{false};
+  std::optional<time::Stamp> frozen_since, gone_at;
   std::vector<std::function<void()>> held;  // packets for a process that stands
   std::size_t held_bytes{0};
   std::function<void()> turn;

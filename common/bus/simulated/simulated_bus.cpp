@@ -76,7 +76,7 @@ void SimulatedBus::hang(bool hung) {
 
 void SimulatedBus::freeze(bool frozen) { core_->freeze(*process_, frozen); }
 void SimulatedBus::crash() { core_->crash(*process_); }
-bool SimulatedBus::has_crashed() const { return process_->crashed_at.has_value(); }
+bool SimulatedBus::has_crashed() const { return process_->crashed; }
 
 void SimulatedBus::announce_as(const std::string& topic, const Qos& qos, const std::string& type_name) {
   process_->announced_as[topic] = Announced{topic, type_name, false, qos, false};

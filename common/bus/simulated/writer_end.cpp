@@ -46,10 +46,12 @@ bool WriterEnd::dispose(const void* sample) {
 }
 
 bool WriterEnd::say(const void* sample, const InstanceId& instance, bool disposed) {
+  end_acknowledged();
   if (is_full()) return false;
   auto change = std::make_shared<Change>(Change{sequence_ + 1, instance, disposed, {}});
   if (!topic.codec.encode(sample, change->bytes)) return false;
   ++sequence_;
+  ++unended_;
   keep(change);
   publish(change);
   return true;
@@ -86,12 +88,14 @@ void WriterEnd::publish(const ChangePtr& change) {
   }
 }
 
-/// Queues are bounded by what the slowest reader has not acknowledged.
+void WriterEnd::end_acknowledged() {
+  if (is_acknowledged()) unended_ = 0;
+}
+
+/// Queues are bounded by what was written since all readers had acknowledged all of it, as DdsWriter bounds them.
 bool WriterEnd::is_full() const {
   if (announced.qos.depth > 0 || announced.qos.reliability != Reliability::kReliable) return false;
-  const auto room = static_cast<std::size_t>(announced.qos.max_kept);
-  return std::any_of(matches.begin(), matches.end(),
-                     [&](const Match* match) { return match->unacknowledged.size() >= room; });
+  return unended_ >= announced.qos.max_kept;
 }
 
 void WriterEnd::keep(const ChangePtr& change) {

@@ -192,6 +192,67 @@ TEST(SimulatedNetwork, ACutInOneDirectionBeyondTheLeaseForgetsAndAHealDiscovers)
   EXPECT_EQ(heard.back(), "third");
 }
 
+TEST(SimulatedNetwork, ALinkThatLosesAllIsACut) {
+  Pair pair;
+  Link lossy;
+  lossy.loss = 1.0;
+  pair.network.set_link("a", "b", lossy);
+  pair.pass(4900ms);
+  EXPECT_EQ(pair.b->participants().size(), 1U);
+  pair.pass(200ms);
+  EXPECT_TRUE(pair.b->participants().empty());
+  const auto late = pair.network.join(named("late"), "a");
+  pair.pass(2s);
+  EXPECT_TRUE(pair.b->participants().empty()) << "nobody on a is discovered";
+  pair.network.set_link("a", "b", Link{});
+  pair.pass(1s);
+  EXPECT_EQ(pair.b->participants().size(), 2U);
+}
+
+TEST(SimulatedNetwork, ASlowLinkDelaysDiscoveryAndMatching) {
+  Pair pair;
+  Link slow;
+  slow.latency = 300ms;
+  pair.network.set_link("a", "b", slow);
+  const auto late = pair.network.join(named("late"), "a");
+  pair.b->on<topics::VehicleState>([](const aisle::VehicleState&, const SampleInfo&) {});
+  auto states = pair.a->writer<topics::VehicleState>();
+  pair.pass(300ms);
+  EXPECT_EQ(pair.b->participants().size(), 1U);
+  EXPECT_EQ(states.matched_readers(), 0);
+  pair.pass(30ms);
+  EXPECT_EQ(pair.b->participants().size(), 2U);
+  EXPECT_EQ(states.matched_readers(), 1);
+}
+
+TEST(SimulatedNetwork, AGoodbyeThatIsLostIsNotSaidAgain) {
+  Pair pair;
+  pair.network.cut("a", "b");
+  pair.a.reset();
+  pair.network.heal("a", "b");
+  pair.pass(4900ms);
+  EXPECT_EQ(pair.b->participants().size(), 1U) << "the lease has not run out";
+  pair.pass(200ms);
+  EXPECT_TRUE(pair.b->participants().empty());
+}
+
+TEST(SimulatedNetwork, AGoodbyeMayBeLostByChance) {
+  Link lossy;
+  lossy.loss = 0.5;
+  int lost = 0;
+  for (int i = 0; i < 20; ++i) {
+    Pair pair(static_cast<std::uint64_t>(i) + 1);
+    pair.set_both(lossy);
+    pair.a.reset();
+    pair.pass(1s);
+    lost += pair.b->participants().empty() ? 0 : 1;
+    pair.pass(5s);
+    EXPECT_TRUE(pair.b->participants().empty());
+  }
+  EXPECT_GT(lost, 3);
+  EXPECT_LT(lost, 17);
+}
+
 TEST(SimulatedNetwork, ACutLosesLiveliness) {
   Pair pair;
   int ends = 0, plans = 0;

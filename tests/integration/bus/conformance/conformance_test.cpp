@@ -251,6 +251,33 @@ TEST_P(Conformance, AFullQueueRefusesUntilItsReaderGoesOn) {
   EXPECT_TRUE(edits.write(edit_of("one more")));
 }
 
+/// No reader alone leaves a queue's worth unacknowledged.
+TEST_P(Conformance, AQueueHoldsWhatNotAllReadersHaveAcknowledged) {
+  const auto first = site_->start("first", "edit-reader");
+  const auto second = site_->start("second", "edit-reader");
+  const auto sender = join("sender");
+  auto edits = sender->writer<topics::MapEdit>();
+  ASSERT_TRUE(run_until({sender.get()}, [&] { return edits.matched_readers() == 2; }));
+  int taken = 0;
+  const auto write = [&] { return taken < 2000 && edits.write(edit_of("edit-" + std::to_string(taken))) && ++taken; };
+
+  first->freeze(true);
+  site_->idle(20ms);
+  while (taken < topics::MapEdit::kQos.max_kept * 3 / 4) ASSERT_TRUE(write());
+  site_->idle(200ms);  // the second acknowledges
+  second->freeze(true);
+  site_->idle(20ms);
+  ASSERT_TRUE(write());
+  first->freeze(false);
+  site_->idle(500ms);  // the first acknowledges
+  while (write()) {
+  }
+  EXPECT_EQ(taken, topics::MapEdit::kQos.max_kept);
+  second->freeze(false);
+  EXPECT_TRUE(edits.wait_until_acknowledged(5s));
+  EXPECT_TRUE(write());
+}
+
 TEST_P(Conformance, WithoutAReaderAQueueIsNeverFull) {
   const auto sender = join("sender");
   auto edits = sender->writer<topics::MapEdit>();
