@@ -89,7 +89,7 @@ class Examination {
                                    health.process_id,    from.by.boot_id,
                                    health.idl_version,   health.software_version,
                                    health.wall_clock_ns, health.state == fleet::ServiceState::kStopping};
-    for (service::Finding& finding : peers_.take(peer, process::monotonic_now(), process::wall_clock_ns()))
+    for (service::Finding& finding : peers_.take(peer, bus_->now(), process::wall_clock_ns()))
       findings_.push_back(std::move(finding));
   }
 

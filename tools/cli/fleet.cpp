@@ -5,7 +5,6 @@
 #include <memory>
 #include <string>
 
-#include "common/process/clock.hpp"
 #include "common/process/exit_code.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/fleet_view.hpp"
@@ -27,7 +26,7 @@ int fleet(const Cli& cli, const FleetOptions& options) {
   const bool is_live = !options.once && !cli.json && isatty(STDOUT_FILENO) != 0;
   if (!is_live) {
     run_until(*bus, Seconds(options.wait_s), [] { return false; });
-    const Json snapshot = view.snapshot(process::monotonic_now());
+    const Json snapshot = view.snapshot(bus->now());
     if (cli.json) {
       std::printf("%s\n", write_json(snapshot).c_str());
     } else if (!view.empty()) {
@@ -37,7 +36,7 @@ int fleet(const Cli& cli, const FleetOptions& options) {
   while (is_live && !is_interrupted()) {
     run_until(*bus, kRefresh, [] { return false; });
     std::printf("\x1b[H\x1b[J%s\n%s\n", place_of(cli.settings).c_str(),
-                text_of_fleet(view.snapshot(process::monotonic_now())).c_str());
+                text_of_fleet(view.snapshot(bus->now())).c_str());
     std::fflush(stdout);
   }
   if (view.has_vehicles()) return process::kDone;

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <utility>
 
+#include "common/bus/dds/host_clock.hpp"
 #include "common/bus/dds/site.hpp"
 #include "common/bus/dds/topic_reader.hpp"
 
@@ -159,7 +160,7 @@ bool DdsBus::run_once(std::chrono::nanoseconds limit) {
   return true;
 }
 
-time::Stamp DdsBus::now() const { return std::chrono::duration_cast<time::Stamp>(Clock::now().time_since_epoch()); }
+time::Stamp DdsBus::now() const { return monotonic_now(); }
 
 std::int64_t DdsBus::wall_clock_ns() const {
   const auto since_epoch = std::chrono::system_clock::now().time_since_epoch();

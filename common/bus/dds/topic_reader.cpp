@@ -1,17 +1,16 @@
 #include "common/bus/dds/topic_reader.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <sstream>
 #include <utility>
+
+#include "common/bus/dds/host_clock.hpp"
 
 namespace aisle::bus {
 namespace {
 
 namespace dds = fast::dds;
 constexpr int kSamplesPerTurn = 512;  // then others have their turn
-
-time::Stamp monotonic_now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 std::string text_of_guid(const fast::rtps::InstanceHandle_t& writer) {
   std::ostringstream text;
