@@ -1,5 +1,3 @@
-#include <spdlog/logger.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
@@ -27,7 +25,7 @@ int main(int argc, char** argv) {
   return service::run_service(argc, argv, {"map", "Serves the site's map and its edits", ""}, options,
                               [&](service::Shell& shell) {
                                 map::MapStore store = map::open_map(config, shell.wall_clock_ns());
-                                shell.log().info(map::start_text(config, store));
+                                shell.inform(map::start_text(config, store));
                                 return std::make_unique<map::MapService>(shell, std::move(store));
                               });
 }
