@@ -149,7 +149,9 @@ void brake(const Scene& scene, const Needed& needed, const DwaSettings& settings
       finish(i, Obstruction::kMover);
   }
 
-  for (double t_s = dt_s; left > 0; t_s += dt_s) {
+  double t_s = 0.0;
+  while (left > 0) {  // until each sample is finished
+    t_s += dt_s;
     vehicles.step();
     walls.look(vehicles.arcs(), vehicles.driven_m());
     for (std::size_t i = 0; i < count; ++i) {
