@@ -225,7 +225,6 @@ time::Stamp Shell::now() const { return state_->now(); }
 std::int64_t Shell::wall_clock_ns() const { return state_->wall_clock_ns(); }
 Health& Shell::health() { return state_->health; }
 spdlog::logger& Shell::log() const { return *state_->log; }
-void Shell::inform(const std::string& text) const { log().info("{}", text); }
 bool Shell::has_failed() const { return state_->has_failed; }
 bool Shell::is_alone() const { return state_->shared->shells.size() == 1; }
 void Shell::warn(const std::string& kind, const std::string& text) { state_->warn(kind, text); }

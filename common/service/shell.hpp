@@ -120,8 +120,6 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
 
   /// Lines carry this instance's name, also when several share the process.
   spdlog::logger& log() const;
-  /// One line of the level info, for a main() that includes no logger.
-  void inform(const std::string& text) const;
   /// At most one line in ten seconds for each `kind`; it says how many were kept back.
   void warn(const std::string& kind, const std::string& text);
 

@@ -1,3 +1,5 @@
+#include <spdlog/logger.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
@@ -25,7 +27,7 @@ int main(int argc, char** argv) {
   return service::run_service(argc, argv, {"map", "Serves the site's map and its edits", ""}, options,
                               [&](service::Shell& shell) {
                                 map::MapStore store = map::open_map(config, shell.wall_clock_ns());
-                                shell.inform(map::start_text(config, store));
+                                shell.log().info(map::start_text(config, store));
                                 return std::make_unique<map::MapService>(shell, std::move(store));
                               });
 }
