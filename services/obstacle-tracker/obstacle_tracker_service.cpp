@@ -115,6 +115,7 @@ std::vector<KnownVehicle> ObstacleTrackerService::known_vehicles() const {
 void ObstacleTrackerService::write_tracks(const std::vector<std::uint64_t>& seen, time::Stamp now) {
   for (Track track : outbox_.due(tracker_.tracks(now), seen, now)) {
     track.scan_stamp_ns = newest_scan_stamp_ns_;
+    if (change_told_) change_told_(track);
     tracks_.write(track);
   }
 }

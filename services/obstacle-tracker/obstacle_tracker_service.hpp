@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/service/shell.hpp"
@@ -32,6 +34,10 @@ class ObstacleTrackerService {
   ObstacleTrackerService(service::Shell& shell, const ServiceParams& params);
   ObstacleTrackerService(const ObstacleTrackerService&) = delete;
   ObstacleTrackerService& operator=(const ObstacleTrackerService&) = delete;
+
+  /// Each track passes through `change` before it is written: for experiments that run this service in
+  /// their own process, e.g. on what a track's velocity is worth to a planner.
+  void tell_through(std::function<void(fleet::Track&)> change) { change_told_ = std::move(change); }
 
  private:
   /// A vehicle that vehicle_info made known.
@@ -65,6 +71,7 @@ class ObstacleTrackerService {
   Coverage coverage_;
   std::map<std::string, VehicleEntry> vehicles_;
   service::Outbox<topics::Track> tracks_;
+  std::function<void(fleet::Track&)> change_told_;  // may be empty
   service::Outbox<topics::TrackingStatus> statuses_;
   service::Outbox<topics::Coverage> coverages_;
   std::int64_t newest_scan_stamp_ns_{0};  // of any vehicle, by its own clock

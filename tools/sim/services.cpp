@@ -42,7 +42,10 @@ std::shared_ptr<void> make_tracker(const Setup& setup, service::Shell& shell) {
     return std::make_shared<TruthTracker>(shell, setup.vehicle.lidar.range_max_m, setup.seed);
   obstacle_tracker::ServiceParams params;
   params.only_scans_of = setup.only_scans_of;
-  return std::make_shared<obstacle_tracker::ObstacleTrackerService>(shell, params);
+  auto tracker = std::make_shared<obstacle_tracker::ObstacleTrackerService>(shell, params);
+  if (setup.perception == Perception::kScansHeldStill)
+    tracker->tell_through([](fleet::Track& track) { track.velocity_in_map = {}; });
+  return tracker;
 }
 
 std::shared_ptr<void> make_world(const Setup& setup, service::Shell& shell) {
