@@ -22,12 +22,12 @@ constexpr std::uint32_t kMostStrength = 1'000'000'000;
 constexpr double kLeastTolerance_m = 0.02;  // of a goal's position: no vehicle stops more exactly
 constexpr double kUnknownRadiusM = 0.6;     // of a peer whose vehicle_info has not come yet
 
-const Variant& variant_of(const std::string& name) {
+}  // namespace
+
+const Variant& chosen_variant(const std::string& name) {
   if (const Variant* variant = find_variant(name)) return *variant;
   throw config::BadInput("planner: '" + name + "' is unknown; there are " + variant_names());
 }
-
-}  // namespace
 
 LocalPlannerService::LocalPlannerService(service::Shell& shell, const ServiceConfig& config)
     : shell_(shell),
@@ -37,7 +37,7 @@ LocalPlannerService::LocalPlannerService(service::Shell& shell, const ServiceCon
                        inputs_.clearance = &clearance;
                        inputs_.map_revision = map_.revision();
                      })),
-      planner_(config.settings, variant_of(config.planner)),
+      planner_(config.settings, config.variant),
       commands_(shell.outbox<topics::VelocityCommand>()),
       statuses_(shell.outbox<topics::NavigationStatus>()) {
   // What is gone from the bus still stands where it was, and a plan outlives its planner: only tracks end.
@@ -169,6 +169,7 @@ void LocalPlannerService::cycle() {
   reason_ = output.reason;
   ++cycles_;
   if (changed) shell_.report_now();
+  if (on_cycle_) on_cycle_(output);
 }
 
 void LocalPlannerService::write_command(const Output& output) {

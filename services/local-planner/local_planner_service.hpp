@@ -1,8 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "common/fleet/plan_authority.hpp"
 #include "common/service/shell.hpp"
@@ -10,13 +12,20 @@
 
 namespace aisle::local_planner {
 
+/// The variant of this name in core/variants. @throws config::BadInput when there is none
+const Variant& chosen_variant(const std::string& name);
+
 struct ServiceConfig {
-  std::string planner{"wang"};  // a name in core/variants
+  Variant variant{wang()};
   Settings settings;
 
   template <class Reader>
   void describe(Reader& r) {
+    std::string planner = variant.name;
     r.field("planner", planner);
+    if (find_variant(planner) == nullptr)
+      r.reject("planner", "'" + planner + "' is unknown; there are " + variant_names());
+    variant = *find_variant(planner);
     settings.describe(r);
   }
 };
@@ -27,10 +36,14 @@ struct ServiceConfig {
 /// drives on).
 class LocalPlannerService {
  public:
-  /// Drives the vehicle of the shell. @throws config::BadInput for an unknown planner
+  /// Drives the vehicle of the shell.
   LocalPlannerService(service::Shell& shell, const ServiceConfig& config);
   LocalPlannerService(const LocalPlannerService&) = delete;
   LocalPlannerService& operator=(const LocalPlannerService&) = delete;
+
+  /// Called at the end of each cycle with what the core decided: for programs that run this service in their own
+  /// process and show what is on no topic.
+  void on_cycle(std::function<void(const Output&)> handler) { on_cycle_ = std::move(handler); }
 
  private:
   struct TrackEntry {
@@ -54,6 +67,7 @@ class LocalPlannerService {
   std::string agv_id_;
   service::MapClient& map_;
   LocalPlanner planner_;
+  std::function<void(const Output&)> on_cycle_;  // may be empty
   Inputs inputs_;
   fleet::PlanAuthority plan_authority_;
   std::map<std::string, Peer> peers_;

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <string>
 
 #include "common/service/run_service.hpp"
 #include "services/local-planner/local_planner_service.hpp"
@@ -9,7 +10,9 @@ int main(int argc, char** argv) {
   local_planner::ServiceConfig config;
   const auto options = [&](CLI::App& app) {
     service::bind_config(config);
-    app.add_option("--planner", config.planner, "one of " + local_planner::variant_names())->capture_default_str();
+    const auto choose = [&](const std::string& name) { config.variant = local_planner::chosen_variant(name); };
+    app.add_option_function<std::string>("--planner", choose, "one of " + local_planner::variant_names())
+        ->default_str(config.variant.name);
   };
   return service::run_service(
       argc, argv, {"local-planner", "Drives vehicles along their plans without touching anything", "--agv"}, options,

@@ -90,16 +90,20 @@ std::shared_ptr<void> make_vehicle(const Setup& setup, const scenario::Vehicle& 
   return std::make_shared<fake_vehicle::FakeVehicleService>(shell, config);
 }
 
-std::shared_ptr<void> make_local_planner(const Setup& setup, service::Shell& shell) {
+std::shared_ptr<void> make_local_planner(const Setup& setup, const HearsCycle& hears_cycle, service::Shell& shell) {
   local_planner::ServiceConfig config;
-  config.planner = setup.local;
+  config.variant = variant_of(setup);
   config.settings = setup.settings;
   if (setup.paper_limits) {
     const local_planner::PaperLimits& paper = variant_of(setup).paper;
     config.settings.dwa.horizon_s = paper.horizon_s;
     config.settings.comfort_mps2 = std::min(config.settings.comfort_mps2, paper.max_deceleration_mps2);
   }
-  return std::make_shared<local_planner::LocalPlannerService>(shell, config);
+  auto planner = std::make_shared<local_planner::LocalPlannerService>(shell, config);
+  if (hears_cycle)
+    planner->on_cycle(
+        [hears_cycle, agv_id = shell.agv_id()](const local_planner::Output& output) { hears_cycle(agv_id, output); });
+  return planner;
 }
 
 std::shared_ptr<void> make_dispatcher(const Setup& setup, service::Shell& shell) {
@@ -111,7 +115,7 @@ std::shared_ptr<void> make_dispatcher(const Setup& setup, service::Shell& shell)
 
 }  // namespace
 
-std::vector<Blueprint> blueprints_of(const Setup& setup) {
+std::vector<Blueprint> blueprints_of(const Setup& setup, const HearsCycle& hears_cycle) {
   constexpr bool kIsWorld = true;
   const auto with = [&setup](auto make) {
     return [&setup, make](service::Shell& shell) { return make(setup, shell); };
@@ -124,7 +128,9 @@ std::vector<Blueprint> blueprints_of(const Setup& setup) {
   for (const scenario::Vehicle& vehicle : setup.scenario.vehicles) {
     all.push_back({"fake-vehicle", vehicle.id, kIsWorld,
                    [&setup, &vehicle](service::Shell& shell) { return make_vehicle(setup, vehicle, shell); }});
-    all.push_back({"local-planner", vehicle.id, !kIsWorld, with(make_local_planner)});
+    all.push_back({"local-planner", vehicle.id, !kIsWorld, [&setup, hears_cycle](service::Shell& shell) {
+                     return make_local_planner(setup, hears_cycle, shell);
+                   }});
   }
   all.push_back({"dispatcher", "", !kIsWorld, with(make_dispatcher)});
   return all;

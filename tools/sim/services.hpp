@@ -1,4 +1,6 @@
 #pragma once
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "tools/lockstep/simulation.hpp"
@@ -6,8 +8,11 @@
 
 namespace aisle::sim {
 
+/// Hears what a vehicle's local planner decided, at the end of each of its cycles.
+using HearsCycle = std::function<void(const std::string& agv_id, const local_planner::Output& output)>;
+
 /// The processes that drive a scenario, in the order of their start: all but the referee, which the site has itself.
-/// `setup` must outlive them.
-std::vector<Blueprint> blueprints_of(const lockstep::Setup& setup);
+/// `setup` must outlive them. `hears_cycle` may be empty.
+std::vector<Blueprint> blueprints_of(const lockstep::Setup& setup, const HearsCycle& hears_cycle = {});
 
 }  // namespace aisle::sim

@@ -68,6 +68,27 @@ TEST(Site, AStandInMayTellTheTruthInTheTrackersPlace) {
   EXPECT_GT(outcome.result.jerk_samples, 1000u);
 }
 
+TEST(Site, DrivesAVariantThatHasNoName) {
+  lockstep::Setup setup = hall_with_two_vehicles(1);
+  const Outcome named = drive(setup);
+  setup.own_variant = *local_planner::find_variant(setup.local);
+  EXPECT_EQ(drive(setup).result.trace_hash, named.result.trace_hash) << "the same variant, handed over";
+
+  setup.own_variant->knows_path = false;
+  const Outcome own = drive(setup);
+  expect_a_good_run(own);
+  EXPECT_NE(own.result.trace_hash, named.result.trace_hash);
+}
+
+TEST(Site, WithTracksHeldStillItDrivesWithoutPrediction) {
+  lockstep::Setup setup = hall_with_two_vehicles(1);
+  const Outcome predicted = drive(setup);
+  setup.perception = lockstep::Perception::kScansHeldStill;
+  const Outcome held_still = drive(setup);
+  EXPECT_EQ(held_still.result.goals_reached, 2);
+  EXPECT_NE(held_still.result.trace_hash, predicted.result.trace_hash);
+}
+
 TEST(Site, AGoalInAWallFailsWithItsReason) {
   lockstep::Setup setup = hall_with_two_vehicles(1);
   setup.scenario.missions.front().goals_in_map = {{0.05, 0.05, 0.0}};
