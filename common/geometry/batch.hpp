@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cmath>
 #include <cstddef>  // and with it __GLIBC__
 #include <cstdint>
@@ -26,6 +27,7 @@
 
 namespace aisle::geometry {
 
+/// Numbers in a batch: four doubles fill one register of AVX2 (256 bits).
 inline constexpr std::size_t kBatch = 4;
 
 /// Four numbers. + - * / and comparisons work on each of the four, as they do on four doubles; a plain number beside a
@@ -39,7 +41,9 @@ using Batch = double __attribute__((vector_size(kBatch * sizeof(double))));
 /// What a comparison of batches says: -1 where it holds, else 0. & | ~ combine masks.
 using BatchMask = std::int64_t __attribute__((vector_size(kBatch * sizeof(std::int64_t))));
 
+/// Does it hold for at least one of the four (or for the one)?
 [[gnu::always_inline]] inline bool any(bool mask) { return mask; }
+
 [[gnu::always_inline]] inline bool any(const BatchMask& mask) {
   const auto either = __builtin_shufflevector(mask, mask, 0, 1) | __builtin_shufflevector(mask, mask, 2, 3);
   return (either[0] | either[1]) != 0;
@@ -67,23 +71,30 @@ template <class Number>
 [[gnu::always_inline]] inline Number clamped(const Number& value, const Number& low, const Number& high) {
   return least(most(value, low), high);
 }
+
 [[gnu::always_inline]] inline Batch clamped(const Batch& value, double low, double high) {
   return clamped(value, Batch{} + low, Batch{} + high);
 }
 
+/// The number without its sign. In a batch the sign's bit of each double is cleared (IEEE 754: the
+/// highest).
 [[gnu::always_inline]] inline double magnitude(double a) { return std::abs(a); }
+
 [[gnu::always_inline]] inline Batch magnitude(const Batch& a) {
   return reinterpret_cast<Batch>(reinterpret_cast<BatchMask>(a) & INT64_MAX);
 }
 
 /// The magnitude of `a` with the sign of `sign`.
 [[gnu::always_inline]] inline double with_sign(double a, double sign) { return std::copysign(a, sign); }
+
 [[gnu::always_inline]] inline Batch with_sign(const Batch& a, const Batch& sign) {
   return reinterpret_cast<Batch>((reinterpret_cast<BatchMask>(a) & INT64_MAX) |
                                  (reinterpret_cast<BatchMask>(sign) & INT64_MIN));
 }
 
+/// Rounded correctly, as IEEE 754 asks, in a batch as for one double.
 [[gnu::always_inline]] inline double square_root(double a) { return std::sqrt(a); }
+
 [[gnu::always_inline]] inline Batch square_root(const Batch& a) {
   return Batch{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};  // GCC makes one instruction of it
 }

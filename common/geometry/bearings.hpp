@@ -1,4 +1,5 @@
 #pragma once
+
 #include "common/geometry/batch.hpp"
 #include "common/geometry/pose.hpp"
 
@@ -37,6 +38,7 @@ template <class Number>
   const Number below_diagonal = is_steep ? kQuarterPi + (rest + 0.5 * kHalfPiError) : rest;
   const Number in_quadrant = along < across ? kHalfPi - (below_diagonal - kHalfPiError) : below_diagonal;
   const Number upper_half = x < 0.0 ? kPi - (in_quadrant - 2.0 * kHalfPiError) : in_quadrant;
+
   return y < 0.0 ? -upper_half : upper_half;
 }
 

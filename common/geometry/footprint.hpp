@@ -1,4 +1,5 @@
 #pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -16,10 +17,14 @@ struct Footprint {
   double width_m{0.0};
   double ahead_m{0.0};  // from the origin to the rectangle's middle; negative: behind
 
+  /// The other shape is the rectangle.
   bool is_disc() const { return shape == Body::Shape::kDisc; }
 };
 
+/// A disc around the frame's origin. @pre radius_m >= 0
 inline Footprint disc(double radius_m) { return {Body::Shape::kDisc, radius_m, 0.0, 0.0, 0.0}; }
+
+/// A rectangle along the frame's x axis. @pre lengths >= 0; `ahead_m` may be negative
 inline Footprint rectangle(double length_m, double width_m, double ahead_m = 0.0) {
   return {Body::Shape::kRectangle, 0.0, length_m, width_m, ahead_m};
 }
@@ -35,7 +40,7 @@ inline double reach_m(const Footprint& footprint) {
   return std::hypot(0.5 * footprint.length_m + std::abs(footprint.ahead_m), 0.5 * footprint.width_m);
 }
 
-/// The outline of a vehicle that stands there.
+/// The outline in map of a vehicle whose frame stands at `base_in_map`.
 inline Body body_of(const Footprint& footprint, const Pose2& base_in_map) {
   const Point2 middle = to_map(base_in_map, {footprint.ahead_m, 0.0});
   return {footprint.shape, footprint.is_disc() ? base_in_map : Pose2{middle.x, middle.y, base_in_map.yaw},
@@ -53,11 +58,14 @@ struct CoveringDiscs {
 /// Stiller 2010): 5 cm at 2.4 x 1.1 m.
 inline CoveringDiscs covering_discs(const Footprint& footprint) {
   if (footprint.is_disc()) return {footprint.radius_m, {0.0}};
+
   const double ratio = footprint.length_m / std::max(1e-3, footprint.width_m);
   const int count = std::clamp(static_cast<int>(std::ceil(2.0 * ratio)), 3, 5);
   CoveringDiscs out{std::hypot(0.5 * footprint.length_m / count, 0.5 * footprint.width_m), {}};
+
   for (int i = 0; i < count; ++i)
     out.ahead_m.push_back(footprint.ahead_m + footprint.length_m * ((i + 0.5) / count - 0.5));
+
   return out;
 }
 
