@@ -21,7 +21,8 @@ struct SteeredAxle {
   }
 };
 
-/// What a vehicle can do. Magnitudes: all are >= 0.
+/// What a vehicle can do, in metres, radians and seconds. Magnitudes: all are >= 0. Speed up and slow
+/// down have limits of their own; the bounds in describe() are those of configuration files.
 struct Limits {
   double max_speed_mps{1.2};
   double max_reverse_mps{0.3};

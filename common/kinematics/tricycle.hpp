@@ -1,4 +1,5 @@
 #pragma once
+
 #include "common/geometry/pose.hpp"
 #include "common/kinematics/limits.hpp"
 
@@ -12,25 +13,30 @@ namespace aisle::kinematics {
 /// (Siciliano and others, Robotics, 2009, section 11.2.2). So it cannot turn on the spot, and each steering angle is an
 /// arc.
 
-/// rad/s, of the vehicle at `speed_mps` of the fixed axle.
+/// Turn rate of the vehicle in rad/s, counter-clockwise, at `speed_mps` of the fixed axle (the equation
+/// above).
 double turn_rate_radps(const SteeredAxle& axle, double speed_mps, double steering_rad);
 
-/// The steering angle of this motion, within the axle's limit; `otherwise_rad` when the vehicle stands, for then any
-/// will do.
+/// The steering angle in radians of this motion, within the axle's limit; `otherwise_rad` when the
+/// vehicle stands: then every angle gives that motion.
 double steering_for_rad(const SteeredAxle& axle, const geometry::Twist2& twist, double otherwise_rad);
 
-/// Of the tightest circle of the fixed axle's middle, in metres.
+/// Radius in metres of the tightest circle that the middle of the fixed axle can drive.
 double least_radius_m(const SteeredAxle& axle);
 
+/// Speed of the fixed axle (negative: backwards) and angle of the steered wheel, counter-clockwise from
+/// straight.
 struct TricycleState {
   double speed_mps{0.0};
   double steering_rad{0.0};
 };
 
-/// Turns the wheel towards what `wanted` asks for and speeds up or slows down towards its speed, each within its
-/// limits, for `dt_s`. A turn that the vehicle cannot drive becomes the nearest that it can; one on the spot becomes a
-/// stand. Where the wheel is turned so far that it would turn faster than max_turn_radps, it drives slower, as drive
-/// controllers of forklifts do.
+/// Turns the wheel towards the angle of `wanted` and changes the speed towards that of `wanted`, each
+/// within its limits, for `dt_s` seconds.
+///
+/// A turn that is too tight becomes the tightest that the axle can steer; a turn on the spot becomes a
+/// stand. Where the wheel stands so far to the side that the vehicle would turn faster than
+/// max_turn_radps, it drives slower, as drive controllers of forklifts do.
 TricycleState limit_change_tricycle(const TricycleState& current, const geometry::Twist2& wanted, const Limits& limits,
                                     double dt_s);
 
