@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace aisle::grid {
 class ClearanceField {
  public:
   ClearanceField() = default;
+
   /// @param max_m at most 16000 cells are looked at, whatever is asked for
   explicit ClearanceField(const OccupancyGrid& grid, double max_m = 5.0);
 
@@ -22,18 +24,23 @@ class ClearanceField {
   /// @pre same geometry as before
   void update(const OccupancyGrid& grid, Cell low, Cell high, const std::vector<Cell>& also_occupied = {});
 
+  /// Size and place: those of the grid that the field was made from.
   const Geometry& geometry() const { return geometry_; }
+
+  /// What is farther away than this counts as this far, in metres.
   double max_m() const { return max_m_; }
 
-  /// Another number after each change, and never that of a field with other contents: for a caller that keeps something
-  /// made from a field. 0 for an empty one.
+  /// A number of this content: another one after each change, and never that of a field with other
+  /// content. So a caller can tell whether something that it made from a field is still good. 0 for an
+  /// empty field.
   std::uint64_t revision() const { return revision_; }
 
   /// Exact at the cell's centre (capped): the radius of the largest disc that may stand there. 0 on obstacles and
   /// outside the grid.
   double clearance_m(Cell c) const { return geometry_.contains(c) ? clearance_m_[geometry_.index(c)] : 0.0; }
 
-  /// The same for every cell, row by row from the bottom: for loops that know that they are in the grid.
+  /// Clearances of all cells in metres, row by row from the bottom (index as Geometry::index), for
+  /// loops that stay in the grid.
   const std::vector<float>& cells_m() const { return clearance_m_; }
 
   /// A safe lower bound of the distance from any point to the nearest occupied square: interpolated between the four
@@ -41,14 +48,18 @@ class ClearanceField {
   /// the centres), and never less than the smallest of the four. 0 on obstacles and outside the grid.
   double clearance_m(geometry::Point2 in_map) const;
 
-  /// May a vehicle of this radius (margin included) stand on the cell's centre? Never on a cell that is not free.
+  /// May a disc of this radius (margin included) stand with its middle on the centre of `c`? Never on a
+  /// cell that is not free.
   bool is_traversable(Cell c, double radius_m) const {
     const double clearance = clearance_m(c);
     return clearance > 0.0 && clearance >= radius_m;
   }
 
  private:
+  /// The usual case of clearance_m(Point2); 0: not that case. See there.
   double clearance_between_free_m(double u, double v) const;
+
+  /// Computes the cells from `low` to `high`, both included, anew.
   void recompute(const OccupancyGrid& grid, const std::vector<Cell>& also_occupied, Cell low, Cell high);
 
   Geometry geometry_;

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -8,14 +9,16 @@
 
 namespace aisle::grid {
 
-/// Looks up a clearance field at four points in map at once. Made once a loop: it is small. @pre the field lives as
-/// long
+/// Looks up a clearance field at four points in map at once. Make one for a loop: it is small. @pre the
+/// field outlives it and does not change
 ///
-/// How: nearly all points lie between the centres of four free cells; their clearance is the bilinear lower bound of
-/// BetweenCenters, computed for four points without a branch. The others (beside obstacles, on the lines between
-/// centres, outside the grid) are looked up one by one in the field itself.
+/// How: nearly all points lie between the centres of four free cells. Their clearance is the bilinear
+/// lower bound of BetweenCenters, computed for four points without a branch. The others (beside
+/// obstacles, on the lines between centres, outside the grid) are looked up one by one in the field
+/// itself.
 class ClearanceBatch {
  public:
+  /// A grid of fewer than 2 x 2 cells has no four centres: all its points are looked up one by one.
   explicit ClearanceBatch(const ClearanceField& field);
 
   /// In metres; to the bit what `ClearanceField::clearance_m` says of each point that is `wanted`, and that or 0 of the
@@ -35,8 +38,10 @@ class ClearanceBatch {
     const geometry::BatchMask is_inside = (u >= 0.0) & (v >= 0.0) & (u < columns_) & (v < rows_);
     const Indices index = index_of(is_inside ? u : Batch{}, is_inside ? v : Batch{});
     const Singles center_m{cells_m_[index[0]], cells_m_[index[1]], cells_m_[index[2]], cells_m_[index[3]]};
+
     return is_inside ? __builtin_convertvector(center_m, Batch) - cell_m_ : Batch{};
   }
+
   /// The same of one point.
   double rough_m(geometry::Point2 in_map) const;
 
@@ -47,7 +52,8 @@ class ClearanceBatch {
   using Pairs = float __attribute__((vector_size(8 * sizeof(float))));  // of neighbouring cells: left, right, left...
   using Sorted = double __attribute__((vector_size(8 * sizeof(double))));  // the four left ones, the four right ones
 
-  /// Of the cells with these whole coordinates, in cells from the grid's corner.
+  /// Place in cells_m_ of the cells that hold (u, v), given in cells from the grid's corner. @pre
+  /// inside the grid
   [[gnu::always_inline]] Indices index_of(const geometry::Batch& u, const geometry::Batch& v) const {
     const Cells column = __builtin_convertvector(u, Cells), row = __builtin_convertvector(v, Cells);
     return reinterpret_cast<Indices>(row * width_ + column);
@@ -68,9 +74,11 @@ class ClearanceBatch {
     Batch corner_m[4];
     gather(cells_m_, index, corner_m[0], corner_m[1]);
     gather(cells_m_ + width_, index, corner_m[2], corner_m[3]);
+
     const Batch between_m = BetweenCenters::between_free_m(corner_m, s, t, cell_m_);
     const geometry::BatchMask is_between =
         (s >= kOnALine) & (t >= kOnALine) & (s <= 1.0 - kOnALine) & (t <= 1.0 - kOnALine);
+
     return is_between ? between_m : Batch{};
   }
 
@@ -83,14 +91,16 @@ class ClearanceBatch {
       std::memcpy(&pair, cells_m + index[i], sizeof(pair));
       loaded[i] = pair;
     }
+
     const auto pairs = reinterpret_cast<Pairs>(loaded);
     const Sorted sorted =
         __builtin_convertvector(__builtin_shufflevector(pairs, pairs, 0, 2, 4, 6, 1, 3, 5, 7), Sorted);
+
     left_m = __builtin_shufflevector(sorted, sorted, 0, 1, 2, 3);
     right_m = __builtin_shufflevector(sorted, sorted, 4, 5, 6, 7);
   }
 
-  /// One by one, those that are wanted and 0.
+  /// Asks the field for the points that are `wanted` and whose `clearance_m` is still 0, one by one.
   void look_up_others(const geometry::Batch& x, const geometry::Batch& y, const geometry::BatchMask& wanted,
                       geometry::Batch& clearance_m) const;
 

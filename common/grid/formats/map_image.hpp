@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -24,9 +25,11 @@ std::string read_bytes(const std::filesystem::path& file);
 /// Throws BadInput unless width x height cells, each cut into subdivide x subdivide, fit into a map.
 void require_map_size(const std::filesystem::path& file, long long width, long long height, int subdivide);
 
-/// PGM, P2 or P5, of 8 or 16 bits. `file` is for errors.
+/// PGM, P2 (text) or P5 (binary), of 8 or 16 bits, scaled to 8 (Netpbm's format). `file` is only named
+/// in errors. @throws config::BadInput also when the map would be too large
 MapImage parse_pgm(const std::filesystem::path& file, std::string_view bytes, int subdivide);
-/// PNG of any kind, turned into 8 bits of grey.
+
+/// PNG of any kind, turned into 8 bits of grey; otherwise as parse_pgm.
 MapImage parse_png(const std::filesystem::path& file, std::string_view bytes, int subdivide);
 
 }  // namespace aisle::grid
