@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <string>
 
@@ -20,23 +21,28 @@ enum class CommandVerdict {
 /// One word for logs and counters.
 const char* name(CommandVerdict verdict);
 
-/// Which source drives a vehicle. A command is accepted with the vehicle's own id, finite values, a source id, an epoch
-/// that is at least the accepted one, and a sequence number (they count from 1) used never before. A higher epoch takes
-/// over, whoever sends it; within an epoch only its first source and boot is heard (a lease with an epoch: authority is
-/// not left to the middleware).
+/// Which source drives a vehicle. A lease with an epoch: authority is not left to the middleware.
+///
+/// A command is accepted when it has the vehicle's own id, finite values, a source id, an epoch that is
+/// at least the accepted one, and a sequence number (counted from 1) that was not used before. A higher
+/// epoch takes over, from every source; within an epoch only its first source and boot is heard.
 class CommandAuthority {
  public:
-  /// `accepted_epoch`: of before a restart of the vehicle, 0 at first.
+  /// `accepted_epoch`: the last accepted one before a restart of the vehicle, 0 at first.
   CommandAuthority(std::string agv_id, std::uint32_t accepted_epoch);
 
+  /// Accepts the command, and with it its source and epoch, or counts it as refused.
   CommandVerdict judge(const VelocityCommand& command, const Origin& by);
+
   /// A command for this vehicle that could not be read at all: kMalformed, and counted as refused.
   CommandVerdict refuse_unread();
 
+  /// Of the last command accepted; to be kept over a restart.
   std::uint32_t accepted_epoch() const { return epoch_; }
   std::uint64_t refused() const { return refused_; }
 
  private:
+  /// The verdict alone, without taking over anything.
   CommandVerdict look_at(const VelocityCommand& command, const Origin& by) const;
 
   std::string agv_id_;

@@ -1,11 +1,12 @@
 #pragma once
+
 #include <string>
 
 #include "common/geometry/pose.hpp"
 
 namespace aisle::fleet {
 
-/// Where a vehicle shall go, or, when cancelled, shall no longer go: it brakes and holds.
+/// Where a vehicle shall go. A cancelled goal: the vehicle brakes and holds where it is.
 struct Goal {
   std::string agv_id;
   std::string id;                    // "agv-1/2"; the same id: the same goal, given again
@@ -21,6 +22,7 @@ inline bool operator==(const Goal& a, const Goal& b) {
          a.position_tolerance_m == b.position_tolerance_m && a.yaw_tolerance_rad == b.yaw_tolerance_rad &&
          a.is_cancelled == b.is_cancelled;
 }
+
 inline bool operator!=(const Goal& a, const Goal& b) { return !(a == b); }
 
 }  // namespace aisle::fleet

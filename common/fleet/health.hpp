@@ -1,10 +1,12 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <string>
 
 namespace aisle::fleet {
 
+/// Not yet running; lacks something (see waits_for); works; works, but not as it should; its last word.
 enum class ServiceState { kStarting, kWaiting, kReady, kDegraded, kStopping };
 
 /// What a service's process says of itself, every second and when it changes.

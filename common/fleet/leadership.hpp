@@ -1,4 +1,5 @@
 #pragma once
+
 #include <algorithm>
 #include <cstdint>
 #include <optional>
@@ -7,18 +8,19 @@
 
 namespace aisle::fleet {
 
-/// Who plans, when several planners run: one leads, the others stand by and know its plans. Whoever takes over raises
-/// the epoch, so that receivers can refuse a planner that was thought dead and comes back; giving the lead back is a
-/// person's decision.
+/// Which planner plans when several run: one leads, the others stand by and know its plans. A planner
+/// that takes over raises the epoch, so that receivers can refuse one that was thought dead and comes
+/// back. Giving the lead back is a person's decision.
 ///
-///   listening ──0.5 s without a plan of another──► leading ──hears a higher epoch──► standby
-///       └──── hears a plan, or was told to ────► standby ──leader lost, or nobody for 3 s──► leading, epoch + 1
+///     listening ──0.5 s without a plan of another──► leading ──hears a higher epoch──► standby
+///         └──── hears a plan, or was told to ────► standby ──leader lost, or nobody for 3 s──► leading, epoch + 1
 ///
-/// Those who follow plans say which epoch they follow. So a planner that finds no other one still begins above the
-/// epoch of those that died, and one that learns of a later epoch, whose planner is not there, raises its own above it
-/// after a second.
+/// Followers of plans publish the epoch that they follow. So a planner that finds no other one still
+/// begins above the epoch of those that died. One that learns of a later epoch, while no planner with
+/// it is there, raises its own above it after a second.
 class Leadership {
  public:
+  /// Only a leading planner writes plans.
   enum class Role { kListening, kStandby, kLeading };
 
   /// `boot_id`: of this process; of two leaders with one epoch the one that started later gives way.
@@ -27,8 +29,10 @@ class Leadership {
 
   /// A plan of another planner came.
   void hear(std::uint32_t epoch, std::uint64_t boot_id);
+
   /// Somebody follows plans of this epoch, or did.
   void hear_of(std::uint32_t epoch);
+
   /// A plan of another planner has no live writer any more.
   void lose_leader() { is_leader_lost_ = true; }
 
@@ -37,13 +41,18 @@ class Leadership {
   bool step(time::Stamp now, int others);
 
   Role role() const { return role_; }
+
   /// In force while leading; at least 1.
   std::uint32_t epoch() const { return epoch_; }
+
   /// The highest of ours and of those heard of.
   std::uint32_t highest_epoch() const { return std::max(epoch_, highest_heard_); }
 
  private:
+  /// Takes the lead with an epoch above all heard of.
   void lead();
+
+  /// Has a later epoch been followed for a second without a planner that leads with it?
   bool is_outdone(time::Stamp now, int others);
 
   bool starts_as_standby_;

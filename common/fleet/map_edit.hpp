@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ struct MapEdit {
       points_in_map;     // rectangle: two opposite corners; polygon: three or more corners; disc: its centre
   double radius_m{0.0};  // of a disc
 };
+
 inline bool operator==(const MapEdit& a, const MapEdit& b) {
   return a.edit_id == b.edit_id && a.map_id == b.map_id && a.action == b.action && a.shape == b.shape &&
          a.points_in_map == b.points_in_map && a.radius_m == b.radius_m;

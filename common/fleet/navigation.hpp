@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,13 +32,14 @@ enum class Reason {
   kAuthority
 };
 
-/// Where a vehicle will be, `offset_s` after the moment that its list says.
+/// A predicted pose of a vehicle's frame, `offset_s` seconds after the stamp of the status that lists
+/// it.
 struct IntentPoint {
   double offset_s{0.0};
   geometry::Pose2 base_in_map;
 };
 
-/// What a vehicle says of its way, 10 times a second, from its local planner.
+/// What a vehicle's local planner says of its way, 10 times a second.
 struct NavigationStatus {
   std::string agv_id;
   std::string goal_id;  // empty: no goal
@@ -56,6 +58,7 @@ struct NavigationStatus {
 
 /// "driving"
 const char* name(Phase phase);
+
 /// "no goal"
 const char* name(Reason reason);
 

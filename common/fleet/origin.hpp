@@ -1,10 +1,12 @@
 #pragma once
+
 #include <cstdint>
 #include <string>
 
 namespace aisle::fleet {
 
-/// Who computed a value. A receiver refuses a lower epoch than the one it accepted, and uses a sequence number once.
+/// The source of a value. A receiver refuses an epoch lower than the one it accepted, and uses a
+/// sequence number once.
 struct Origin {
   std::string source_id;             // instance of the service, e.g. "global-planner-1"; empty: not said
   std::uint64_t boot_id{0};          // differs at every start of that process; a later start has a higher one
@@ -17,6 +19,7 @@ inline bool operator==(const Origin& a, const Origin& b) {
   return a.source_id == b.source_id && a.boot_id == b.boot_id && a.epoch == b.epoch &&
          a.sequence_number == b.sequence_number && a.stamp_ns == b.stamp_ns;
 }
+
 inline bool operator!=(const Origin& a, const Origin& b) { return !(a == b); }
 
 }  // namespace aisle::fleet

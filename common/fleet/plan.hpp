@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -7,13 +8,14 @@
 
 namespace aisle::fleet {
 
-/// What planning for a goal came to.
+/// Result of planning for a goal.
 enum class PlanOutcome { kFound, kNoPath, kStartBlocked, kGoalBlocked, kOutOfMap, kOutOfTime, kCancelled };
 
-/// Why a plan was made, or said again.
+/// Why a plan was made, or repeated.
 enum class PlanTrigger { kNewGoal, kMapChanged, kTrack, kVehicleBlocked, kTakeover };
 
-/// The way of one vehicle to its goal, from the global planner.
+/// The way of one vehicle to its goal, from the global planner: a polyline in map for the vehicle's
+/// frame.
 struct Plan {
   std::string agv_id;
   std::uint64_t id{0};  // counts from 1 within one life of the planner
@@ -38,6 +40,7 @@ struct Plan {
 
 /// "goal blocked", for logs
 const char* name(PlanOutcome outcome);
+
 /// "map changed"
 const char* name(PlanTrigger trigger);
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 
 #include "common/geometry/footprint.hpp"
@@ -16,8 +17,11 @@ struct Vehicle {
 
   /// Radius of the circle around the frame's origin that holds the whole footprint.
   double reach_m() const { return geometry::reach_m(footprint); }
+
   /// Equal discs along the vehicle's axis that together cover the footprint.
   geometry::CoveringDiscs discs() const { return geometry::covering_discs(footprint); }
+
+  /// A tricycle needs a turning circle; see kinematics::least_turning_radius_m.
   bool turns_on_the_spot() const { return limits.model != kinematics::Model::kTricycle; }
 };
 
