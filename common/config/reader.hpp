@@ -1,4 +1,5 @@
 #pragma once
+
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -6,8 +7,8 @@
 
 namespace aisle::config {
 
-/// Bad input from a person: one line that names file (and line), key, value, limit and remedy. Programs exit with 2.
-/// Line ends and other control characters that came with the input show as '?'.
+/// Bad input from a person, as one line that names file (and line), key, value, limit and remedy.
+/// Programs exit with 2. Line ends and other control characters that came with the input show as '?'.
 class BadInput : public std::runtime_error {
  public:
   explicit BadInput(const std::string& what) : std::runtime_error(one_line(what)) {}
@@ -17,6 +18,7 @@ class BadInput : public std::runtime_error {
     for (char& c : text) {
       if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
     }
+
     return text;
   }
 };

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -27,28 +28,37 @@ class YamlReader {
   YamlReader& operator=(YamlReader&&) noexcept;
   ~YamlReader();
 
+  /// One key each; bounds are inclusive.
   YamlReader& field(const char* key, double& value, double low, double high);
   YamlReader& field(const char* key, int& value, int low, int high);
   YamlReader& field(const char* key, std::uint64_t& value, std::uint64_t low, std::uint64_t high);
   YamlReader& field(const char* key, bool& value);
   YamlReader& field(const char* key, std::string& value);
   YamlReader& field(const char* key, std::vector<std::string>& values);
+
   /// [1.0, 2.5]
   YamlReader& field(const char* key, std::vector<double>& values, double low, double high);
+
   /// [[1.0, 2.5], [3.0, 4.0, 0.5]]: rows may differ in length.
   YamlReader& field(const char* key, std::vector<std::vector<double>>& rows, double low, double high);
+
   /// A nested struct with describe().
   template <class T>
   YamlReader& section(const char* key, T& value);
+
   /// A sequence of such structs; replaces what `values` held.
   template <class T>
   YamlReader& list(const char* key, std::vector<T>& values);
 
   /// The keys must be there.
   YamlReader& require(const std::vector<std::string>& keys);
+
+  /// Is the key in the file?
   bool has(const char* key) const;
+
   /// "file:line: path.to.key", of this section when the key is not there; for checks that need more than one field.
   std::string where(const char* key) const;
+
   /// Throws BadInput "where(key): why".
   [[noreturn]] void reject(const char* key, const std::string& why) const;
 
@@ -58,9 +68,13 @@ class YamlReader {
 
  private:
   struct State;
+
   explicit YamlReader(std::unique_ptr<State> state);
+
+  /// The section, and the sections of a list, under `key`; none when the key is not there.
   std::optional<YamlReader> open(const char* key);
   std::optional<std::vector<YamlReader>> open_list(const char* key);
+
   std::unique_ptr<State> state_;
 
   friend YamlReader open_yaml_text(const std::string& text, const std::string& name);
@@ -79,6 +93,7 @@ void read_yaml_file(const std::filesystem::path& file, T& value) {
   reader.finish();
 }
 
+/// As read_yaml_file, from a string.
 template <class T>
 void read_yaml_text(const std::string& text, const std::string& name, T& value) {
   YamlReader reader = open_yaml_text(text, name);
@@ -92,6 +107,7 @@ YamlReader& YamlReader::section(const char* key, T& value) {
     value.describe(*child);
     child->finish();
   }
+
   return *this;
 }
 
@@ -99,6 +115,7 @@ template <class T>
 YamlReader& YamlReader::list(const char* key, std::vector<T>& values) {
   if (std::optional<std::vector<YamlReader>> children = open_list(key)) {
     values.clear();
+
     for (YamlReader& child : *children) {
       T value;
       value.describe(child);
@@ -106,6 +123,7 @@ YamlReader& YamlReader::list(const char* key, std::vector<T>& values) {
       values.push_back(std::move(value));
     }
   }
+
   return *this;
 }
 
