@@ -1,10 +1,11 @@
 #pragma once
+
 #include <functional>
 #include <string>
 
 namespace aisle::process {
 
-/// What a program says to whoever started it.
+/// What a program's exit code tells its caller.
 enum ExitCode : int {
   kDone = 0,
   kNegative = 1,     // it worked, and the answer is no; or a fault of ours

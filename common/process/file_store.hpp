@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -6,8 +7,8 @@
 
 namespace aisle::process {
 
-/// Where the small files lie that services keep over a restart: the disk of this host, or a simulated one that can fill
-/// up, tear and lose files.
+/// Keeps the small files that services need again after a restart: on the disk of this host, or on a
+/// simulated one that can fill up, tear files and lose them.
 class FileStore {
  public:
   virtual ~FileStore() = default;
@@ -23,7 +24,8 @@ class FileStore {
 /// The store that keep_in_file() and read_kept_file() use on this thread: the disk, unless a ScopedFileStore lives.
 FileStore& file_store();
 
-/// Takes the place of the disk on this thread while it lives: for a simulator, while it runs one of its processes.
+/// Takes the place of the disk on this thread while it lives: for a simulator, while it runs one of its
+/// processes. May be nested.
 class ScopedFileStore {
  public:
   explicit ScopedFileStore(FileStore& store);

@@ -1,4 +1,5 @@
 #pragma once
+
 #include "common/time/stamp.hpp"
 
 namespace aisle::process {
@@ -9,9 +10,11 @@ double resident_mb();
 /// Computing time of this process, user and system.
 time::Stamp cpu_time();
 
-/// Share of one core that this process used between two calls, in percent (more than 100 with several threads).
+/// Share of one core that a process used between two calls, in percent (above 100 with several busy
+/// threads).
 class CpuMeter {
  public:
+  /// `now`: monotonic; `cpu`: cpu_time() at that moment. 0 at the first call.
   double percent_since_last(time::Stamp now, time::Stamp cpu);
 
  private:
