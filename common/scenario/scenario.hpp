@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -23,12 +24,16 @@ struct VehicleSetup {
   double max_speed_mps{1.2};
   kinematics::SteeredAxle axle{};  // of a tricycle
 
+  /// The outline around the vehicle's frame.
   geometry::Footprint footprint() const { return geometry::footprint_of(radius_m, length_m, width_m, ahead_m); }
+
+  /// Of `model`; an unknown word is a differential drive (read_scenario refuses it).
   kinematics::Model kinematic_model() const;
 };
+
 using Vehicle = VehicleSetup;
 
-/// Goals in order; `loops` times over (1: once).
+/// The goals of one vehicle in order, repeated `loops` times (1: once).
 struct Mission {
   std::string vehicle;
   std::vector<geometry::Pose2> goals_in_map;
@@ -36,7 +41,7 @@ struct Mission {
   int loops{1};
 };
 
-/// A person: walks along waypoints at a speed, to and fro or once; or follows a recorded file.
+/// A person that walks along waypoints at a constant speed, to and fro or once.
 struct Mover {
   std::string id;
   double radius_m{0.25};
@@ -47,7 +52,7 @@ struct Mover {
   std::vector<geometry::Point2> waypoints_in_map;
 };
 
-/// Recorded people (frame id x y rows), shifted and turned into the map.
+/// Recorded people (rows of frame, id, x, y), shifted and turned into the map.
 struct Recording {
   std::filesystem::path file;
   geometry::Pose2 frame_in_map;
@@ -57,7 +62,7 @@ struct Recording {
   double end_s{1e9};
 };
 
-/// A static thing that the map does not show.
+/// A static rectangle that the map does not show.
 struct Block {
   std::string id;
   geometry::Pose2 center_in_map;
@@ -74,6 +79,7 @@ struct MapEdit {
   geometry::Point2 high_in_map;
 };
 
+/// A run as its YAML file describes it: map, vehicles with their goals, people and things.
 struct Scenario {
   std::string name;
   std::filesystem::path
@@ -91,8 +97,9 @@ struct Scenario {
   double person_clearance_m{0.0};  // the referee fails a run in which a vehicle and a person come nearer
 };
 
-/// @throws config::BadInput: file:line, key, value, limit; unknown vehicle in a mission; a start inside a wall is found
-/// by whoever loads the map.
+/// Reads the file strictly and checks it as a whole: ids are unique, missions name vehicles. @throws
+/// config::BadInput with file:line, key, value and limit. That a start lies inside a wall is found when
+/// the map is loaded.
 Scenario read_scenario(const std::filesystem::path& file);
 
 }  // namespace aisle::scenario

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <random>
 #include <string>
@@ -7,7 +8,8 @@
 
 namespace aisle::scenario {
 
-/// A generator for one thing of one run: the same for the same seed and name, in every process.
+/// A random generator for one thing of one run: the same sequence for the same seed and name, in every
+/// process.
 std::mt19937_64 random_for(std::uint64_t seed, const std::string& name);
 
 /// Where the vehicle starts in the run with this seed: within `jitter_m` of its start along x and y, and 0.1 rad of its
