@@ -1,4 +1,5 @@
 #pragma once
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,8 +9,9 @@
 
 namespace aisle::bus {
 
-/// Why a writer and a reader of one topic do not meet: the policy, what is offered and what is asked for; empty when
-/// they do.
+/// Why a writer and a reader of one topic do not match, by the rules of DDS (a writer must offer at
+/// least what a reader asks for): the policy, what is offered and what is asked for. Empty when they
+/// match.
 std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, const Qos& requested,
                          bool asks_manual_liveliness);
 
@@ -21,11 +23,13 @@ struct Announced {
   bool manual_liveliness{false};
 };
 
-/// What a person must know when `theirs` appears on the topic of `ours`; empty when they fit, or never meet (both
-/// write, both read). `participant`: name and host of theirs.
+/// What a person must know when `theirs` appears on the topic of `ours`: another type, or a QoS that
+/// does not fit. None when they fit, or never meet (both write, both read). `participant`: name and
+/// host of theirs.
 std::optional<Incident> mismatch(const Announced& ours, const Announced& theirs, const std::string& participant);
 
-/// Names may be patterns, on either side; no name is the default partition.
+/// Do the partitions have a name in common? Names may be patterns (fnmatch), on either side; an empty
+/// list is the default partition, as is the empty name.
 bool same_partition(const std::string& ours, const std::vector<std::string>& theirs);
 
 }  // namespace aisle::bus

@@ -1,5 +1,7 @@
 #pragma once
+
 // What handlers of a bus are told beside the sample.
+
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 
 namespace aisle::bus {
 
+/// What a handler is called for.
 enum class SampleKind {
   kData,
   kDisposed,   // the writer says that this instance is gone; only the key fields of the sample hold
@@ -21,7 +24,8 @@ struct SampleInfo {
   time::Stamp arrived{};  // when it was handed over, on the clock of the bus (see Bus::now)
 };
 
-/// Something about our site that a person must know, by name: topic, the peer, what does not fit.
+/// An event on our site that a person must know about, with names: the topic, the peer, what does not
+/// fit.
 struct Incident {
   enum class Kind {
     kIncompatibleQos,
@@ -31,6 +35,7 @@ struct Incident {
     kSampleRejected,
     kMalformedSample
   };
+
   Kind kind;
   std::string topic;
   std::string text;  // one line

@@ -1,16 +1,19 @@
 #pragma once
+
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace aisle::bus {
 
-/// What a process with shared memory takes of /dev/shm, nearly all of it for its segment.
+/// Bytes that a process with shared memory takes of /dev/shm, nearly all of them for its segment.
 inline constexpr std::uint32_t kSharedMemoryBytes = 16U << 20;
 
 /// PKI files of a secured site; all empty: no security.
 struct Security {
   std::string identity_ca, certificate, private_key, permissions_ca, governance, permissions;
+
+  /// Security is on as soon as an identity authority is named.
   bool enabled() const { return !identity_ca.empty(); }
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <map>
 #include <mutex>
@@ -18,32 +19,40 @@ struct RemoteEndpoint : Announced {
   std::vector<std::string> partitions;
 };
 
-/// Who else is there, and what of it does not fit ours. The middleware's threads fill it; everything else is for the
-/// loop.
+/// The endpoints and participants of others, and what of them does not fit ours. The middleware's
+/// threads call *_seen(); everything else is for the loop's thread.
 class Discovery final : public fast::DiscoveryListener {
  public:
-  /// `wake` is called on a thread of the middleware.
+  /// `wake` ends the loop's wait; it is called on a thread of the middleware.
   Discovery(std::string partition, std::function<void()> wake);
 
   void writer_seen(fast::WriterInfo info, bool gone) override;
   void reader_seen(fast::ReaderInfo info, bool gone) override;
   void participant_seen(fast::ParticipantInfo info, bool gone) override;
 
+  /// One of our own readers or writers, to be compared with those of others.
   void add_local(const Announced& endpoint);
-  /// What does not fit, each once.
+
+  /// Mismatches that were not reported before, each once.
   std::vector<Incident> new_conflicts();
 
+  /// Those of others whose participants are known.
   std::vector<Endpoint> endpoints() const;
   std::vector<Participant> participants() const;
+
   /// Name of the participant with this GUID prefix, with its host, for incidents.
   std::string describe(const std::string& participant_prefix) const;
 
  private:
+  /// What a participant says of itself.
   struct Peer {
     std::string name, host;
     int process_id{0};
   };
+
   void endpoint_seen(RemoteEndpoint endpoint, bool gone);
+
+  /// As describe(). @pre mutex_ is locked
   std::string name_of(const std::string& prefix) const;
 
   const std::string partition_;

@@ -1,6 +1,8 @@
 #pragma once
+
 // Everything in which Fast DDS 2.9 and 3.1 differ for us. Included by common/bus/dds/*.cpp (and tests that play a
 // foreign peer) only.
+
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -47,12 +49,14 @@ namespace aisle::bus::fast {
 namespace dds = eprosima::fastdds::dds;
 #if AISLE_FASTDDS_MAJOR >= 3
 namespace rtps = eprosima::fastdds::rtps;
+
 using Duration = dds::Duration_t;
 using WriterInfo = const rtps::PublicationBuiltinTopicData&;
 using ReaderInfo = const rtps::SubscriptionBuiltinTopicData&;
 using ParticipantInfo = const rtps::ParticipantBuiltinTopicData&;
 #else
 namespace rtps = eprosima::fastrtps::rtps;
+
 using Duration = eprosima::fastrtps::Duration_t;
 using WriterInfo = const rtps::WriterProxyData&;
 using ReaderInfo = const rtps::ReaderProxyData&;
@@ -62,24 +66,29 @@ using UdpTransport = eprosima::fastdds::rtps::UDPv4TransportDescriptor;
 using SharedMemoryTransport = eprosima::fastdds::rtps::SharedMemTransportDescriptor;
 
 #if AISLE_FASTDDS_MAJOR >= 3
+/// Did the call succeed?
 inline bool ok(dds::ReturnCode_t code) { return code == dds::RETCODE_OK; }
 #else
 inline bool ok(const eprosima::fastrtps::types::ReturnCode_t& code) {
   return code == eprosima::fastrtps::types::ReturnCode_t::RETCODE_OK;
 }
+
 inline bool ok(bool written) { return written; }  // DataWriter::write
 #endif
 
+/// @pre t >= 0
 inline Duration duration(std::chrono::nanoseconds t) {
   const auto whole = std::chrono::duration_cast<std::chrono::seconds>(t);
   return {static_cast<std::int32_t>(whole.count()), static_cast<std::uint32_t>((t - whole).count())};
 }
-/// 0 for an infinite duration.
+
+/// Rounded up; 0 for an infinite duration.
 inline std::chrono::milliseconds milliseconds(const Duration& t) {
   if (t.is_infinite()) return std::chrono::milliseconds{0};
   return std::chrono::milliseconds{static_cast<std::int64_t>(t.seconds) * 1000 + (t.nanosec + 999999) / 1000000};
 }
 
+/// How often a reliable writer asks for acknowledgements while some are missing.
 inline void set_heartbeat(dds::DataWriterQos& qos, std::chrono::nanoseconds period) {
 #if AISLE_FASTDDS_MAJOR >= 3
   qos.reliable_writer_qos().times.heartbeat_period = duration(period);
@@ -93,18 +102,22 @@ inline void set_heartbeat(dds::DataWriterQos& qos, std::chrono::nanoseconds peri
 inline constexpr auto kMemoryPolicy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
 inline constexpr std::uint32_t kFirstPayloadBytes = 256;
 
+/// Uses a discovery server instead of multicast. `sees_all`: for tools, which want to hear of every
+/// endpoint and not only of those that match theirs.
 inline void join_discovery_server(dds::DomainParticipantQos& qos, const std::string& address, std::uint16_t port,
                                   bool sees_all) {
   rtps::Locator_t server;
   server.kind = LOCATOR_KIND_UDPv4;
   rtps::IPLocator::setIPv4(server, address);
   rtps::IPLocator::setPhysicalPort(server, port);
+
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
 #if AISLE_FASTDDS_MAJOR >= 3
   discovery.discoveryProtocol = sees_all ? rtps::DiscoveryProtocol::SUPER_CLIENT : rtps::DiscoveryProtocol::CLIENT;
   discovery.m_DiscoveryServers.push_back(server);
 #else
   discovery.discoveryProtocol = sees_all ? rtps::DiscoveryProtocol_t::SUPER_CLIENT : rtps::DiscoveryProtocol_t::CLIENT;
+
   rtps::RemoteServerAttributes remote;
   remote.ReadguidPrefix("44.53.00.5f.45.50.52.4f.53.49.4d.41");  // what `fastdds discovery -i 0` calls itself
   remote.metatrafficUnicastLocatorList.push_back(server);
@@ -138,8 +151,11 @@ template <class Generated>
 class Guarded final : public Generated {
  public:
   using typename Generated::type;
-  /// The middleware would preallocate the largest sample that the bounds allow, several times, and never grow.
+
+  /// Otherwise the middleware would preallocate the largest sample that the bounds allow, several
+  /// times, and never grow.
   bool is_bounded() const override { return false; }
+
   Guarded() {
 #if AISLE_FASTDDS_MAJOR >= 3
     this->max_serialized_type_size = kFirstPayloadBytes;
@@ -155,11 +171,13 @@ class Guarded final : public Generated {
               is_length(payload, Generated::calculate_serialized_size(data, dds::XCDR_DATA_REPRESENTATION)));
     });
   }
+
   bool compute_key(rtps::SerializedPayload_t& payload, rtps::InstanceHandle_t& handle,
                    bool force_md5 = false) override {
     const std::lock_guard<std::mutex> lock(key_mutex_);
     return nothrow([&] { return Generated::compute_key(payload, handle, force_md5); });
   }
+
   bool compute_key(const void* const data, rtps::InstanceHandle_t& handle, bool force_md5 = false) override {
     const std::lock_guard<std::mutex> lock(key_mutex_);
     return nothrow([&] { return Generated::compute_key(data, handle, force_md5); });
@@ -170,6 +188,7 @@ class Guarded final : public Generated {
       return Generated::deserialize(payload, data) && is_length(*payload, Generated::getSerializedSizeProvider(data)());
     });
   }
+
   bool getKey(void* data, rtps::InstanceHandle_t* handle, bool force_md5 = false) override {
     const std::lock_guard<std::mutex> lock(key_mutex_);
     return nothrow([&] { return Generated::getKey(data, handle, force_md5); });
@@ -177,13 +196,17 @@ class Guarded final : public Generated {
 #endif
 
  private:
-  /// 3.1 takes a sample that ends early for one with defaults, and both take one with fields more: another version of
-  /// the type, which must not pass for ours. (Up to three bytes are padding.)
+  /// Do the bytes have the length of the sample that was decoded from them? 3.1 takes a sample that
+  /// ends early for one with defaults, and both releases take one with more fields: another version of
+  /// the type, which must not pass for ours. Up to three bytes are padding.
   static bool is_length(const rtps::SerializedPayload_t& payload, std::uint32_t of_sample) {
     return payload.length + 3 >= of_sample && payload.length <= of_sample + 3;
   }
+
   /// Packed more tightly: its length says nothing here.
   static bool is_xcdr2(const rtps::SerializedPayload_t& payload) { return payload.length >= 4 && payload.data[1] > 1; }
+
+  /// The result of `function`; false when it throws.
   template <class Function>
   static bool nothrow(Function function) {
     try {
@@ -192,8 +215,10 @@ class Guarded final : public Generated {
       return false;
     }
   }
+
   template <class Function>
   static bool guard(void* data, Function decode);
+
   std::mutex key_mutex_;
 };
 
@@ -211,6 +236,7 @@ bool Guarded<Generated>::guard(void* data, Function decode) {
 /// A sample without its C++ type.
 struct SampleDeleter {
   dds::TypeSupport support;
+
   void operator()(void* sample) const {
 #if AISLE_FASTDDS_MAJOR >= 3
     support->delete_data(sample);
@@ -219,7 +245,10 @@ struct SampleDeleter {
 #endif
   }
 };
+
 using Sample = std::unique_ptr<void, SampleDeleter>;
+
+/// With default values.
 inline Sample new_sample(const dds::TypeSupport& support) {
 #if AISLE_FASTDDS_MAJOR >= 3
   return Sample(support->create_data(), SampleDeleter{support});
@@ -237,13 +266,15 @@ inline std::size_t serialized_bytes(const dds::TypeSupport& support, const void*
 #endif
 }
 
-/// Bytes that the middleware reads or fills, and that belong to the caller.
+/// A payload whose bytes belong to the caller: the middleware reads or fills them and does not free
+/// them.
 class BorrowedPayload {
  public:
   BorrowedPayload(std::uint8_t* data, std::size_t size) {
     payload_.data = data;
     payload_.max_size = payload_.length = static_cast<std::uint32_t>(size);
   }
+
   ~BorrowedPayload() { payload_.data = nullptr; }
   BorrowedPayload(const BorrowedPayload&) = delete;
   BorrowedPayload& operator=(const BorrowedPayload&) = delete;
@@ -258,17 +289,20 @@ class BorrowedPayload {
 inline bool encode(const dds::TypeSupport& support, const void* sample, std::vector<std::uint8_t>& bytes) {
 #if AISLE_FASTDDS_MAJOR >= 3
   bytes.resize(support->calculate_serialized_size(sample, dds::XCDR_DATA_REPRESENTATION));
+
   BorrowedPayload payload(bytes.data(), bytes.size());
   const bool written = support->serialize(sample, *payload, dds::XCDR_DATA_REPRESENTATION);
 #else
   void* data = const_cast<void*>(sample);
   bytes.resize(support->getSerializedSizeProvider(data)());
+
   BorrowedPayload payload(bytes.data(), bytes.size());
   const bool written = dds::TypeSupport(support)->serialize(data, &*payload);
 #endif
   bytes.resize(written ? (*payload).length : 0);
   return written;
 }
+
 /// False when the bytes are no such sample.
 inline bool decode(const dds::TypeSupport& support, const std::vector<std::uint8_t>& bytes, void* sample) {
   BorrowedPayload payload(const_cast<std::uint8_t*>(bytes.data()), bytes.size());  // it is only read
@@ -302,6 +336,7 @@ inline const auto& partition_of(WriterInfo info) { return info.partition; }
 inline const auto& partition_of(ReaderInfo info) { return info.partition; }
 inline const auto& guid_of(ParticipantInfo info) { return info.guid; }
 inline std::string name_of(ParticipantInfo info) { return info.participant_name.to_string(); }
+
 inline std::string user_data_of(ParticipantInfo info) {
   const auto& bytes = info.user_data.data_vec();
   return {bytes.begin(), bytes.end()};
@@ -327,6 +362,7 @@ inline const auto& partition_of(WriterInfo info) { return info.m_qos.m_partition
 inline const auto& partition_of(ReaderInfo info) { return info.m_qos.m_partition; }
 inline const auto& guid_of(ParticipantInfo info) { return info.m_guid; }
 inline std::string name_of(ParticipantInfo info) { return info.m_participantName.to_string(); }
+
 inline std::string user_data_of(ParticipantInfo info) {
   const auto& bytes = info.m_userData.data_vec();
   return {bytes.begin(), bytes.end()};
@@ -345,10 +381,12 @@ class DiscoveryListener : public dds::DomainParticipantListener {
                                 bool&) final {
     writer_seen(info, reason == rtps::WriterDiscoveryStatus::REMOVED_WRITER);
   }
+
   void on_data_reader_discovery(dds::DomainParticipant*, rtps::ReaderDiscoveryStatus reason, ReaderInfo info,
                                 bool&) final {
     reader_seen(info, reason == rtps::ReaderDiscoveryStatus::REMOVED_READER);
   }
+
   void on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryStatus reason, ParticipantInfo info,
                                 bool&) final {
     participant_seen(info, reason == rtps::ParticipantDiscoveryStatus::REMOVED_PARTICIPANT ||
@@ -358,9 +396,11 @@ class DiscoveryListener : public dds::DomainParticipantListener {
   void on_publisher_discovery(dds::DomainParticipant*, rtps::WriterDiscoveryInfo&& found) final {
     writer_seen(found.info, found.status == rtps::WriterDiscoveryInfo::REMOVED_WRITER);
   }
+
   void on_subscriber_discovery(dds::DomainParticipant*, rtps::ReaderDiscoveryInfo&& found) final {
     reader_seen(found.info, found.status == rtps::ReaderDiscoveryInfo::REMOVED_READER);
   }
+
   void on_participant_discovery(dds::DomainParticipant*, rtps::ParticipantDiscoveryInfo&& found) final {
     participant_seen(found.info, found.status == rtps::ParticipantDiscoveryInfo::REMOVED_PARTICIPANT ||
                                      found.status == rtps::ParticipantDiscoveryInfo::DROPPED_PARTICIPANT);

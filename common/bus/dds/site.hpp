@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -22,19 +23,25 @@ class Site {
   Site(const Site&) = delete;
   Site& operator=(const Site&) = delete;
 
+  /// A topic as it is registered with our participant.
   struct Channel {
     const TopicType* type;
     fast::dds::TypeSupport support;
     fast::dds::Topic* topic;
+
     Announced announced(bool is_writer) const {
       return {type->name, support.get_type_name(), is_writer, type->qos, type->qos.liveliness_lease.count() > 0};
     }
   };
+
   /// Registers the topic at its first use.
   const Channel& channel(const std::string& name);
 
+  /// @throws config::BadEnvironment when the middleware cannot make it; the same for make_reader()
   fast::dds::DataWriter& make_writer(const Channel& channel, int strength);
   fast::dds::DataReader& make_reader(const Channel& channel, fast::dds::DataReaderListener* listener);
+
+  /// Deletes a writer of make_writer().
   void drop(fast::dds::DataWriter& writer);
 
   /// Ends the loop's wait, from any thread.

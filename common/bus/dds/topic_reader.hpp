@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <map>
 #include <memory>
@@ -16,16 +17,23 @@ namespace aisle::bus {
 class TopicReader {
  public:
   using Report = std::function<void(Incident)>;
+
+  /// Makes the DDS reader. @pre `site` and `channel` outlive it
   TopicReader(Site& site, const Site::Channel& channel);
   ~TopicReader();
   TopicReader(const TopicReader&) = delete;
   TopicReader& operator=(const TopicReader&) = delete;
 
+  /// A further handler; it is called after those before it.
   void add(detail::RawHandler handler) { handlers_.push_back(std::move(handler)); }
+
   /// Hands what has arrived to the handlers. False when there was nothing.
   bool drain(const Report& report);
+
   /// Did the last drain() leave samples, so as not to starve others?
   bool has_more() const { return has_more_; }
+
+  /// Triggered when drain() has something to do.
   fast::dds::StatusCondition& condition() { return reader_->get_statuscondition(); }
   int matched_writers() const;
   const std::string& type_name() const { return type_name_; }
@@ -33,11 +41,14 @@ class TopicReader {
 
  private:
   using Handle = fast::rtps::InstanceHandle_t;
+
+  /// A writer came back, fell silent or went.
   struct WriterEvent {
     Handle writer;
     bool gone;
     bool silent;  // beyond its lease, rather than closed
   };
+
   /// Runs on threads of the middleware: only queues.
   class Listener final : public fast::dds::DataReaderListener {
    public:
@@ -48,17 +59,27 @@ class TopicReader {
 
    private:
     void queue(const WriterEvent& event);
+
     Site& site_;
     std::mutex mutex_;
     std::vector<WriterEvent> events_;
   };
 
+  /// At most kSamplesPerTurn of them.
   bool drain_samples(const Report& report);
   void take(const fast::dds::SampleInfo& info, const Report& report);
+
+  /// A writer ended an instance; handlers hear of it when it was the last.
   void end(const Handle& instance, const Handle& writer, bool disposed);
+
+  /// Ends the instances that only this writer wrote.
   void lose(const WriterEvent& event, const Report& report);
+
+  /// Missed deadlines and rejected samples.
   void report_statuses(const Report& report);
   void hand_over(const void* sample, SampleKind kind, const Handle& writer);
+
+  /// GUID as text, kept for the next time.
   const std::string& name_of(const Handle& writer);
   std::string participant_of(const Handle& writer) const;
 

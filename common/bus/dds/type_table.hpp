@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
@@ -11,11 +12,13 @@ namespace aisle::bus {
 struct TopicType {
   const char* name;
   Qos qos;
+
   fast::dds::TypeSupport (*make_support)();
   void (*copy_key)(void* to, void* from);
   void (*append_key)(void* sample, std::string& bytes);  // equal for equal keys, and only for these
 };
 
+/// One row for each topic of topics.hpp, in its order.
 const std::vector<TopicType>& all_topic_types();
 
 /// The row of topics.hpp with this name. @pre there is one

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -13,7 +14,9 @@ struct InstanceId {
   std::uint64_t hash{0};  // of the key
   int number{-1};         // in order of first use, from 0; -1 on queues, whose keys are used once
 };
+
 inline bool operator==(const InstanceId& a, const InstanceId& b) { return a.hash == b.hash && a.number == b.number; }
+
 inline bool operator<(const InstanceId& a, const InstanceId& b) {
   return a.hash != b.hash ? a.hash < b.hash : a.number < b.number;
 }
@@ -27,6 +30,7 @@ struct Change {
   mutable AnySample decoded{};  // from the bytes, by the first reader that asks (see sample_of): readers only read it
   mutable bool is_malformed{false};
 };
+
 using ChangePtr = std::shared_ptr<const Change>;
 
 }  // namespace aisle::bus::simulated

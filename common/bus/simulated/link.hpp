@@ -1,4 +1,5 @@
 #pragma once
+
 #include <chrono>
 #include <cstdint>
 
@@ -15,6 +16,7 @@ struct Link {
   std::chrono::nanoseconds hold_back{std::chrono::milliseconds(50)};
   bool cut{false};  // nothing passes; what is under way still arrives
 
+  /// Cut, or a loss of everything.
   bool passes_nothing() const { return cut || loss >= 1.0; }
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -12,18 +13,23 @@
 
 namespace aisle::bus::simulated {
 
-/// The hosts and the links between them; decides what becomes of each packet.
+/// The hosts and the links between them; draws the fate of each packet.
 class Links {
  public:
+  /// `base`: of every link until it is changed.
   Links(std::uint64_t seed, const Link& base) : base_(base), between_(base), random_(seed) {}
 
   /// Number of the host with this name, a new one for a new name.
   int host(const std::string& name);
   const std::string& host_name(int host) const { return hosts_[static_cast<std::size_t>(host)]; }
 
+  /// Settings of one direction; `from` and `to` are numbers of host().
   const Link& link(int from, int to) const;
   void set_link(int from, int to, const Link& link, time::Stamp now);
+
+  /// Sets every link between different hosts, and drops the settings of their own.
   void set_all_between(const Link& link, time::Stamp now);
+
   /// Since when nothing passes; empty when something does.
   std::optional<time::Stamp> cut_since(int from, int to) const;
 
@@ -32,11 +38,14 @@ class Links {
     int copies{0};
     time::Stamp after[2]{};
   };
+
+  /// Draws the fate of one packet and counts it in tally().
   Fate send(int from, int to);
 
   Tally& tally() { return tally_; }
 
  private:
+  /// A number in [0, 1); and how long one copy of a packet takes.
   double chance();
   time::Stamp delay(const Link& link);
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <deque>
 #include <functional>
 #include <map>
@@ -13,7 +14,8 @@
 
 namespace aisle::bus::simulated {
 
-/// A process on the network: its event loop, its writers and readers, and whom it knows.
+/// A process on the network: its event loop, its writers and readers, and the participants that it
+/// knows.
 class Process {
  public:
   Process(Core& core, int id, int host, const Settings& settings);
@@ -24,17 +26,24 @@ class Process {
   void every(std::chrono::nanoseconds period, std::function<void()> handler);
   void post(std::function<void()> work);
   bool run_once(std::chrono::nanoseconds limit);
+
+  /// Would run_once(0) find something?
   bool has_work() const;
+
   /// Of a process that is driven: runs its loop, unless it hangs or is not back from its last turn.
   void take_turn();
 
+  /// See Bus::writer(); reader() makes one at the topic's first use.
   std::shared_ptr<WriterEnd> add_writer(const char* topic, int strength);
   ReaderEnd& reader(const char* topic);
-  /// Ends all its endpoints and forgets its handlers; nobody is told.
+
+  /// Ends all its endpoints and forgets its handlers, without a word to others.
   void stop();
 
+  /// See Bus.
   std::vector<Endpoint> endpoints() const;
   std::vector<Participant> peers() const;
+
   /// Name and host, for incidents of others.
   std::string described() const;
 
@@ -61,13 +70,19 @@ class Process {
     time::Stamp next;
     std::function<void()> handler;
   };
+
+  /// Each handles one kind of work; true when there was some.
   bool handle_posted();
   bool handle_incidents();
   bool handle_readers();
   bool handle_timers();
   bool handle_all();
   void report(const Incident& incident) const;
+
+  /// Asks for a turn at the next tick.
   void wake_for_timers();
+
+  /// What an endpoint of this process announces; see SimulatedBus::announce_as().
   Announced announce(const SampleCodec& codec, bool is_writer) const;
 
   std::deque<Timer> timers_;  // references stay good while handlers add more

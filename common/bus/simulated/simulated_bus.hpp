@@ -1,4 +1,5 @@
 #pragma once
+
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -12,10 +13,11 @@ namespace aisle::bus::simulated {
 class Core;
 class Process;
 
-/// A process's bus on a simulated network; made by Network::join(). Its destructor leaves as a process does that ends
-/// in order; crash() before it is `kill -9`.
+/// A process's bus on a simulated network; made by Network::join(). Its destructor leaves as an orderly
+/// process does; crash() before it is `kill -9`.
 ///
-/// Its loop runs when run_once() is called, or, after drive(), whenever the network has something for it.
+/// Its loop runs when run_once() is called, or, after drive(), whenever the network has something for
+/// it.
 class SimulatedBus final : public Bus {
  public:
   SimulatedBus(std::shared_ptr<Core> core, std::shared_ptr<Process> process);
@@ -23,12 +25,15 @@ class SimulatedBus final : public Bus {
 
   /// Virtual time of the network.
   time::Stamp now() const override;
+
   /// Of its host, which faults may set to any time.
   std::int64_t wall_clock_ns() const override;
   void every(std::chrono::nanoseconds period, std::function<void()> handler) override;
   void on_incident(std::function<void(const Incident&)> handler) override;
+
   /// From the network's thread only.
   void post(std::function<void()> work) override;
+
   /// Virtual time passes while it waits; other buses that are driven have their turns meanwhile.
   bool run_once(std::chrono::nanoseconds limit) override;
   int matched_writers(const std::string& topic) const override;
@@ -39,17 +44,24 @@ class SimulatedBus final : public Bus {
   /// From now on the network calls `turn` whenever something is due for this bus; without one, `run_once(0)`. A turn
   /// that is given must call run_once(0).
   void drive(std::function<void()> turn = {});
-  /// A turn takes this long: the next one does not begin before.
+
+  /// How long a turn takes: the next one begins no earlier than that after it.
   void set_turn_time(std::chrono::nanoseconds time);
-  /// Its loop does not run, as in a deadlock; the middleware's threads go on (acknowledge, answer, keep the
-  /// participant's lease), liveliness by hand is lost.
+
+  /// While hung its loop does not run, as in a deadlock. The middleware's threads go on (they
+  /// acknowledge, answer, renew the participant's lease); manual liveliness is lost.
   void hang(bool hung);
-  /// The whole process stands, as under SIGSTOP: nothing of it goes on, what arrives is taken when it continues.
+
+  /// While frozen the whole process stands, as under SIGSTOP: nothing of it goes on; what arrives is
+  /// taken when it continues.
   void freeze(bool frozen);
-  /// Gone without a word, as by `kill -9`: others notice by leases. The bus is of no use afterwards but to be
-  /// destroyed, and its handlers are not called again. Not from within its own turn, nor while it waits in one.
+
+  /// Ends it without a word, as `kill -9` does: others notice by leases. Afterwards the bus can only be
+  /// destroyed, and its handlers are not called again. Not to be called within its own turn, nor while
+  /// it waits in one.
   void crash();
   bool has_crashed() const;
+
   /// Writers and readers of `topic` made from now on announce this instead: another release, or a foreign peer.
   void announce_as(const std::string& topic, const Qos& qos, const std::string& type_name);
 
