@@ -1,5 +1,7 @@
 #pragma once
+
 // Samples of idl/map.idl to and from values of common/fleet and common/grid. Encoders leave `by` to the writer.
+
 #include "common/fleet/map_edit.hpp"
 #include "common/fleet/map_request.hpp"
 #include "common/grid/map_mirror.hpp"
@@ -9,16 +11,23 @@
 namespace aisle::wire {
 
 aisle::MapInfo encode(const grid::MapSummary& summary);
+
+/// Refused when the sizes contradict each other or the hash is not that of the tile hashes.
 Decoded<grid::MapSummary> decode(const aisle::MapInfo& sample);
 
 aisle::MapTile encode(const grid::Tile& tile);
+
+/// Refused when a cell is not 0, 1 or 2, or the hash is not that of the cells.
 Decoded<grid::Tile> decode(const aisle::MapTile& sample);
 
 aisle::MapRequest encode(const fleet::MapRequest& request);
+
+/// At most 16384 tiles.
 Decoded<fleet::MapRequest> decode(const aisle::MapRequest& sample);
 
 aisle::MapEdit encode(const fleet::MapEdit& edit);
-/// Checks form and numbers; whether the edit fits the map is the map's to say.
+
+/// Checks form and numbers only: aisle-map decides whether the edit fits the map.
 Decoded<fleet::MapEdit> decode(const aisle::MapEdit& sample);
 
 aisle::MapEditResult encode(const fleet::MapEditResult& result);

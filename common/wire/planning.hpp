@@ -1,5 +1,7 @@
 #pragma once
+
 // Samples of idl/planning.idl to and from the values of common/fleet. Encoders leave `by` to the writer.
+
 #include "common/fleet/goal.hpp"
 #include "common/fleet/navigation.hpp"
 #include "common/fleet/plan.hpp"

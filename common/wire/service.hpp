@@ -1,5 +1,7 @@
 #pragma once
+
 // Samples of idl/service.idl to and from the values of common/fleet. Encoders leave `by` to the writer.
+
 #include "common/fleet/health.hpp"
 #include "common/wire/checks.hpp"
 #include "idl/service.hpp"

@@ -1,5 +1,7 @@
 #pragma once
+
 // Samples of idl/tracking.idl to and from the values of common/fleet. Encoders leave `by` to the writer.
+
 #include "common/fleet/coverage.hpp"
 #include "common/fleet/track.hpp"
 #include "common/wire/checks.hpp"

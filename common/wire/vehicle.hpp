@@ -1,5 +1,7 @@
 #pragma once
+
 // Samples of idl/vehicle.idl to and from the values of common/fleet. Encoders leave `by` to the writer.
+
 #include "common/fleet/obstacle.hpp"
 #include "common/fleet/scan.hpp"
 #include "common/fleet/vehicle.hpp"
@@ -11,6 +13,7 @@
 namespace aisle::wire {
 
 aisle::VehicleInfo encode(const fleet::Vehicle& vehicle);
+
 /// The circle that the sample says is believed of a disc only; that around a rectangle follows from its lengths. The
 /// steered axle is looked at of a tricycle only.
 Decoded<fleet::Vehicle> decode(const aisle::VehicleInfo& sample);
@@ -19,6 +22,7 @@ aisle::VehicleState encode(const fleet::VehicleState& state);
 Decoded<fleet::VehicleState> decode(const aisle::VehicleState& sample);
 
 aisle::Scan encode(const fleet::Scan& scan);
+
 /// Checks id and size; the numbers are the tracker's to judge.
 Decoded<fleet::Scan> decode(const aisle::Scan& sample);
 

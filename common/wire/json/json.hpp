@@ -1,7 +1,9 @@
 #pragma once
+
 // Samples as they came, for people and scripts, by the fields of the IDL and in their order, so that a new topic needs
 // no code here. Enumerators are in lower case without their prefix, hashes hexadecimal text (a JSON number would lose
 // digits). Numbers that are not finite become null when written.
+
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,6 +23,7 @@ using Json = nlohmann::ordered_json;
 // Types of which people want to see more, or something else, than the fields.
 /// With a picture of the tile and counts of its cells.
 Json to_json(const aisle::Coverage& sample);
+
 /// The counters are an object, by name.
 Json to_json(const aisle::ServiceHealth& sample);
 
@@ -40,17 +43,22 @@ inline Json to_json(const geometry::Pose2& pose_in_map) { return to_json(encode(
 
 namespace detail {
 
+/// Is it a bounded string of the IDL? Is it a sequence or an array?
 template <class T, class = void>
 struct IsText : std::false_type {};
+
 template <class T>
 struct IsText<T, std::void_t<decltype(std::declval<const T&>().to_string())>> : std::true_type {};
 
 template <class T, class = void>
 struct IsSequence : std::false_type {};
+
 template <class T>
 struct IsSequence<T, std::void_t<decltype(std::declval<const T&>().begin())>> : std::true_type {};
 
+/// 16 digits.
 std::string hexadecimal(std::uint64_t value);
+
 /// The word at the enumerator's place; its number when a newer program knows more of them.
 std::string word_at(const std::vector<const char*>& words, std::int64_t index);
 
