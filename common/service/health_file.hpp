@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -8,8 +9,8 @@
 
 namespace aisle::service {
 
-/// The part of a service's last word on `service_health` that a healthcheck on the same host needs. Kept in a file,
-/// because a check that joins the site anew costs more than the service it asks after.
+/// The part of a service's last `service_health` that a healthcheck on the same host needs. Kept in a
+/// file, because a check that joins the site anew costs more than the service that it checks.
 struct HealthNote {
   std::string instance_id;
   fleet::ServiceState state{};
@@ -18,7 +19,7 @@ struct HealthNote {
   std::int64_t wall_clock_ns{0};  // when it was said
 };
 
-/// False when the file cannot be written.
+/// Replaces the file. False when it cannot be written.
 bool keep(const std::filesystem::path& file, const HealthNote& note);
 
 /// None when there is no such file, or it is not one of ours.

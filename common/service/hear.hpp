@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <string>
 #include <utility>
@@ -8,11 +9,12 @@
 
 namespace aisle::service {
 
-/// What a tool without a shell does with a topic; members that are empty are left out.
+/// The handlers of a tool without a shell for one topic; those that are empty are not called.
 template <class Topic>
 struct Ear {
   std::function<void(const ValueOf<Topic>&, const Sender&)> take;
   std::function<void(const KeyOf<Topic>&, End)> gone;
+
   /// A sample that the codec refused. The key may be anything.
   std::function<void(const KeyOf<Topic>&, const std::string& reason)> refused;
 };
@@ -28,6 +30,7 @@ void hear(bus::Bus& bus, Ear<Topic> ear) {
       if (ear.gone) ear.gone(key_of<Topic>(sample), how);
       return;
     }
+
     const auto decoded = wire::decode(sample);
     if (!decoded) {
       if (ear.refused) ear.refused(key_of<Topic>(sample), decoded.reason());

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 #include <deque>
 #include <functional>
@@ -21,16 +22,20 @@ enum class End {
 
 namespace detail {
 
-/// What an inbox needs of its shell, so that its code is compiled once, not once a topic.
+/// What an inbox needs of its shell. An interface, so that the shell's code is compiled once and not
+/// once a topic.
 class InboxOwner {
  public:
   virtual ~InboxOwner() = default;
+
   /// Runs `work` unless this shell has failed; see Shell.
   virtual void guarded(const std::function<void()>& work) = 0;
+
   /// Counts `dropped_<topic>` and warns, at most once in ten seconds for each topic.
   virtual void note_dropped(const std::string& topic, const std::string& reason) = 0;
 };
 
+/// The handlers of one shell for one topic; `gone` and `refused` may be empty.
 template <class Topic>
 struct Subscription {
   InboxOwner& owner;
@@ -45,6 +50,7 @@ class Channel {
  public:
   using Sample = typename Topic::Sample;
 
+  /// Reads the topic as long as the bus runs. @pre it lives as long as the bus
   explicit Channel(bus::Bus& bus) {
     bus.on<Topic>([this](const Sample& sample, const bus::SampleInfo& info) {
       if (info.kind == bus::SampleKind::kData) {
@@ -55,18 +61,22 @@ class Channel {
     });
   }
 
+  /// @returns the place where it is kept, valid as long as the channel
   Subscription<Topic>& add(Subscription<Topic> subscription) {
     subscriptions_.push_back(std::move(subscription));  // a deque: what is there stays where it is
     return subscriptions_.back();
   }
 
  private:
+  /// Decodes once and calls every subscription; a sample that is refused is counted for each.
   void hand_over(const Sample& sample, const bus::SampleInfo& info) {
     const auto decoded = wire::decode(sample);
     const Sender sender{wire::origin_of(sample), info.arrived};
     const std::size_t count = subscriptions_.size();  // what a handler adds hears from the next sample on
+
     for (std::size_t i = 0; i < count; ++i) {
       Subscription<Topic>& subscription = subscriptions_[i];
+
       subscription.owner.guarded([&] {
         if (decoded) return subscription.take(*decoded, sender);
         subscription.owner.note_dropped(Topic::kName, decoded.reason());
@@ -96,6 +106,8 @@ template <class Topic>
 class Inbox {
  public:
   Inbox() = default;
+
+  /// Made by Shell::inbox().
   Inbox(bus::Bus& bus, detail::Subscription<Topic>& subscription) : bus_(&bus), subscription_(&subscription) {}
 
   /// An instance of which data came has ended.
@@ -103,11 +115,13 @@ class Inbox {
     subscription_->gone = std::move(handler);
     return *this;
   }
+
   /// A sample that the codec refused, after it was counted. The key may be anything.
   const Inbox& on_refused(std::function<void(const KeyOf<Topic>&, const std::string& reason)> handler) const {
     subscription_->refused = std::move(handler);
     return *this;
   }
+
   /// Writers of this topic that we hear, our own included.
   int matched_writers() const { return bus_->matched_writers(Topic::kName); }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -13,13 +14,13 @@
 
 namespace aisle::service {
 
-/// The site's map as a service uses it: follows `map_info` and `map_tile`, asks aisle-map for tiles that do not come,
-/// and tells when a whole map of a new revision is there. Lives on the bus's loop; make it before the loop runs and
-/// keep it while it runs.
+/// The site's map as a service uses it: follows `map_info` and `map_tile`, asks aisle-map for tiles
+/// that do not come, and calls back when a whole map of a new revision is there. Runs in the bus's
+/// loop; make it before the loop runs and keep it while the loop runs.
 ///
-///   service::MapClient map(bus, "mirror", {});  // a tool; services have Shell::map()
-///   map.on_map([&](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low, grid::Cell
-///   high) {...});
+///     service::MapClient map(bus, "mirror", {});  // a tool; services have Shell::map()
+///     map.on_map([&](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low,
+///                    grid::Cell high) { ... });
 class MapClient {
  public:
   struct Options {
@@ -49,14 +50,21 @@ class MapClient {
 
   /// True once a whole map was there; from then on grid() and clearance() hold the newest whole map.
   bool has_map() const { return mirror_.revision() > 0; }
+
   /// True when that map is also the newest that aisle-map announced.
   bool is_complete() const { return mirror_.is_complete(); }
+
   /// Of the newest whole map; 0 before the first.
   std::uint64_t revision() const { return mirror_.revision(); }
   const std::string& map_id() const { return map_id_; }
+
+  /// Of the newest whole map.
   std::uint64_t hash() const { return hash_; }
+
   /// @pre has_map()
   const grid::OccupancyGrid& grid() const { return mirror_.grid(); }
+
+  /// Empty with Options::with_clearance false.
   const grid::ClearanceField& clearance() const { return clearance_; }
 
   /// Samples that were not used, by reason; "map of another id: NAME" among them.
@@ -65,8 +73,14 @@ class MapClient {
  private:
   void take(const aisle::MapInfo& sample);
   void take(const aisle::MapTile& sample);
+
+  /// Of the id that was asked for, or of the first that was heard.
   bool is_ours(const std::string& map_id);
+
+  /// Notes progress, and calls the handlers when a map is complete.
   void note(grid::MapMirror::Change change);
+
+  /// Asks aisle-map when there was no progress for a while.
   void ask_for_missing();
   void drop(const std::string& reason);
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <string>
 
@@ -12,6 +13,8 @@ class OriginStamper {
  public:
   /// `bus`: its wall clock; it must live as long.
   OriginStamper(const bus::Bus& bus, std::string source_id, std::uint64_t boot_id, std::uint32_t epoch = 1);
+
+  /// For the next sample: the sequence number rises by one.
   aisle::Origin next();
   void set_epoch(std::uint32_t epoch) { epoch_ = epoch; }
   std::uint32_t epoch() const { return epoch_; }

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -15,20 +16,25 @@ namespace detail {
 class OutboxOwner {
  public:
   virtual ~OutboxOwner() = default;
+
   /// Source, boot and wall clock; epoch and sequence number are the outbox's.
   virtual fleet::Origin origin() = 0;
+
   /// A shell that failed writes nothing more.
   virtual bool may_write() const = 0;
+
   /// Counts `<topic>_not_written`.
   virtual void note_not_written(const std::string& topic) = 0;
 };
 
 }  // namespace detail
 
-/// Writes the values of one topic, each stamped with source, boot, epoch, sequence number from 1, and wall clock.
+/// Writes the values of one topic, each stamped with source, boot, epoch, sequence number from 1, and
+/// wall clock.
 ///
-/// On a topic with exclusive ownership it is closed until claim(): the one that leads has a writer, the others have
-/// none. Made by Shell::outbox(); copies share one writer and one count. Default-made, it writes nothing.
+/// On a topic with exclusive ownership it is closed until claim(): only the instance that leads has a
+/// writer. Made by Shell::outbox(); copies share one writer and one count. Default-constructed, it
+/// writes nothing.
 template <class Topic>
 class Outbox {
  public:
@@ -36,6 +42,8 @@ class Outbox {
   using Value = ValueOf<Topic>;
 
   Outbox() = default;
+
+  /// Made by Shell::outbox().
   Outbox(bus::Bus& bus, detail::OutboxOwner& owner)
       : state_(std::make_shared<State>(State{bus, owner, {}, false, 1, 0})) {
     if constexpr (Topic::kQos.ownership != bus::Ownership::kExclusive) claim(1, 0);
@@ -47,11 +55,14 @@ class Outbox {
   /// For samples with fields that the value does not have.
   bool write_sample(Sample sample) {
     if (!state_ || !state_->is_open || !state_->owner.may_write()) return false;
+
     fleet::Origin by = state_->owner.origin();
     by.epoch = state_->epoch;
     by.sequence_number = ++state_->sequence_number;
     wire::stamp(sample, by);
+
     if (state_->writer.write(sample)) return true;
+
     state_->owner.note_not_written(Topic::kName);
     return false;
   }
@@ -66,6 +77,7 @@ class Outbox {
     state_->writer = state_->bus.template writer<Topic>(strength);
     state_->is_open = true;
   }
+
   /// Closes the writer: the next strongest is heard.
   void release() {
     if (!state_) return;
@@ -77,6 +89,8 @@ class Outbox {
   void assert_liveliness() {
     if (state_ && state_->owner.may_write()) state_->writer.assert_liveliness();
   }
+
+  /// Readers that it reaches; 0 while it is closed.
   int matched_readers() const { return state_ ? state_->writer.matched_readers() : 0; }
 
  private:
@@ -88,6 +102,7 @@ class Outbox {
     std::uint32_t epoch;
     std::uint64_t sequence_number;
   };
+
   std::shared_ptr<State> state_;
 };
 

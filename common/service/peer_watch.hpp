@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <string>
 #include <unordered_map>
@@ -8,7 +9,7 @@
 
 namespace aisle::service {
 
-/// What a service says of itself on `service_health`, as far as other processes judge it.
+/// The part of a `service_health` by which other processes judge its sender.
 struct PeerHealth {
   std::string instance_id;
   std::string host;
@@ -22,17 +23,18 @@ struct PeerHealth {
   std::string agv_id{};  // of a service for one vehicle, else empty
 };
 
-/// Something that does not fit, in words.
+/// A contradiction between processes, in words.
 struct Finding {
   enum class Kind { kDuplicateInstance, kDuplicateVehicle, kOtherIdlVersion, kClockSkew };
+
   Kind kind;
   std::string instance_id;
   std::string text;
 };
 
-/// Notices two processes with one instance id, two of one service for one vehicle, another IDL version, and clocks more
-/// than a second apart. Says each once for each start of the other process. Pure: times come in as arguments. Remembers
-/// at most 512 instances.
+/// Notices two processes with one instance id, two of one service for one vehicle, another IDL version,
+/// and clocks more than a second apart. Says each once for each start of the other process. Pure: times
+/// come in as arguments. Remembers at most 512 instances.
 class PeerWatch {
  public:
   /// `own_instance_id` and `own_boot_id`: of the process that watches; empty and 0 for an observer without a health of
@@ -44,6 +46,7 @@ class PeerWatch {
   std::vector<Finding> take(const PeerHealth& peer, time::Stamp now, std::int64_t wall_clock_ns);
 
  private:
+  /// What is known of one instance, and what was already said of it.
   struct Seen {
     PeerHealth newest;            // of the start with the highest boot id
     time::Stamp first_arrival{};  // of that start
@@ -51,7 +54,11 @@ class PeerWatch {
     int samples{0};
     bool said_duplicate{false}, said_twin{false}, said_version{false}, said_skew{false};
   };
+
+  /// Another process of our service for our vehicle?
   bool is_twin(const PeerHealth& peer) const;
+
+  /// Another process with the instance id of this one, or of a peer that started later?
   bool is_duplicate(const PeerHealth& peer, const Seen* seen, time::Stamp now) const;
 
   std::string own_instance_id_;

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,39 +14,48 @@ class App;
 
 namespace aisle::service {
 
-/// What a program is.
+/// A program, as --help and run_process() need to know it.
 struct About {
   std::string service;      // "global-planner": the program is aisle-global-planner
   std::string purpose;      // one line for --help
   std::string agv_id_flag;  // "--agv" for services of vehicles (then it must be given), else empty
 };
 
-/// What a running program has before its service: one bus, one loop, and a shell for each vehicle of --agv, or the one.
+/// The surroundings of a service in a running program: one bus, one loop, and one shell for each
+/// vehicle of --agv, or a single one.
 class Process {
  public:
   ~Process();
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
+  /// The one that all shells share.
   bus::Bus& bus();
   const std::vector<std::unique_ptr<Shell>>& shells() const;
+
   /// The only one, or the first.
   Shell& shell() { return *shells().front(); }
+
   /// Runs the loop until SIGINT or SIGTERM, then says goodbye.
   void run();
 
  private:
   struct State;
+
   explicit Process(std::unique_ptr<State> state);
+
   friend int run_process(int argc, char** argv, const About& about, const std::function<void(CLI::App&)>& options,
                          const std::function<void(Process&)>& body);
+
   std::unique_ptr<State> state_;
 };
 
-/// Call it in `options`, before adding flags that are bound to members of `value`: the keys of `value.describe()` may
-/// then stand at the top of the --config file, beside `instance`, `log_level` and `site`. Flags win over environment,
-/// environment over the file.
+/// Lets the keys that `describe` names stand at the top of the --config file, beside `instance`,
+/// `log_level` and `site`. Call it in `options`, before adding flags that are bound to the same
+/// members: flags win over environment, environment over the file.
 void bind_config(std::function<void(config::YamlReader&)> describe);
+
+/// The keys of `value.describe()`. @pre `value` lives until the command line is parsed
 template <class T>
 void bind_config(T& value) {
   bind_config(std::function<void(config::YamlReader&)>([&value](config::YamlReader& r) { value.describe(r); }));
@@ -61,7 +71,8 @@ void bind_config(T& value) {
 int run_process(int argc, char** argv, const About& about, const std::function<void(CLI::App&)>& options,
                 const std::function<void(Process&)>& body);
 
-/// The whole of a main(): `make(shell)` returns a service, by unique_ptr; it runs until a signal comes.
+/// The whole of a main(): `make(shell)` returns a service by unique_ptr, and the program runs until a
+/// signal comes. @returns the exit code
 template <class Make>
 int run_service(int argc, char** argv, const About& about, const std::function<void(CLI::App&)>& options, Make make) {
   return run_process(argc, argv, about, options, [&make](Process& process) {

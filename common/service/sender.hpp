@@ -1,10 +1,12 @@
 #pragma once
+
 #include "common/fleet/origin.hpp"
 #include "common/time/stamp.hpp"
 
 namespace aisle::service {
 
-/// Where a sample came from, and when. Topics without an origin (`map_tile`, `map_request`) tell only `arrived`.
+/// The source of a sample and its time of arrival. Topics without an origin (`map_tile`, `map_request`)
+/// give only `arrived`.
 struct Sender {
   fleet::Origin by;
   time::Stamp arrived{};  // our monotonic clock when the sample was taken

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <chrono>
 #include <cstdint>
 #include <functional>
@@ -21,7 +22,7 @@ class logger;
 
 namespace aisle::service {
 
-/// Who speaks on the bus.
+/// The identity under which a service speaks on the bus.
 struct Identity {
   std::string service;       // "global-planner"
   std::string instance_id;   // unique on the site, "local-planner-agv-1"
@@ -31,12 +32,14 @@ struct Identity {
   std::uint32_t process_id{0};
 };
 
-/// What a shell has from the process around it; a simulated one has nothing of it.
+/// What a shell gets from the process around it; in a simulation all of it is missing.
 struct Surroundings {
+  /// Of this shell's share of the process.
   struct Usage {
     double cpu_percent{0.0};  // of one core, since the call before
     double resident_mb{0.0};
   };
+
   std::shared_ptr<spdlog::logger> log;              // none: the default logger's sinks, named after the instance
   std::function<Usage()> usage;                     // none: zeros
   std::function<void(const Health&)> on_published;  // after each `service_health`
@@ -61,13 +64,16 @@ struct Surroundings {
 /// Keep the shell and its service as long as the bus runs.
 class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
  public:
+  /// The first shell on this bus. @pre `bus` outlives it
   Shell(bus::Bus& bus, Identity identity, Surroundings surroundings = {});
+
   /// On the bus of `first`, which must live as long.
   Shell(Shell& first, Identity identity, Surroundings surroundings = {});
   ~Shell() override;
   Shell(const Shell&) = delete;
   Shell& operator=(const Shell&) = delete;
 
+  /// As given to the constructor.
   const Identity& identity() const;
   const std::string& instance_id() const { return identity().instance_id; }
   const std::string& agv_id() const { return identity().agv_id; }
@@ -76,6 +82,7 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
 
   /// The bus's monotonic clock: what cores get as `now`.
   time::Stamp now() const;
+
   /// Nanoseconds since the Unix epoch, of the bus's wall clock. May jump: for stamps and files, never for ages.
   std::int64_t wall_clock_ns() const;
 
@@ -91,9 +98,11 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
         handler(value);
       };
     }
+
     return {bus(), channel<Topic>().add(std::move(subscription))};
   }
 
+  /// Writes values of the topic; see Outbox.
   template <class Topic>
   Outbox<Topic> outbox() {
     return {bus(), *this};
@@ -103,49 +112,66 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
   /// health from then on. `on_map`: see MapClient::on_map().
   MapClient& map(const MapClient::Options& options, MapClient::OnMap on_map = {});
 
-  /// First after one period. A loop that is late skips ticks.
+  /// Calls `work` once each `period`, for the first time after one period. A loop that is late skips
+  /// ticks.
   void every(std::chrono::nanoseconds period, std::function<void()> work);
-  /// In the loop, soon. From any thread.
+
+  /// Runs `work` in the loop, soon. May be called from any thread.
   void post(std::function<void()> work);
-  /// A function that posts `work`; calls before it ran are one.
+
+  /// A function that posts `work`; several calls before it ran count as one.
   std::function<void()> soon(std::function<void()> work);
 
   /// `fill` is called four times a second, with waits_for empty and is_degraded false: it says what the service waits
   /// for and sets its counters. The state follows: degraded, else waiting, else ready.
   void report(std::function<void(Health&)> fill);
+
   /// Reports and publishes what changed at once, not at the next quarter of a second.
   void report_now();
+
+  /// To set counters and last_error at any time.
   Health& health();
   void count(const std::string& name, std::uint64_t by = 1) { health().count(name, by); }
 
   /// Lines carry this instance's name, also when several share the process.
   spdlog::logger& log() const;
+
   /// At most one line in ten seconds for each `kind`; it says how many were kept back.
   void warn(const std::string& kind, const std::string& text);
 
   /// Publishes when state, waits_for or last_error changed since the last time.
   void publish_changes();
-  /// The last word: ServiceState::kStopping.
+
+  /// Publishes its last word: ServiceState::kStopping.
   void say_goodbye();
-  /// Waits until the last word was heard, at most until `latest` on the bus's clock. Of several shells, all say goodbye
-  /// before one waits.
+
+  /// Waits until the last word was acknowledged, at most until `latest` on the bus's clock. Of several
+  /// shells, all say goodbye before one waits.
   void wait_for_goodbye(time::Stamp latest);
+
+  /// Did a handler throw? Then this shell is silent.
   bool has_failed() const;
-  /// Is this the only shell of its process?
+
+  /// Is this the only shell on its bus?
   bool is_alone() const;
 
  private:
   struct State;
+
   /// What the shells of one bus share.
   struct Shared;
 
+  /// Starts its own inbox, reports and timers.
   void begin();
+
+  /// The topic's channel on this bus, made at its first use.
   template <class Topic>
   detail::Channel<Topic>& channel() {
     std::shared_ptr<void>& slot = channel_slot(Topic::kName);
     if (!slot) slot = std::make_shared<detail::Channel<Topic>>(bus());
     return *static_cast<detail::Channel<Topic>*>(slot.get());
   }
+
   std::shared_ptr<void>& channel_slot(const std::string& topic);
 
   void guarded(const std::function<void()>& work) override;

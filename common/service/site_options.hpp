@@ -1,4 +1,5 @@
 #pragma once
+
 #include "common/bus/settings.hpp"
 
 namespace CLI {
@@ -15,6 +16,7 @@ void add_site_options(CLI::App& app, bus::Settings& settings);
 /// Names the keys of `security` in the `site` section of a config file: paths of PEM and S/MIME files.
 struct SecurityConfig {
   bus::Security& security;
+
   template <class Reader>
   void describe(Reader& r) {
     r.field("identity_ca", security.identity_ca)
@@ -30,6 +32,7 @@ struct SecurityConfig {
 /// Names the keys of the `site` section of a config file.
 struct SiteConfig {
   bus::Settings& settings;
+
   template <class Reader>
   void describe(Reader& r) {
     SecurityConfig security{settings.security};

@@ -1,6 +1,8 @@
 #pragma once
+
 // What a topic's samples are in our own types: the value by its codec in common/wire, the key by its row in
 // common/bus/topics.hpp.
+
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -17,6 +19,7 @@ using ValueOf = std::decay_t<decltype(*wire::decode(std::declval<const typename 
 
 namespace detail {
 
+/// A key's field as a type of ours.
 template <class Field>
 auto plain(const Field& field) {
   if constexpr (std::is_arithmetic_v<Field>) {
@@ -50,11 +53,13 @@ using KeyOf = decltype(key_of<Topic>(std::declval<const typename Topic::Sample&>
 template <class Topic>
 typename Topic::Sample sample_of_key(const KeyOf<Topic>& key) {
   typename Topic::Sample sample;
+
   if constexpr (std::tuple_size_v<decltype(Topic::key(sample))> == 1) {
     std::get<0>(Topic::key(sample)) = key;
   } else {
     Topic::key(sample) = key;
   }
+
   return sample;
 }
 
