@@ -225,16 +225,16 @@ Strings allowed_rooms(const std::string& file) {
   if (begins_with(file, "tools/referee/")) return {"common/"};
   if (!core_of(file).empty()) return for_cores;
   // The simulated site builds the services themselves.
-  if (begins_with(file, "tools/sim/")) return {"common/", "services/", "tools/lockstep/", "tools/referee/"};
-  // The laboratory and `aisle drive` run the lock-step simulator and draw its runs as the referee draws real ones.
-  Strings for_runs{"common/",     "services/",           "tools/lockstep/",
+  if (begins_with(file, "tools/sim/")) return {"common/", "services/", "tools/referee/"};
+  // The laboratory and `aisle drive` run simulations and draw their runs as the referee draws real ones.
+  Strings for_runs{"common/",     "services/",           "tools/lockstep/",      "tools/sim/",
                    "tools/draw/", "tools/referee/core/", "tools/referee/report/"};
   if (begins_with(file, "tools/lab/")) return for_runs;
   if (begins_with(file, "tools/cli/")) {
-    for_runs.push_back("tools/sim/");
     for_runs.push_back("tools/lab/");
     return for_runs;
   }
+  if (begins_with(file, "tools/lockstep/")) return {"common/", "services/", "tools/sim/"};
   if (begins_with(file, "tools/")) return {"common/", "services/"};
   return {"common/"};  // a service; its own folder comes with it
 }

@@ -21,12 +21,12 @@
 #include "tools/cli/json.hpp"
 #include "tools/cli/progress_line.hpp"
 #include "tools/cli/text.hpp"
-#include "tools/lockstep/families.hpp"
-#include "tools/lockstep/totals.hpp"
 #include "tools/referee/core/walls.hpp"
 #include "tools/referee/report/fleet_svg.hpp"
 #include "tools/referee/report/report_json.hpp"
+#include "tools/sim/scenarios/families.hpp"
 #include "tools/sim/site.hpp"
+#include "tools/sim/totals.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -75,20 +75,20 @@ std::string known_vehicle(const std::string& id, const scenario::Scenario& scena
   return id;
 }
 
-lockstep::Setup setup_of(const Options& options, int run) {
-  lockstep::Setup setup = lockstep::named_setup(
-      options.scenario, static_cast<std::uint64_t>(options.seed) + static_cast<std::uint64_t>(run));
+sim::Setup setup_of(const Options& options, int run) {
+  sim::Setup setup =
+      sim::named_setup(options.scenario, static_cast<std::uint64_t>(options.seed) + static_cast<std::uint64_t>(run));
   setup.local = options.local;
   setup.planner = options.global;
   setup.paper_limits = options.paper_limits;
   setup.only_scans_of = known_vehicle(options.only_scans_of, setup.scenario);
-  if (options.truth) setup.perception = lockstep::Perception::kTruth;
+  if (options.truth) setup.perception = sim::Perception::kTruth;
   return setup;
 }
 
 /// What several runs gave.
 struct Driven {
-  lockstep::Totals totals;
+  sim::Totals totals;
   double took_s{0.0};  // of this process's CPU time: what else the machine does is no matter
   std::map<std::string, std::uint64_t> faults;
   Json goals_failed = Json::array();
@@ -105,10 +105,10 @@ struct Driven {
 };
 
 void print(const Cli& cli, const Options& options, const Driven& driven) {
-  const lockstep::Totals& totals = driven.totals;
+  const sim::Totals& totals = driven.totals;
   const double realtime_factor = driven.took_s > 0.0 ? totals.time_s / driven.took_s : 0.0;
   const std::string hash = fmt::format("{:016x}", totals.trace_hash);
-  const bool has_least = totals.least_clearance_m < lockstep::kNothingNearM;
+  const bool has_least = totals.least_clearance_m < sim::kNothingNearM;
   if (cli.json) {
     std::printf("%s\n",
                 write_json(Json{{"local", options.local},
@@ -158,7 +158,7 @@ sim::Faults faults_of(const Options& options, std::uint64_t seed) {
 
 /// One run, with its picture where one is asked for. @returns false when the user stopped it
 bool drive_once(const Options& options, int run, ProgressLine& progress, Driven& driven) {
-  const lockstep::Setup setup = setup_of(options, run);
+  const sim::Setup setup = setup_of(options, run);
   const sim::Faults faults = faults_of(options, setup.seed);
   const std::string prefix = options.runs > 1 ? fmt::format("seed {}: ", setup.seed) : "";
   const auto say = [&](const std::string& line) {
@@ -194,7 +194,7 @@ int drive(const Cli& cli, const Options& options) {
   check_name("--local", options.local, names_of(local_planner::all_variants()));
   check_name("--global", options.global, names_of(global_planner::all_variants()));
   if (options.scenario.empty())
-    throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(lockstep::families()));
+    throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(sim::families()));
   if (!options.svg.empty()) process::check_writable(options.svg);
   Driven driven;
   ProgressLine progress;
@@ -213,7 +213,7 @@ void add_drive(CLI::App& parent, Cli& cli) {
   Verb(parent, cli, "drive",
        "drive a scenario with all services on a simulated network, without DDS; exit code 1 when a goal was missed, a "
        "moving vehicle touched something, or a vehicle obeyed a command that it should not have")
-      .option("--scenario", options->scenario, "a scenario file, or one of " + listed(lockstep::families()))
+      .option("--scenario", options->scenario, "a scenario file, or one of " + listed(sim::families()))
       .option("--local", options->local,
               "local planner: " + local_planner::variant_names() + "; default: " + options->local)
       .option("--global", options->global,

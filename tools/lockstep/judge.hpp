@@ -6,11 +6,11 @@
 #include "common/geometry/body.hpp"
 #include "common/grid/clearance.hpp"
 #include "tools/lockstep/simulation.hpp"
+#include "tools/sim/scenarios/gap_to_walls.hpp"
 
 namespace aisle::lockstep {
 
-/// From an outline to the nearest square of the map that is not free, at most `look_m`; 0: they touch. Exact.
-double gap_to_walls_m(const grid::OccupancyGrid& walls, const geometry::Body& body, double look_m);
+using sim::gap_to_walls_m;
 
 /// Counts contacts of vehicles (discs or rectangles) with walls, things and each other, each from its beginning until
 /// they are 2 cm apart.

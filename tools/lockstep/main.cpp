@@ -11,8 +11,8 @@
 #include "common/process/exit_code.hpp"
 #include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/critic.hpp"
-#include "tools/lockstep/families.hpp"
 #include "tools/lockstep/suite.hpp"
+#include "tools/sim/scenarios/families.hpp"
 
 namespace {
 
@@ -46,10 +46,10 @@ std::vector<std::string> names(const std::vector<Variant>& variants) {
 bool run_suite(const std::vector<std::string>& families, const std::string& local, std::uint64_t first, int seeds) {
   std::printf("%-16s %5s %9s %9s %8s %8s %8s %8s %7s %6s\n", local.c_str(), "runs", "goals", "contacts", "moving",
               "least m", "time s", "length m", "turns", "jerk");
-  aisle::lockstep::Totals all;
+  aisle::sim::Totals all;
   for (const std::string& family : families) {
     const aisle::lockstep::SuiteRow row = aisle::lockstep::run_family(family, local, first, seeds);
-    const aisle::lockstep::Totals& t = row.totals;
+    const aisle::sim::Totals& t = row.totals;
     std::printf("%-16s %5d %4d/%4d %9d %8d %8.3f %8.1f %8.1f %7.1f %6.2f\n", family.c_str(), t.runs, t.goals_reached,
                 t.goals_assigned, t.contacts, t.contacts_moving_vehicle, t.least_clearance_m, t.time_s / t.runs,
                 t.distance_m / t.runs, static_cast<double>(t.omega_sign_changes) / t.runs, t.jerk_rms);
@@ -71,14 +71,14 @@ struct Wanted {
   bool suite{false};
   double trace_s{0.0};
   std::string local{"wang"};
-  std::string global{aisle::lockstep::Setup{}.planner};
+  std::string global{aisle::sim::Setup{}.planner};
 };
 
-aisle::lockstep::Result run_one(const std::string& family, std::uint64_t seed, const Wanted& wanted) {
-  aisle::lockstep::Setup setup = aisle::lockstep::named_setup(family, seed);
+aisle::sim::Result run_one(const std::string& family, std::uint64_t seed, const Wanted& wanted) {
+  aisle::sim::Setup setup = aisle::sim::named_setup(family, seed);
   setup.local = wanted.local;
   setup.planner = wanted.global;
-  if (wanted.truth) setup.perception = aisle::lockstep::Perception::kTruth;
+  if (wanted.truth) setup.perception = aisle::sim::Perception::kTruth;
   const auto result =
       aisle::lockstep::run(setup, wanted.trace_s > 0.0 ? tracer(wanted.trace_s) : aisle::lockstep::Watch{});
   if (!wanted.verbose) return result;
@@ -113,7 +113,7 @@ bool run_families(const Wanted& wanted) {
   std::printf("%-14s %5s %9s %9s %8s %8s %8s %7s %6s %7s\n", "family", "runs", "goals", "contacts", "moving", "least m",
               "time s", "replans", "us", "max us");
   bool good = true;
-  for (const std::string& family : wanted.families.empty() ? aisle::lockstep::families() : wanted.families)
+  for (const std::string& family : wanted.families.empty() ? aisle::sim::families() : wanted.families)
     good = run_family(family, wanted) && good;
   return good;
 }

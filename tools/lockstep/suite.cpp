@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "tools/lockstep/families.hpp"
-#include "tools/lockstep/suite_scenarios.hpp"
+#include "tools/sim/scenarios/families.hpp"
+#include "tools/sim/scenarios/suite_scenarios.hpp"
 
 namespace aisle::lockstep {
 
@@ -17,7 +17,7 @@ const std::vector<std::string>& suite_families() {
 
 Result run_in_time(Setup setup, const std::string& local) {
   setup.local = local;
-  const std::vector<double> alone_s = free_run_s(setup);
+  const std::vector<double> alone_s = sim::free_run_s(setup);
   setup.scenario.duration_s = kFreeRuns * *std::max_element(alone_s.begin(), alone_s.end());
   Result result = run(setup);
   for (std::size_t i = 0; i < alone_s.size(); ++i)
@@ -34,7 +34,7 @@ SuiteRow run_family(const std::string& family, const std::string& local, std::ui
   SuiteRow row{family, {}, {}};
   for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(seeds); ++seed) {
     if (is_stopped && is_stopped()) break;
-    const Result result = run_in_time(make_setup(family, seed), local);
+    const Result result = run_in_time(sim::make_setup(family, seed), local);
     row.totals.add(result);
     const bool is_good = result.goals_reached == result.goals_assigned && result.contacts_moving_vehicle == 0;
     if (!is_good) row.bad.push_back(std::to_string(seed) + (result.log.empty() ? "" : ": " + result.log.back()));

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tools/lockstep/simulation.hpp"
-#include "tools/lockstep/totals.hpp"
+#include "tools/sim/totals.hpp"
 
 namespace aisle::lockstep {
 
@@ -15,7 +15,7 @@ const std::vector<std::string>& suite_families();
 /// One planner over one family.
 struct SuiteRow {
   std::string family;
-  Totals totals;
+  sim::Totals totals;
   std::vector<std::string> bad;  // seeds with a goal missed or a contact of a moving vehicle, and what happened last
 };
 

@@ -63,7 +63,7 @@ void DriveRecorder::take(const fleet::Plan& plan) {
   for (std::size_t i = 1; i < way.size(); ++i) planned_m_ += geometry::distance(way[i - 1], way[i]);
 }
 
-void DriveRecorder::fill(lockstep::Result& result) const {
+void DriveRecorder::fill(Result& result) const {
   result.planned_m = planned_m_;
   result.turn_sign_changes = turn_sign_changes_;
   result.jerk_squared_sum = jerk_squared_sum_;

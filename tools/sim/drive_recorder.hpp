@@ -4,7 +4,7 @@
 #include <string>
 
 #include "common/service/shell.hpp"
-#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/result.hpp"
 
 namespace aisle::sim {
 
@@ -18,7 +18,7 @@ class DriveRecorder {
   DriveRecorder& operator=(const DriveRecorder&) = delete;
 
   /// Puts its figures into `result`.
-  void fill(lockstep::Result& result) const;
+  void fill(Result& result) const;
   /// FNV-1a over the true poses of all bodies with their stamps, in the order in which they were told.
   std::uint64_t trace_hash() const { return trace_hash_; }
 

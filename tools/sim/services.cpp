@@ -17,9 +17,6 @@
 namespace aisle::sim {
 namespace {
 
-using lockstep::Perception;
-using lockstep::Setup;
-
 constexpr const char* kStateFile = "state";
 constexpr const char* kJournalFile = "map.sqlite";
 constexpr const char* kMapId = "site";

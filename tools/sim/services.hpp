@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/lockstep/simulation.hpp"
 #include "tools/sim/process.hpp"
+#include "tools/sim/setup.hpp"
 
 namespace aisle::sim {
 
@@ -13,6 +13,6 @@ using HearsCycle = std::function<void(const std::string& agv_id, const local_pla
 
 /// The processes that drive a scenario, in the order of their start: all but the referee, which the site has itself.
 /// `setup` must outlive them. `hears_cycle` may be empty.
-std::vector<Blueprint> blueprints_of(const lockstep::Setup& setup, const HearsCycle& hears_cycle = {});
+std::vector<Blueprint> blueprints_of(const Setup& setup, const HearsCycle& hears_cycle = {});
 
 }  // namespace aisle::sim

@@ -81,7 +81,7 @@ class Site {
  public:
   using Says = std::function<void(const std::string&)>;
 
-  Site(const lockstep::Setup& setup, const Faults& faults, Says says)
+  Site(const Setup& setup, const Faults& faults, Says says)
       : setup_(setup),
         faults_(faults),
         says_(std::move(says)),
@@ -302,7 +302,7 @@ class Site {
     return all;
   }
 
-  void fill_result(const referee::RunReport& report, lockstep::Result& result) const {
+  void fill_result(const referee::RunReport& report, Result& result) const {
     result.goals_assigned = report.goals_expected;
     result.goals_reached = report.count(referee::GoalOutcome::kReached);
     result.contacts = static_cast<int>(report.contacts.size());
@@ -310,8 +310,7 @@ class Site {
     result.distance_m = report.distance_m();
     std::map<std::string, int> goals_of = expectation_of(setup_.scenario).goals_of;
     const bool anybody_drove = result.distance_m > 0.0;  // else it is the scenario's clearance, not the drivers'
-    result.least_clearance_m =
-        anybody_drove ? report.clearances.overall_m().value_or(lockstep::kNothingNearM) : lockstep::kNothingNearM;
+    result.least_clearance_m = anybody_drove ? report.clearances.overall_m().value_or(kNothingNearM) : kNothingNearM;
     result.time_s = report.duration_s;
     result.replans = report.replans();
     for (const scenario::Vehicle& vehicle : setup_.scenario.vehicles) {
@@ -330,7 +329,7 @@ class Site {
     result.log = report.troubles();
   }
 
-  const lockstep::Setup& setup_;
+  const Setup& setup_;
   const Faults& faults_;
   Says says_;
   std::shared_ptr<spdlog::logger> log_;
@@ -351,7 +350,7 @@ class Site {
 
 }  // namespace
 
-Outcome drive(const lockstep::Setup& setup, const Faults& faults, const std::function<bool(double t_s)>& goes_on,
+Outcome drive(const Setup& setup, const Faults& faults, const std::function<bool(double t_s)>& goes_on,
               const std::function<void(const std::string& line)>& says) {
   return Site(setup, faults, says).run(goes_on);
 }

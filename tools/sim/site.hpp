@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "tools/lockstep/simulation.hpp"
 #include "tools/referee/core/run_report.hpp"
 #include "tools/sim/fault_plan.hpp"
+#include "tools/sim/result.hpp"
+#include "tools/sim/setup.hpp"
 
 namespace aisle::sim {
 
@@ -20,7 +21,7 @@ struct Faults {
 
 /// What a run gave. `report` is the referee's; `result` repeats its counts beside the figures of how vehicles drove.
 struct Outcome {
-  lockstep::Result result;
+  Result result;
   referee::RunReport report;
   std::map<std::string, std::uint64_t> faults;  // what was done, by kind: "crash", "lost_packets", ...
   std::uint64_t messages{0};                    // samples handed to services
@@ -34,8 +35,7 @@ struct Outcome {
 /// @param says gets a line for each thing that is done to the site, and, where the log level lets them through, what
 ///   services log
 /// @throws config::BadInput for a fault plan that names a process which does not exist
-Outcome drive(const lockstep::Setup& setup, const Faults& faults = {},
-              const std::function<bool(double t_s)>& goes_on = {},
+Outcome drive(const Setup& setup, const Faults& faults = {}, const std::function<bool(double t_s)>& goes_on = {},
               const std::function<void(const std::string& line)>& says = {});
 
 }  // namespace aisle::sim

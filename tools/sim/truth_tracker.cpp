@@ -54,7 +54,7 @@ void TruthTracker::tick() {
 }
 
 void TruthTracker::look() {
-  std::vector<lockstep::Sensor> sensors;
+  std::vector<Sensor> sensors;
   for (const auto& [id, sensor] : sensors_) sensors.push_back(sensor);
   std::vector<fake_world::Thing> things;
   for (const auto& [id, thing] : things_) things.push_back(thing);

@@ -7,7 +7,7 @@
 
 #include "common/fleet/obstacle.hpp"
 #include "common/service/shell.hpp"
-#include "tools/lockstep/perception.hpp"
+#include "tools/sim/truth_perceiver.hpp"
 
 namespace aisle::sim {
 
@@ -31,8 +31,8 @@ class TruthTracker {
   service::MapClient& map_;
   service::Outbox<topics::Track> tracks_;
   service::Outbox<topics::TrackingStatus> statuses_;
-  lockstep::TruthPerceiver perceiver_;
-  std::map<std::string, lockstep::Sensor> sensors_;     // of each vehicle whose ground truth came
+  TruthPerceiver perceiver_;
+  std::map<std::string, Sensor> sensors_;               // of each vehicle whose ground truth came
   std::map<std::string, fleet::ScanUse> newest_scans_;  // of each vehicle
   std::map<std::string, fake_world::Thing> things_;
   std::set<std::uint64_t> live_;  // tracks that were told and not given up

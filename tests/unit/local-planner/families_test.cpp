@@ -1,6 +1,6 @@
 // Closed loop, in lock-step: the services' own cores from simulated scans to wheels. No moving vehicle touches
 // anything, every goal is reached.
-#include "tools/lockstep/families.hpp"
+#include "tools/sim/scenarios/families.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,15 +8,16 @@
 #include <string>
 
 #include "common/config/reader.hpp"
+#include "tools/lockstep/simulation.hpp"
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 namespace {
 
 class Family : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Family, ReachesEveryGoalAndTouchesNothing) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    const Result result = run(make_setup(GetParam(), seed));
+    const Result result = lockstep::run(make_setup(GetParam(), seed));
     std::string log;
     for (const std::string& line : result.log) log += line + "\n";
     EXPECT_GT(result.goals_assigned, 0);
@@ -34,9 +35,9 @@ INSTANTIATE_TEST_SUITE_P(All, Family, ::testing::Values("crossing", "head-on-wid
                          });
 
 TEST(Lockstep, TheSameSeedGivesTheSameTrace) {
-  const Result once = run(make_setup("crossing", 3));
-  const Result again = run(make_setup("crossing", 3));
-  const Result other = run(make_setup("crossing", 4));
+  const Result once = lockstep::run(make_setup("crossing", 3));
+  const Result again = lockstep::run(make_setup("crossing", 3));
+  const Result other = lockstep::run(make_setup("crossing", 4));
   EXPECT_EQ(once.trace_hash, again.trace_hash);
   EXPECT_NE(once.trace_hash, other.trace_hash);
 }
@@ -52,4 +53,4 @@ TEST(Lockstep, SaysWhichFamiliesThereAre) {
 }
 
 }  // namespace
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

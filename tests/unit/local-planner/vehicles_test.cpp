@@ -4,13 +4,14 @@
 #include <string>
 
 #include "tests/support/places.hpp"
-#include "tools/lockstep/families.hpp"
+#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/scenarios/families.hpp"
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 namespace {
 
 void expect_good(const Setup& setup) {
-  const Result result = run(setup);
+  const Result result = lockstep::run(setup);
   std::string log;
   for (const std::string& line : result.log) log += line + "\n";
   EXPECT_GT(result.goals_assigned, 0);
@@ -26,10 +27,10 @@ Setup deployed(const std::string& name) {
 TEST(Vehicles, AForkliftCompletesTheWarehouseWithoutContact) { expect_good(deployed("forklift-warehouse")); }
 
 TEST(Vehicles, OmnidirectionalOnesCrossWithoutContact) {
-  lockstep::Setup crossing = make_setup("crossing", 2);
+  sim::Setup crossing = make_setup("crossing", 2);
   for (scenario::Vehicle& vehicle : crossing.scenario.vehicles) vehicle.model = "omnidirectional";
   expect_good(crossing);
 }
 
 }  // namespace
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

@@ -7,10 +7,10 @@
 
 #include "common/geometry/body.hpp"
 #include "tests/support/places.hpp"
-#include "tools/lockstep/families.hpp"
 #include "tools/lockstep/simulation.hpp"
+#include "tools/sim/scenarios/families.hpp"
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 namespace {
 
 struct Pass {
@@ -25,7 +25,7 @@ Pass drive(const std::string& only_scans_of, double later_s, double& asked_m) {
   setup.scenario.movers.front().start_s -= later_s;
   asked_m = setup.scenario.person_clearance_m;
   Pass pass;
-  pass.result = run(setup, [&](const Snapshot& now) {
+  pass.result = lockstep::run(setup, [&](const lockstep::Snapshot& now) {
     for (const geometry::Body& person : now.things) {
       const double gap_m =
           geometry::distance_m(person, now.vehicles.front().position()) - setup.scenario.vehicles.front().radius_m;
@@ -56,4 +56,4 @@ TEST_P(AroundTheCorner, MeetsThePersonTooLateWithWhatOneVehicleSees) {
 INSTANTIATE_TEST_SUITE_P(HoweverLate, AroundTheCorner, ::testing::Values(-0.3, 0.0, 0.3, 0.6));
 
 }  // namespace
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

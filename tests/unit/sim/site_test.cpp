@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/lockstep/building.hpp"
+#include "tools/sim/scenarios/building.hpp"
 
 namespace aisle::sim {
 namespace {
@@ -16,15 +16,15 @@ namespace {
 using ::testing::HasSubstr;
 
 /// Two vehicles that pass each other in a hall, and a person who walks to and fro.
-lockstep::Setup hall_with_two_vehicles(std::uint64_t seed) {
-  lockstep::Setup setup;
-  setup.grid = lockstep::hall(16.0, 8.0, 0.1);
+sim::Setup hall_with_two_vehicles(std::uint64_t seed) {
+  sim::Setup setup;
+  setup.grid = sim::hall(16.0, 8.0, 0.1);
   setup.scenario.name = "hall";
   setup.scenario.duration_s = 90.0;
   setup.scenario.start_jitter_m = 0.1;
-  lockstep::add_vehicle(setup, 1, {2.0, 3.0, 0.0}, {{13.0, 3.0, 0.0}});
-  lockstep::add_vehicle(setup, 2, {14.0, 5.0, 3.1}, {{3.0, 5.0, 0.0}});
-  lockstep::add_mover(setup, 1.0, 0.0, true, {{8.0, 1.0}, {8.0, 7.0}});
+  sim::add_vehicle(setup, 1, {2.0, 3.0, 0.0}, {{13.0, 3.0, 0.0}});
+  sim::add_vehicle(setup, 2, {14.0, 5.0, 3.1}, {{3.0, 5.0, 0.0}});
+  sim::add_mover(setup, 1.0, 0.0, true, {{8.0, 1.0}, {8.0, 7.0}});
   setup.seed = seed;
   return setup;
 }
@@ -59,8 +59,8 @@ TEST(Site, TheSameSeedDrivesTheSameTraceAndAnotherAnother) {
 }
 
 TEST(Site, AStandInMayTellTheTruthInTheTrackersPlace) {
-  lockstep::Setup setup = hall_with_two_vehicles(1);
-  setup.perception = lockstep::Perception::kTruth;
+  sim::Setup setup = hall_with_two_vehicles(1);
+  setup.perception = sim::Perception::kTruth;
   const Outcome outcome = drive(setup);
   expect_a_good_run(outcome);
   EXPECT_GT(outcome.result.distance_m, 18.0);
@@ -69,7 +69,7 @@ TEST(Site, AStandInMayTellTheTruthInTheTrackersPlace) {
 }
 
 TEST(Site, DrivesAVariantThatHasNoName) {
-  lockstep::Setup setup = hall_with_two_vehicles(1);
+  sim::Setup setup = hall_with_two_vehicles(1);
   const Outcome named = drive(setup);
   setup.own_variant = *local_planner::find_variant(setup.local);
   EXPECT_EQ(drive(setup).result.trace_hash, named.result.trace_hash) << "the same variant, handed over";
@@ -81,16 +81,16 @@ TEST(Site, DrivesAVariantThatHasNoName) {
 }
 
 TEST(Site, WithTracksHeldStillItDrivesWithoutPrediction) {
-  lockstep::Setup setup = hall_with_two_vehicles(1);
+  sim::Setup setup = hall_with_two_vehicles(1);
   const Outcome predicted = drive(setup);
-  setup.perception = lockstep::Perception::kScansHeldStill;
+  setup.perception = sim::Perception::kScansHeldStill;
   const Outcome held_still = drive(setup);
   EXPECT_EQ(held_still.result.goals_reached, 2);
   EXPECT_NE(held_still.result.trace_hash, predicted.result.trace_hash);
 }
 
 TEST(Site, AGoalInAWallFailsWithItsReason) {
-  lockstep::Setup setup = hall_with_two_vehicles(1);
+  sim::Setup setup = hall_with_two_vehicles(1);
   setup.scenario.missions.front().goals_in_map = {{0.05, 0.05, 0.0}};
   setup.scenario.duration_s = 40.0;
   const Outcome outcome = drive(setup);
@@ -104,7 +104,7 @@ TEST(Site, AGoalInAWallFailsWithItsReason) {
 }
 
 TEST(Site, AVehicleWithGoalsToComeIsNotDone) {
-  lockstep::Setup setup = hall_with_two_vehicles(1);
+  sim::Setup setup = hall_with_two_vehicles(1);
   setup.scenario.missions.front().goals_in_map = {{3.5, 3.0, 0.0}, {13.0, 3.0, 0.0}};
   bool was_there = false;
   for (const double end_s : {4.0, 6.0, 8.0, 10.0}) {
@@ -220,7 +220,7 @@ TEST(SiteFaults, AWallClockMayJumpEitherWay) {
 }
 
 TEST(SiteFaults, AFullDiskRefusesAMapEditAndTheFleetDrivesOn) {
-  lockstep::Setup setup = hall_with_two_vehicles(1);
+  sim::Setup setup = hall_with_two_vehicles(1);
   setup.scenario.map_edits.push_back({4.0, true, {6.0, 6.5}, {7.0, 7.5}});
   FaultPlan plan;
   plan.disks.push_back(once<DiskFault>(2.0, "map"));
@@ -233,7 +233,7 @@ TEST(SiteFaults, AFullDiskRefusesAMapEditAndTheFleetDrivesOn) {
 }
 
 TEST(SiteFaults, AMapEditSurvivesACrashOfTheMap) {
-  lockstep::Setup setup = hall_with_two_vehicles(1);
+  sim::Setup setup = hall_with_two_vehicles(1);
   setup.scenario.map_edits.push_back({3.0, true, {6.0, 6.5}, {7.0, 7.5}});
   FaultPlan plan;
   plan.crashes.push_back(once<Crash>(6.0, "map"));
@@ -275,7 +275,7 @@ TEST(SiteFaults, AShortFaultWithinALongOneNeitherEndsItNorIsCounted) {
   EXPECT_EQ(crashed.faults.at("crash"), 1u);
   EXPECT_GT(crashed.result.done_s.at(0), undisturbed_s + 4.0);
 
-  lockstep::Setup setup = hall_with_two_vehicles(1);
+  sim::Setup setup = hall_with_two_vehicles(1);
   setup.scenario.map_edits.push_back({4.0, true, {6.0, 6.5}, {7.0, 7.5}});
   FaultPlan disks;
   for (const auto& [at_s, for_s] : {std::pair(2.0, 30.0), std::pair(2.5, 0.5)}) {

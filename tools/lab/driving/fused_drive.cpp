@@ -111,7 +111,7 @@ local_planner::Variant paper_variant(const std::string& name) { return *local_pl
 
 DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& maps) {
   const DrawnMap map = read_drawn_map(maps / (drive.map + ".txt"), 1.0);
-  lockstep::Setup setup;
+  sim::Setup setup;
   setup.grid = map.grid;
   setup.planner = drive.global;
   setup.own_variant = drive.local;

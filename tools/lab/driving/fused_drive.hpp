@@ -35,7 +35,7 @@ struct DrivePoint {
 };
 
 struct DriveFigures {
-  lockstep::Result result;
+  sim::Result result;
   std::vector<DrivePoint> points;  // ten a second
   grid::OccupancyGrid grid;
   int movers{0};                // that there was room for

@@ -114,7 +114,7 @@ std::string lengths_table(const std::vector<Driven>& all) {
   Rows rows{{"table", "published: DWA", "A* + DWA", "improved + DWA", "ours: DWA", "A* + DWA", "improved + DWA",
              "its plan", "driven over plan", "s", "movers there", "nearest m"}};
   for (const Driven& d : all) {
-    const lockstep::Result& r = d.improved.result;
+    const sim::Result& r = d.improved.result;
     rows.push_back({d.of->title, d.of->dwa, d.of->astar_dwa, d.of->improved, length(d.dwa), length(d.astar_dwa),
                     length(d.improved), digits(r.planned_m, 2),
                     d.improved.arrived() ? digits(r.distance_m / r.planned_m, 3) : "-", digits(r.time_s, 1),

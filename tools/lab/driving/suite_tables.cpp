@@ -13,7 +13,7 @@ namespace aisle::lab {
 namespace {
 
 using lockstep::SuiteRow;
-using lockstep::Totals;
+using sim::Totals;
 
 const std::vector<std::string> kHeading{"goals",
                                         "contacts of a moving vehicle",

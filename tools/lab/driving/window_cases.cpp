@@ -7,7 +7,7 @@
 #include "common/process/output_file.hpp"
 #include "tools/lab/driving/window_svg.hpp"
 #include "tools/lab/page/markdown.hpp"
-#include "tools/lockstep/building.hpp"
+#include "tools/sim/scenarios/building.hpp"
 
 namespace aisle::lab {
 namespace {
@@ -18,14 +18,14 @@ constexpr double kLineM = 5.0;  // y of start and goal
 constexpr double kStartM = 2.0;
 constexpr double kGoalM = 18.0;
 
-lockstep::Setup straight(double aisle_m) {
-  lockstep::Setup setup;
-  setup.grid = lockstep::hall(20.0, 10.0, 0.1);
+sim::Setup straight(double aisle_m) {
+  sim::Setup setup;
+  setup.grid = sim::hall(20.0, 10.0, 0.1);
   if (aisle_m < 9.0) {
-    lockstep::block(setup.grid, 0.0, 0.0, 20.0, kLineM - 0.5 * aisle_m);
-    lockstep::block(setup.grid, 0.0, kLineM + 0.5 * aisle_m, 20.0, 10.0);
+    sim::block(setup.grid, 0.0, 0.0, 20.0, kLineM - 0.5 * aisle_m);
+    sim::block(setup.grid, 0.0, kLineM + 0.5 * aisle_m, 20.0, 10.0);
   }
-  lockstep::add_vehicle(setup, 1, {kStartM, kLineM, 0.0}, {{kGoalM, kLineM, 0.0}});
+  sim::add_vehicle(setup, 1, {kStartM, kLineM, 0.0}, {{kGoalM, kLineM, 0.0}});
   setup.local = "wu";
   setup.settings.lane.shift_m = 0.0;  // one vehicle alone keeps no side: what it leaves is the path
   setup.scenario.duration_s = 60.0;
@@ -34,11 +34,11 @@ lockstep::Setup straight(double aisle_m) {
 
 WindowCase crosser(std::string name, std::string title, double mps, double start_s) {
   WindowCase of{std::move(name), std::move(title), straight(10.0)};
-  lockstep::add_mover(of.setup, mps, start_s, false, {{10.0, 1.0}, {10.0, 9.0}});
+  sim::add_mover(of.setup, mps, start_s, false, {{10.0, 1.0}, {10.0, 9.0}});
   return of;
 }
 
-void add_box(lockstep::Setup& setup, double length_m, double width_m) {
+void add_box(sim::Setup& setup, double length_m, double width_m) {
   scenario::Block box;
   box.id = "box";
   box.center_in_map = {10.0, kLineM, 0.0};
@@ -73,7 +73,7 @@ std::vector<WindowCase> window_cases() {
   cases.push_back(crosser("window-collision", "collision course, crossing", 0.8, 2.2));
   cases.push_back({"window-oncoming", "collision course, oncoming; keeps right, as by default", straight(10.0)});
   cases.back().setup.settings.lane = {};
-  lockstep::add_mover(cases.back().setup, 0.6, 0.0, false, {{17.0, kLineM}, {2.0, kLineM}});
+  sim::add_mover(cases.back().setup, 0.6, 0.0, false, {{17.0, kLineM}, {2.0, kLineM}});
   cases.push_back({"window-box", "unknown box on the path", straight(10.0)});
   add_box(cases.back().setup, 0.8, 0.8);
   cases.push_back({"window-closed", "aisle closed by something unknown", straight(2.0)});

@@ -14,14 +14,14 @@ namespace aisle::lab {
 struct WindowCase {
   std::string name;  // of the picture's file
   std::string title;
-  lockstep::Setup setup;
+  sim::Setup setup;
 };
 /// A crosser that passes ahead, one that passes behind, one on collision course, an oncoming one, an unknown box, a
 /// closed aisle.
 std::vector<WindowCase> window_cases();
 
 struct WindowDrive {
-  lockstep::Result result;
+  sim::Result result;
   std::vector<geometry::Point2> driven_in_map;
   std::vector<geometry::Point2> mover_in_map;
   std::vector<WindowScene::Aimed> sub_targets;  // where it aimed instead of along the path

@@ -6,20 +6,20 @@
 
 #include "common/config/reader.hpp"
 #include "tools/lab/page/markdown.hpp"
-#include "tools/lockstep/families.hpp"
 #include "tools/lockstep/suite.hpp"
+#include "tools/sim/scenarios/families.hpp"
 
 namespace aisle::lab {
 namespace {
 
-using lockstep::Perception;
+using sim::Perception;
 
 /// Several drives, and how far beyond their plans they went.
 struct Drives {
-  lockstep::Totals totals;
+  sim::Totals totals;
   double planned_m{0.0};
 
-  void add(const lockstep::Result& result) {
+  void add(const sim::Result& result) {
     totals.add(result);
     planned_m += result.planned_m;
   }
@@ -32,7 +32,7 @@ struct Drives {
 Drives drive(const std::string& family, Perception perception, int seeds) {
   Drives drives;
   for (int seed = 1; seed <= seeds; ++seed) {
-    lockstep::Setup setup = lockstep::make_setup(family, static_cast<std::uint64_t>(seed));
+    sim::Setup setup = sim::make_setup(family, static_cast<std::uint64_t>(seed));
     setup.perception = perception;
     const std::string local = setup.local;
     drives.add(lockstep::run_in_time(std::move(setup), local));
@@ -41,7 +41,7 @@ Drives drive(const std::string& family, Perception perception, int seeds) {
 }
 
 std::vector<std::string> cells(const std::string& family, const std::string& tracks, const Drives& drives) {
-  const lockstep::Totals& t = drives.totals;
+  const sim::Totals& t = drives.totals;
   return {family,
           tracks,
           std::to_string(t.goals_reached) + " of " + std::to_string(t.goals_assigned),

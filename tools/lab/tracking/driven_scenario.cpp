@@ -4,7 +4,8 @@
 #include "common/kinematics/vehicle_model.hpp"
 #include "services/fake-world/core/world.hpp"
 #include "tools/lab/tracking/scene.hpp"
-#include "tools/lockstep/families.hpp"
+#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/scenarios/families.hpp"
 
 namespace aisle::tracking {
 namespace {
@@ -17,10 +18,10 @@ constexpr double kPeriod_s = 0.1;  // of the snapshots
 /// Vehicles as the lock-step simulation drove them; people and blocks move on around them as in the scenario.
 class DrivenScenario final : public Scene {
  public:
-  DrivenScenario(const lockstep::Setup& setup, int vehicles)
+  DrivenScenario(const sim::Setup& setup, int vehicles)
       : setup_(setup), world_(setup.scenario, setup.people, setup.seed, nullptr) {
-    lockstep::Setup drive = setup;
-    drive.perception = lockstep::Perception::kTruth;
+    sim::Setup drive = setup;
+    drive.perception = sim::Perception::kTruth;
     lockstep::run(drive, [this](const lockstep::Snapshot& now) { poses_.push_back(now.vehicles); });
     const int there = static_cast<int>(setup_.scenario.vehicles.size());
     seeing_ = static_cast<std::size_t>(vehicles > 0 ? std::min(vehicles, there) : there);
@@ -70,7 +71,7 @@ class DrivenScenario final : public Scene {
     return carrier;
   }
 
-  lockstep::Setup setup_;
+  sim::Setup setup_;
   fake_world::World world_;
   std::vector<std::vector<Pose2>> poses_;
   std::size_t seeing_{0};
@@ -80,7 +81,7 @@ class DrivenScenario final : public Scene {
 }  // namespace
 
 std::unique_ptr<Scene> driven_scenario(const std::filesystem::path& file, int vehicles, std::uint64_t seed, Cast cast) {
-  lockstep::Setup setup = lockstep::read_setup(file, seed);
+  sim::Setup setup = sim::read_setup(file, seed);
   if (cast == Cast::kVehiclesOnly) {
     setup.scenario.movers.clear();
     setup.scenario.recordings.clear();

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tools/lockstep/building.hpp"
+#include "tools/sim/scenarios/building.hpp"
 
 namespace aisle::lab {
 namespace {
@@ -24,7 +24,7 @@ WindowScene crossing() {
 }
 
 TEST(WindowSvg, SaysWhoWasWhereAndWhen) {
-  const std::string svg = window_svg(lockstep::hall(20.0, 10.0, 0.1), crossing());
+  const std::string svg = window_svg(sim::hall(20.0, 10.0, 0.1), crossing());
   for (const char* text : {"somebody crosses", "start", "goal", ">0 s<", ">2 s<", ">4 s<", ">6 s<", ">2 m<",
                            "vehicle, every 2 s", "mover, every 2 s"})
     EXPECT_THAT(svg, HasSubstr(text));
@@ -37,9 +37,9 @@ TEST(WindowSvg, SaysWhoWasWhereAndWhen) {
 
 TEST(WindowSvg, ShowsWhereItAimedBesideThePath) {
   WindowScene scene = crossing();
-  const std::string without = window_svg(lockstep::hall(20.0, 10.0, 0.1), scene);
+  const std::string without = window_svg(sim::hall(20.0, 10.0, 0.1), scene);
   scene.sub_targets = {{{4.0, 5.0}, {9.0, 3.0}}};
-  const std::string svg = window_svg(lockstep::hall(20.0, 10.0, 0.1), scene);
+  const std::string svg = window_svg(sim::hall(20.0, 10.0, 0.1), scene);
   EXPECT_THAT(svg, HasSubstr("local sub-target"));
   EXPECT_GT(svg.size(), without.size() + 200);
 }
@@ -49,7 +49,7 @@ TEST(WindowSvg, AVehicleThatStandsIsDrawnOnce) {
   scene.mover_in_map.clear();
   for (geometry::Point2& p : scene.driven_in_map) p = scene.start_in_map;
   scene.boxes.push_back({{9.0, 4.0}, {10.0, 6.0}});
-  const std::string svg = window_svg(lockstep::hall(20.0, 10.0, 0.1), scene);
+  const std::string svg = window_svg(sim::hall(20.0, 10.0, 0.1), scene);
   EXPECT_THAT(svg, HasSubstr(">0 s<"));
   EXPECT_THAT(svg, Not(HasSubstr(">2 s<")));
   EXPECT_THAT(svg, HasSubstr("box, not in the map"));

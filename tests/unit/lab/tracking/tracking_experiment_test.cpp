@@ -10,7 +10,8 @@
 #include "common/config/reader.hpp"
 #include "common/scenario/data_path.hpp"
 #include "tests/support/places.hpp"
-#include "tools/lockstep/families.hpp"
+#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/scenarios/families.hpp"
 
 namespace aisle::lab {
 namespace {
@@ -55,16 +56,16 @@ TEST_F(TrackingSection, HasARowForEveryRecordingAndFleetAndNoise) {
 }
 
 TEST(DetourTable, ComparesThePredictedWithTheHeldStill) {
-  std::vector<lockstep::Result> results;
-  for (const lockstep::Perception perception : {lockstep::Perception::kScans, lockstep::Perception::kScansHeldStill}) {
-    lockstep::Setup setup = lockstep::make_setup("person-crossing", 1);
+  std::vector<sim::Result> results;
+  for (const sim::Perception perception : {sim::Perception::kScans, sim::Perception::kScansHeldStill}) {
+    sim::Setup setup = sim::make_setup("person-crossing", 1);
     setup.perception = perception;
     bool anybody_moves = false;
     results.push_back(lockstep::run(setup, [&](const lockstep::Snapshot& now) {
       for (const auto& seen : now.tracks)
         anybody_moves = anybody_moves || geometry::norm(seen.track.velocity_in_map) > 0.2;
     }));
-    EXPECT_EQ(anybody_moves, perception == lockstep::Perception::kScans);
+    EXPECT_EQ(anybody_moves, perception == sim::Perception::kScans);
   }
   EXPECT_NE(results[0].trace_hash, results[1].trace_hash);
 }

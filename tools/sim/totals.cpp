@@ -1,9 +1,9 @@
-#include "tools/lockstep/totals.hpp"
+#include "tools/sim/totals.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 
 void Totals::add(const Result& result) {
   ++runs;
@@ -39,4 +39,4 @@ void Totals::add(const Totals& others) {
   trace_hash = (trace_hash ^ others.trace_hash) * 1099511628211ULL;
 }
 
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

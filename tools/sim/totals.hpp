@@ -1,9 +1,9 @@
 #pragma once
 #include <cstdint>
 
-#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/result.hpp"
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 
 /// Several runs as one line.
 struct Totals {
@@ -29,4 +29,4 @@ struct Totals {
   std::uint64_t jerk_samples_{0};
 };
 
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

@@ -1,9 +1,9 @@
 #pragma once
 #include <vector>
 
-#include "tools/lockstep/building.hpp"
+#include "tools/sim/scenarios/building.hpp"
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 
 // The families of the suite; each vehicle has one goal, and a way to it at all times.
 
@@ -24,4 +24,4 @@ Setup four_vehicles(Dice& dice);  // at a crossing, between racks, among boxes
 /// brake. No vehicle can be faster; infinite where there is no way.
 std::vector<double> free_run_s(const Setup& setup);
 
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/setup.hpp"
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 
 /// Names of the scenario families, each a kind of difficulty.
 std::vector<std::string> families();
@@ -21,4 +21,4 @@ Setup read_setup(const std::filesystem::path& scenario_file, std::uint64_t seed)
 /// neither
 Setup named_setup(const std::string& name_or_file, std::uint64_t seed);
 
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

@@ -1,11 +1,11 @@
-#include "tools/lockstep/building.hpp"
+#include "tools/sim/scenarios/building.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 
 using geometry::Point2;
 using geometry::Pose2;
@@ -96,4 +96,4 @@ void add_fleet(Setup& setup, Dice& dice, int count, int goals, double radius_m, 
   }
 }
 
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

@@ -1,4 +1,4 @@
-#include "tools/lockstep/suite_scenarios.hpp"
+#include "tools/sim/scenarios/suite_scenarios.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 #include "common/scenario/data_path.hpp"
 #include "services/global-planner/core/variant.hpp"
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 namespace {
 
 using geometry::Point2;
@@ -336,4 +336,4 @@ std::vector<double> free_run_s(const Setup& setup) {
   return seconds;
 }
 
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

@@ -1,4 +1,4 @@
-#include "tools/lockstep/families.hpp"
+#include "tools/sim/scenarios/families.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,11 +13,11 @@
 #include "common/geometry/separation.hpp"
 #include "common/grid/formats/map_file.hpp"
 #include "common/scenario/variation.hpp"
-#include "tools/lockstep/building.hpp"
-#include "tools/lockstep/judge.hpp"
-#include "tools/lockstep/suite_scenarios.hpp"
+#include "tools/sim/scenarios/building.hpp"
+#include "tools/sim/scenarios/gap_to_walls.hpp"
+#include "tools/sim/scenarios/suite_scenarios.hpp"
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 namespace {
 
 using geometry::Point2;
@@ -258,4 +258,4 @@ Setup named_setup(const std::string& name_or_file, std::uint64_t seed) {
       fmt::format("'{}' is neither a scenario file nor a family; {}", name_or_file, names_like(name_or_file)));
 }
 
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "common/grid/clearance.hpp"
-#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/setup.hpp"
 
-namespace aisle::lockstep {
+namespace aisle::sim {
 
 /// Random numbers of one scenario: the same for the same seed.
 class Dice {
@@ -38,4 +38,4 @@ geometry::Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, dou
 /// Vehicles anywhere, with goals anywhere.
 void add_fleet(Setup& setup, Dice& dice, int count, int goals, double radius_m, double room_m, double away_m);
 
-}  // namespace aisle::lockstep
+}  // namespace aisle::sim

@@ -1,0 +1,34 @@
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "common/grid/occupancy_grid.hpp"
+#include "common/scenario/scenario.hpp"
+#include "services/fake-vehicle/core/parameters.hpp"
+#include "services/fake-world/core/recording.hpp"
+#include "services/local-planner/core/local_planner.hpp"
+
+namespace aisle::sim {
+
+/// What the fleet knows of people and things: from simulated scans and the tracker, the same but every track held still
+/// (nothing is predicted), or the truth of what is in sight.
+enum class Perception { kScans, kScansHeldStill, kTruth };
+
+struct Setup {
+  scenario::Scenario scenario;  // its map and its recordings come beside it, read
+  grid::OccupancyGrid grid;
+  std::vector<std::vector<fake_world::RecordedPerson>> people;  // of each recording
+  fake_vehicle::Parameters vehicle;                             // radius and top speed come from the scenario
+  Perception perception{Perception::kScans};
+  std::string only_scans_of{};                          // the one vehicle whose scans the tracker takes; empty: all
+  std::string planner{"direct"};                        // a variant of the global planner
+  std::string local{"wang"};                            // of the local planner
+  std::optional<local_planner::Variant> own_variant{};  // instead of `local`
+  bool paper_limits{false};                             // vehicles and horizon as in the paper of `local`
+  local_planner::Settings settings;
+  std::uint64_t seed{1};
+};
+
+}  // namespace aisle::sim
