@@ -8,6 +8,7 @@
 namespace aisle::kinematics {
 namespace {
 
+/// Slower than this counts as a stand: the steering angle cannot be told from the motion.
 constexpr double kStandingMps = 1e-3;
 
 }  // namespace
@@ -17,6 +18,7 @@ double turn_rate_radps(const SteeredAxle& axle, double speed_mps, double steerin
   return axle.is_rear ? -rate : rate;
 }
 
+/// delta = atan(wheelbase w / v), the equation of the header turned round.
 double steering_for_rad(const SteeredAxle& axle, const geometry::Twist2& twist, double otherwise_rad) {
   if (std::abs(twist.linear_mps) < kStandingMps) return otherwise_rad;
   const double steering = std::atan(axle.wheelbase_m * twist.angular_radps / twist.linear_mps);
@@ -25,6 +27,8 @@ double steering_for_rad(const SteeredAxle& axle, const geometry::Twist2& twist, 
 
 double least_radius_m(const SteeredAxle& axle) { return axle.wheelbase_m / std::tan(axle.max_steering_rad); }
 
+/// First the wheel, then the speed: the wheel's new angle says how fast the vehicle may go, v <=
+/// max_turn wheelbase / |tan(delta)|.
 TricycleState limit_change_tricycle(const TricycleState& current, const geometry::Twist2& wanted, const Limits& limits,
                                     double dt_s) {
   const SteeredAxle& axle = limits.axle;
@@ -35,6 +39,7 @@ TricycleState limit_change_tricycle(const TricycleState& current, const geometry
   const double fastest = per_metre > 1e-9 ? limits.max_turn_radps / per_metre : 1e9;
   const double speed = std::clamp(wanted.linear_mps, -std::min(limits.max_reverse_mps, fastest),
                                   std::min(limits.max_speed_mps, fastest));
+
   return {approach(current.speed_mps, speed, limits.max_acceleration_mps2, limits.max_deceleration_mps2, dt_s),
           steering};
 }

@@ -10,6 +10,7 @@ namespace aisle::kinematics {
 
 geometry::Pose2 advance(const geometry::Pose2& base_in_map, const geometry::Twist2& twist, double dt_s) {
   const double turn_rad = twist.angular_radps * dt_s;
+
   // Chord of the arc in the frame of the pose: sin(a)/a and (1-cos(a))/a, by their series near 0.
   const bool straight = std::abs(turn_rad) < 1e-6;
   const double along = straight ? 1.0 - turn_rad * turn_rad / 6.0 : std::sin(turn_rad) / turn_rad;
@@ -18,6 +19,7 @@ geometry::Pose2 advance(const geometry::Pose2& base_in_map, const geometry::Twis
   const double left_m = twist.sideways_mps * dt_s;
   const geometry::Point2 end =
       geometry::to_map(base_in_map, {along * forward_m - across * left_m, across * forward_m + along * left_m});
+
   return {end.x, end.y, geometry::wrap(base_in_map.yaw + turn_rad)};
 }
 
@@ -31,12 +33,15 @@ DriveState follow(const DriveState& current, const geometry::Twist2& wanted, con
       return {{next.speed_mps, turn_rate_radps(limits.axle, next.speed_mps, next.steering_rad), 0.0},
               next.steering_rad};
     }
+
     case Model::kDifferential:
       break;
   }
+
   return {limit_change_differential(current.twist, wanted, limits, dt_s), 0.0};
 }
 
+/// The steering angle of the current motion follows from its twist.
 geometry::Twist2 limit_change(const geometry::Twist2& current, const geometry::Twist2& wanted, const Limits& limits,
                               double dt_s) {
   const double steering = limits.model == Model::kTricycle ? steering_for_rad(limits.axle, current, 0.0) : 0.0;
