@@ -9,14 +9,20 @@ namespace {
 
 using Point = BetweenCenters::Point;
 
+/// In cells, from `q` to the segment from `a` to `b`.
 double distance_to_piece(Point q, Point a, Point b) {
   return geometry::distance_to_segment({q.s, q.t}, {a.s, a.t}, {b.s, b.t});
 }
 
-/// Does the piece from a to b enter s <= 1/2 and t <= 1/2?
+/// Does the piece from a to b enter s <= 1/2 and t <= 1/2, the quarter of the lower left cell?
+///
+/// How: clipping (Liang, Barsky 1984). The part of the piece with s <= 1/2 is an interval of its
+/// parameter, 0 at a and 1 at b; so is the part with t <= 1/2. The piece enters where both intervals
+/// overlap.
 bool enters_lower_left(Point a, Point b) {
   double from = 0.0;
   double to = 1.0;
+
   const auto clip = [&](double begin, double end) {
     const double change = end - begin;
     if (change == 0.0) {
@@ -27,8 +33,10 @@ bool enters_lower_left(Point a, Point b) {
       from = std::max(from, (0.5 - begin) / change);
     }
   };
+
   clip(a.s, b.s);
   clip(a.t, b.t);
+
   return from <= to;
 }
 
@@ -50,9 +58,11 @@ double distance_to_lower_left(Point a, Point b) {
 /// upper right corner.
 bool is_surely_beyond_lower_left(Point a, Point b, double least) {
   if (std::min(a.s, b.s) > 0.5 + least || std::min(a.t, b.t) > 0.5 + least) return true;
+
   const double ds = b.s - a.s;
   const double dt = b.t - a.t;
   if (ds * dt >= 0.0) return false;
+
   const double above = std::abs(dt) * (a.s - 0.5) + std::abs(ds) * (a.t - 0.5);  // times the length
   return above > 0.0 && above * above > least * least * (ds * ds + dt * dt);
 }
@@ -77,9 +87,11 @@ BetweenCenters::BetweenCenters(const ClearanceField& field, int x, int y)
     corner_m_ = {field.clearance_m(Cell{x, y}), field.clearance_m(Cell{x + 1, y}), field.clearance_m(Cell{x, y + 1}),
                  field.clearance_m(Cell{x + 1, y + 1})};
   }
+
   least_m_ = std::min(std::min(corner_m_[0], corner_m_[1]), std::min(corner_m_[2], corner_m_[3]));
 }
 
+/// Bilinear: along both rows first, then between them.
 double BetweenCenters::blended_m(Point p) const {
   const double below = corner_m_[0] + p.s * (corner_m_[1] - corner_m_[0]);
   const double above = corner_m_[2] + p.s * (corner_m_[3] - corner_m_[2]);
@@ -91,32 +103,42 @@ double BetweenCenters::nearest_of_four_m(Point p) const {
   for (std::size_t i = 0; i < corner_m_.size(); ++i) {
     if (corner_m_[i] <= 0.0) nearest = std::min(nearest, distance_to_lower_left(turned(p, i)));
   }
+
   return nearest * cell_m_;
 }
 
+/// Beyond half a cell, occupied cells outside the four count as well; then this says no.
 bool BetweenCenters::is_clear_of_four(Point a, Point b, double radius_m) const {
   if (radius_m > 0.5 * cell_m_) return false;
+
   const double least = radius_m / cell_m_ + kRounding;
   for (std::size_t i = 0; i < corner_m_.size(); ++i) {
     if (corner_m_[i] > 0.0) continue;
+
     const Point from = turned(a, i);
     const Point to = turned(b, i);
     if (is_surely_beyond_lower_left(from, to, least)) continue;
+
     const double distance_m = distance_to_lower_left(from, to) * cell_m_;
     if (distance_m <= 0.0 || distance_m < radius_m) return false;
   }
+
   return true;
 }
 
+/// A centre does not count where the piece lies on the opposite side of the square: there the
+/// interpolation does not use it.
 double BetweenCenters::least_around_m(Point a, Point b) const {
   const auto both = [](double begin, double end, double at) { return begin == at && end == at; };
   double least = kFar;
+
   for (std::size_t i = 0; i < corner_m_.size(); ++i) {
     const bool left = (i & 1U) == 0;
     const bool below = (i & 2U) == 0;
     const bool counts = !both(a.s, b.s, left ? 1.0 : 0.0) && !both(a.t, b.t, below ? 1.0 : 0.0);
     if (counts) least = std::min(least, corner_m_[i]);
   }
+
   return least;
 }
 
@@ -143,6 +165,7 @@ double BetweenCenters::least_blended_m(Point a, Point b) const {
   const double bend = 2.0 * (begin + end - 2.0 * middle);
   const double slope = end - begin - bend;
   if (bend > 0.0 && slope < 0.0 && -slope < 2.0 * bend) return begin - slope * slope / (4.0 * bend);
+
   return std::min(begin, end);
 }
 

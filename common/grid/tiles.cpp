@@ -5,6 +5,7 @@
 namespace aisle::grid {
 namespace {
 
+/// FNV-1a of 64 bits: for each byte, hash = (hash xor byte) * prime.
 constexpr std::uint64_t kFnvOffset = 14695981039346656037ULL;
 constexpr std::uint64_t kFnvPrime = 1099511628211ULL;
 
@@ -21,11 +22,14 @@ std::vector<Occupancy> tile_cells(const OccupancyGrid& grid, const Tiling& tilin
   const Cell low = tiling.low(tile);
   const Cell high = tiling.high(tile);
   std::vector<Occupancy> cells;
+
   cells.reserve(static_cast<std::size_t>(high.x - low.x) * static_cast<std::size_t>(high.y - low.y));
+
   for (int y = low.y; y < high.y; ++y) {
     const auto row = grid.cells().begin() + static_cast<std::ptrdiff_t>(grid.geometry().index({low.x, y}));
     cells.insert(cells.end(), row, row + (high.x - low.x));
   }
+
   return cells;
 }
 
@@ -40,6 +44,7 @@ std::uint64_t map_hash(const std::vector<std::uint64_t>& tile_hashes) {
   for (const std::uint64_t tile : tile_hashes) {
     for (unsigned shift = 0; shift < 64; shift += 8) hash = (hash ^ ((tile >> shift) & 0xFFU)) * kFnvPrime;
   }
+
   return hash;
 }
 
