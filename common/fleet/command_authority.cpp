@@ -8,6 +8,7 @@ namespace {
 
 constexpr double kBeyondReason = 100.0;  // m/s, rad/s
 
+/// Finite, and not faster than any vehicle.
 bool is_sane(const geometry::Twist2& twist) {
   const auto is_near_zero = [](double speed) { return std::abs(speed) <= kBeyondReason; };  // false for NaN
   return is_near_zero(twist.linear_mps) && is_near_zero(twist.angular_radps) && is_near_zero(twist.sideways_mps);
@@ -30,6 +31,7 @@ const char* name(CommandVerdict verdict) {
     case CommandVerdict::kOldSequence:
       return "old_sequence";
   }
+
   return "unknown";
 }
 
@@ -42,10 +44,12 @@ CommandVerdict CommandAuthority::judge(const VelocityCommand& command, const Ori
     ++refused_;
     return verdict;
   }
+
   epoch_ = by.epoch;
   source_id_ = by.source_id;
   boot_id_ = by.boot_id;
   sequence_number_ = by.sequence_number;
+
   return verdict;
 }
 
@@ -54,6 +58,8 @@ CommandVerdict CommandAuthority::refuse_unread() {
   return CommandVerdict::kMalformed;
 }
 
+/// The checks in order of how much they say: first the form, then the epoch, then source and number
+/// within it.
 CommandVerdict CommandAuthority::look_at(const VelocityCommand& command, const Origin& by) const {
   if (command.agv_id != agv_id_) return CommandVerdict::kForeignVehicle;
   if (!is_sane(command.twist)) return CommandVerdict::kMalformed;
@@ -61,6 +67,7 @@ CommandVerdict CommandAuthority::look_at(const VelocityCommand& command, const O
   if (by.epoch < epoch_) return CommandVerdict::kOldEpoch;
   if (by.epoch > epoch_ || source_id_.empty()) return CommandVerdict::kAccepted;
   if (by.source_id != source_id_ || by.boot_id != boot_id_) return CommandVerdict::kForeignSource;
+
   return by.sequence_number > sequence_number_ ? CommandVerdict::kAccepted : CommandVerdict::kOldSequence;
 }
 

@@ -15,6 +15,7 @@ const char* name(ServiceState state) {
     case ServiceState::kStopping:
       return "stopping";
   }
+
   return "unknown";
 }
 

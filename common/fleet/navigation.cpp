@@ -21,6 +21,7 @@ const char* name(Phase phase) {
     case Phase::kHeld:
       return "held";
   }
+
   return "?";
 }
 
@@ -61,6 +62,7 @@ const char* name(Reason reason) {
     case Reason::kAuthority:
       return "authority";
   }
+
   return "?";
 }
 

@@ -19,6 +19,7 @@ const char* name(PlanOutcome outcome) {
     case PlanOutcome::kCancelled:
       return "cancelled";
   }
+
   return "?";
 }
 
@@ -35,6 +36,7 @@ const char* name(PlanTrigger trigger) {
     case PlanTrigger::kTakeover:
       return "takeover";
   }
+
   return "?";
 }
 

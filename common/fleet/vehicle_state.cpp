@@ -15,6 +15,7 @@ const char* name(Hold hold) {
     case Hold::kDuplicateId:
       return "duplicate_id";
   }
+
   return "unknown";
 }
 
