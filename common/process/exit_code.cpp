@@ -9,6 +9,7 @@
 namespace aisle::process {
 namespace {
 
+/// The one line on stderr; returns `code`.
 int say(const std::string& program, const char* what, int code) {
   std::fprintf(stderr, "%s: %s\n", program.c_str(), what);
   return code;
@@ -16,6 +17,7 @@ int say(const std::string& program, const char* what, int code) {
 
 }  // namespace
 
+/// From the special to the general: a handler that matches first wins.
 int run_guarded(const std::string& program, const std::function<int()>& body) {
   try {
     return body();

@@ -8,20 +8,24 @@
 namespace aisle::process {
 namespace {
 
+/// Files of this host.
 class Disk final : public FileStore {
  public:
   /// Written under a temporary name, then renamed.
   bool write(const std::filesystem::path& file, const std::string& text) override {
     std::filesystem::path temporary = file;
     temporary += ".new";
+
     {
       std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
       out << text;
       out.flush();
       if (!out) return false;
     }
+
     std::error_code error;
     std::filesystem::rename(temporary, file, error);
+
     return !error;
   }
 
@@ -29,8 +33,10 @@ class Disk final : public FileStore {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(file, error);
     if (error || size > most_bytes) return std::nullopt;
+
     std::ifstream in(file, std::ios::binary);
     if (!in) return std::nullopt;
+
     return std::string((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   }
 };

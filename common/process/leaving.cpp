@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::string_view kLine = "the middleware aborted while this process was leaving; all its work was done\n";
 
+/// A signal handler: only calls that are safe there (write, _exit).
 void end(int) {
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, kLine.data(), kLine.size());
   _exit(0);

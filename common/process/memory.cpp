@@ -20,10 +20,13 @@ int unmap_read_only_segments(dl_phdr_info* file, std::size_t, void*) {
   for (int i = 0; i < file->dlpi_phnum; ++i) {
     const ElfW(Phdr)& segment = file->dlpi_phdr[i];
     if (segment.p_type != PT_LOAD || (segment.p_flags & PF_W) != 0) continue;
+
     const std::uintptr_t begin = (file->dlpi_addr + segment.p_vaddr + page - 1) / page * page;
     const std::uintptr_t end = (file->dlpi_addr + segment.p_vaddr + segment.p_memsz) / page * page;
+
     if (end > begin) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
   }
+
   return 0;
 }
 
@@ -31,9 +34,11 @@ int unmap_read_only_segments(dl_phdr_info* file, std::size_t, void*) {
 bool is_debugged() {
   std::ifstream status("/proc/self/status");
   std::string line;
+
   while (std::getline(status, line)) {
     if (line.rfind("TracerPid:", 0) == 0) return line.find_first_of("123456789") != std::string::npos;
   }
+
   return false;
 }
 

@@ -15,6 +15,7 @@ config::BadEnvironment not_writable(const std::string& file) {
   return config::BadEnvironment(file + ": cannot be written; check the folder and its permissions");
 }
 
+/// Is it there as a folder, or as a file, and may we write to it?
 bool takes_writing(const std::filesystem::path& place, bool is_folder) {
   std::error_code ignored;
   return std::filesystem::is_directory(place, ignored) == is_folder && access(place.c_str(), W_OK) == 0;

@@ -32,9 +32,11 @@ double CpuMeter::percent_since_last(time::Stamp now, time::Stamp cpu) {
   const double elapsed_s = time::seconds(now - last_now_);
   const double used_s = time::seconds(cpu - last_cpu_);
   const bool has_interval = started_ && elapsed_s > 0.0;
+
   started_ = true;
   last_now_ = now;
   last_cpu_ = cpu;
+
   return has_interval ? 100.0 * used_s / elapsed_s : 0.0;
 }
 

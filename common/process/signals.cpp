@@ -6,10 +6,12 @@ namespace aisle::process {
 namespace {
 
 std::atomic<bool> stop_requested{false};
+
 static_assert(std::atomic<bool>::is_always_lock_free, "the signal handler may only touch lock-free atomics");
 
 void request_stop(int) { stop_requested.store(true); }
 
+/// SA_RESETHAND: the handler serves once, so that a second signal ends the process.
 void install() {
   struct sigaction action {};
   action.sa_handler = request_stop;
