@@ -12,6 +12,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kDataPrefix = "data:";
 
+/// False also when it cannot be looked at.
 bool is_file(const fs::path& path) {
   std::error_code ignored;
   return fs::is_regular_file(path, ignored);
@@ -25,17 +26,20 @@ std::vector<fs::path> data_folders(const fs::path& scenario_file) {
   return {(tree / "../shared/data").lexically_normal(), (fs::current_path() / "../shared/data").lexically_normal()};
 }
 
+/// Within the data folders only: names with .. are refused.
 fs::path find_data(const std::string& name, const fs::path& scenario_file) {
   const fs::path relative = fs::path(name).lexically_normal();
   if (relative.is_absolute() || (!relative.empty() && *relative.begin() == "..")) {
     throw config::BadInput(scenario_file.string() + ": '" + kDataPrefix + name +
                            "' leaves the data folder; name a file within it");
   }
+
   std::string looked;
   for (const fs::path& folder : data_folders(scenario_file)) {
     if (is_file(folder / relative)) return folder / relative;
     looked += (looked.empty() ? "" : ", ") + folder.string();
   }
+
   throw config::BadInput(scenario_file.string() + ": no file '" + name + "' in " + looked +
                          "; set AISLE_DATA to the folder with the reference data (ros, movingai, pedestrians)");
 }
@@ -45,11 +49,13 @@ fs::path find_data(const std::string& name, const fs::path& scenario_file) {
 fs::path find_named_file(const std::string& name, const fs::path& scenario_file) {
   const std::string prefix = kDataPrefix;
   if (name.compare(0, prefix.size(), prefix) == 0) return find_data(name.substr(prefix.size()), scenario_file);
+
   const fs::path path = (scenario_file.parent_path() / name).lexically_normal();
   if (!is_file(path)) {
     throw config::BadInput(scenario_file.string() + ": no file '" + path.string() +
                            "'; paths are relative to the scenario file");
   }
+
   return path;
 }
 

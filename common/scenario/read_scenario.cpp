@@ -22,25 +22,31 @@ constexpr double kLongestS = 86400.0;
 constexpr std::size_t kMostVehicles = 100;
 constexpr std::size_t kMostGoals = 1000;
 
+/// 1 to 60 letters, digits, '-', '_' and '.'.
 bool is_id(const std::string& id) {
   const auto fits = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' ||
            c == '.';
   };
+
   return !id.empty() && id.size() <= 60 && std::all_of(id.begin(), id.end(), fits);
 }
 
+/// Reads a required id.
 void read_id(YamlReader& r, const char* key, std::string& id) {
   r.field(key, id).require({key});
   if (r.has(key) && !is_id(id))
     r.reject(key, "'" + id + "' is not an id; use 1 to 60 letters, digits, '-', '_' and '.'");
 }
 
+/// [x, y] or [x, y, yaw].
 geometry::Pose2 pose_of(YamlReader& r, const char* key, const std::vector<double>& numbers) {
   if (numbers.size() < 2 || numbers.size() > 3)
     r.reject(key, "takes [x, y] or [x, y, yaw]: metres and radians, in map");
+
   const double yaw = numbers.size() == 3 ? numbers[2] : 0.0;
   if (std::abs(yaw) > 6.3) r.reject(key, "the yaw is in radians, at most a turn (6.28)");
+
   return {numbers[0], numbers[1], geometry::wrap(yaw)};
 }
 
@@ -51,14 +57,18 @@ void read_pose(YamlReader& r, const char* key, geometry::Pose2& pose) {
   if (r.has(key)) pose = pose_of(r, key, numbers);
 }
 
+/// Leaves `point` as it is when the key is missing.
 void read_point(YamlReader& r, const char* key, geometry::Point2& point) {
   std::vector<double> numbers;
   r.field(key, numbers, -kFarthestM, kFarthestM);
+
   if (!r.has(key)) return;
+
   if (numbers.size() != 2) r.reject(key, "takes [x, y]: metres in map");
   point = {numbers[0], numbers[1]};
 }
 
+/// By its word in the file.
 std::optional<kinematics::Model> find_model(const std::string& name) {
   if (name == "differential") return kinematics::Model::kDifferential;
   if (name == "omnidirectional") return kinematics::Model::kOmnidirectional;
@@ -70,6 +80,7 @@ std::optional<kinematics::Model> find_model(const std::string& name) {
 
 struct VehicleEntry {
   VehicleSetup value;
+
   void describe(YamlReader& r) {
     read_id(r, "id", value.id);
     r.field("model", value.model)
@@ -81,10 +92,13 @@ struct VehicleEntry {
         .section("axle", value.axle);
     r.require({"start"});
     read_pose(r, "start", value.start_in_map);
+
     if (!find_model(value.model))
       r.reject("model", "'" + value.model + "' is not simulated; use differential, omnidirectional or tricycle");
+
     if (r.has("length_m") != r.has("width_m"))
       r.reject(r.has("length_m") ? "length_m" : "width_m", "a rectangle has both, length_m and width_m");
+
     if (r.has("length_m") && r.has("radius_m")) r.reject("radius_m", "a rectangle has none; give length_m and width_m");
     if (r.has("ahead_m") && !r.has("length_m")) r.reject("ahead_m", "is a rectangle's; give length_m and width_m");
     if (r.has("axle") && value.model != "tricycle") r.reject("axle", "only a tricycle has a steered axle");
@@ -94,6 +108,7 @@ struct VehicleEntry {
 struct MissionEntry {
   Mission value;
   std::string where;
+
   void describe(YamlReader& r) {
     std::vector<std::vector<double>> rows;
     r.field("vehicle", value.vehicle)
@@ -109,6 +124,7 @@ struct MissionEntry {
 
 struct MoverEntry {
   Mover value;
+
   void describe(YamlReader& r) {
     std::vector<std::vector<double>> rows;
     read_id(r, "id", value.id);
@@ -120,6 +136,7 @@ struct MoverEntry {
         .field("waypoints", rows, -kFarthestM, kFarthestM)
         .require({"waypoints"});
     if (r.has("waypoints") && rows.size() < 2) r.reject("waypoints", "takes two or more points [x, y]");
+
     for (const std::vector<double>& row : rows) {
       if (row.size() != 2) r.reject("waypoints", "takes points [x, y]: metres in map");
       value.waypoints_in_map.push_back({row[0], row[1]});
@@ -130,6 +147,7 @@ struct MoverEntry {
 struct RecordingEntry {
   Recording value;
   std::string file;
+
   void describe(YamlReader& r) {
     r.field("file", file)
         .field("frames_per_s", value.frames_per_s, 1.0, 1000.0)
@@ -144,6 +162,7 @@ struct RecordingEntry {
 
 struct BlockEntry {
   Block value;
+
   void describe(YamlReader& r) {
     read_id(r, "id", value.id);
     r.field("length_m", value.length_m, 0.05, 50.0)
@@ -156,6 +175,7 @@ struct BlockEntry {
 
 struct MapEditEntry {
   MapEdit value;
+
   void describe(YamlReader& r) {
     std::string action = "block";
     r.field("at_s", value.at_s, 0.0, kLongestS).field("action", action).require({"at_s", "low", "high"});
@@ -163,12 +183,14 @@ struct MapEditEntry {
     read_point(r, "high", value.high_in_map);
     if (action != "block" && action != "unblock") r.reject("action", "'" + action + "' is neither block nor unblock");
     value.block = action == "block";
+
     if (value.high_in_map.x <= value.low_in_map.x || value.high_in_map.y <= value.low_in_map.y) {
       r.reject("high", "must lie above and to the right of low");
     }
   }
 };
 
+/// Reads a list of entries and appends their values. @returns the entries, for what only they know
 template <class Entry, class Value>
 std::vector<Entry> read_list(YamlReader& r, const char* key, std::vector<Value>& values) {
   std::vector<Entry> entries;
@@ -177,6 +199,7 @@ std::vector<Entry> read_list(YamlReader& r, const char* key, std::vector<Value>&
   return entries;
 }
 
+/// The whole file; checks that need more than one entry are made at the end.
 struct ScenarioFile {
   Scenario value;
   std::string map;
@@ -202,22 +225,27 @@ struct ScenarioFile {
     check(r);
   }
 
+  /// Numbers of things, and ids that are unique among all of them.
   void check(YamlReader& r) const {
     if (r.has("vehicles") && value.vehicles.empty()) r.reject("vehicles", "names no vehicle");
     if (value.vehicles.size() > kMostVehicles) r.reject("vehicles", "names more than 100 vehicles");
+
     std::set<std::string> ids;
     const auto take = [&](const char* key, const std::string& id) {
       if (!ids.insert(id).second) r.reject(key, "'" + id + "' names two things; ids are unique in a scenario");
     };
+
     for (const VehicleSetup& vehicle : value.vehicles) take("vehicles", vehicle.id);
     check_missions();
     for (const Mover& mover : value.movers) take("movers", mover.id);
     for (const Block& block : value.blocks) take("blocks", block.id);
   }
 
+  /// Each names a vehicle of the file, at most one for each vehicle.
   void check_missions() const {
     std::set<std::string> known;
     for (const VehicleSetup& vehicle : value.vehicles) known.insert(vehicle.id);
+
     std::set<std::string> with_mission;
     for (const MissionEntry& mission : missions) {
       const std::string& id = mission.value.vehicle;
@@ -237,12 +265,15 @@ kinematics::Model VehicleSetup::kinematic_model() const {
 Scenario read_scenario(const std::filesystem::path& file) {
   ScenarioFile read;
   config::read_yaml_file(file, read);
+
   Scenario scenario = std::move(read.value);
   if (scenario.name.empty()) scenario.name = file.stem().string();
   scenario.map_file = find_named_file(read.map, file);
+
   for (std::size_t i = 0; i < scenario.recordings.size(); ++i) {
     scenario.recordings[i].file = find_named_file(read.recordings[i].file, file);
   }
+
   return scenario;
 }
 

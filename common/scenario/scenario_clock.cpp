@@ -18,6 +18,7 @@ std::optional<double> ScenarioClock::seconds(time::Stamp now, std::int64_t wall_
   return time::seconds(now - *zero_);
 }
 
+/// zero = now + (start - wall clock): both clocks are read at the same moment.
 void ScenarioClock::place(time::Stamp now, std::int64_t wall_clock_ns) {
   zero_ = now + time::Stamp(*start_at_ns_ - wall_clock_ns);
 }
