@@ -16,29 +16,37 @@ bool covers(std::chrono::milliseconds offered, std::chrono::milliseconds request
 
 }  // namespace
 
+/// Requested against offered, policy by policy, as in DDS 1.4, section 2.2.3; the first that does not
+/// fit is named.
 std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, const Qos& requested,
                          bool asks_manual_liveliness) {
   if (offered.reliability == Reliability::kBestEffort && requested.reliability == Reliability::kReliable) {
     return "reliability: best effort is offered, reliable is asked for";
   }
+
   if (offered.durability == Durability::kVolatile && requested.durability == Durability::kTransientLocal) {
     return "durability: volatile is offered, transient local is asked for";
   }
+
   if (offered.ownership != requested.ownership) {
     const bool exclusive = offered.ownership == Ownership::kExclusive;
     return std::string("ownership: ") + (exclusive ? "exclusive is offered, shared" : "shared is offered, exclusive") +
            " is asked for";
   }
+
   if (!covers(offered.deadline, requested.deadline)) {
     return "deadline: " + period(offered.deadline) + " is offered, " + period(requested.deadline) + " is asked for";
   }
+
   if (asks_manual_liveliness && !offers_manual_liveliness) {
     return "liveliness: automatic is offered, manual by topic is asked for";
   }
+
   if (!covers(offered.liveliness_lease, requested.liveliness_lease)) {
     return "liveliness lease: " + period(offered.liveliness_lease) + " is offered, " +
            period(requested.liveliness_lease) + " is asked for";
   }
+
   return {};
 }
 
@@ -49,11 +57,14 @@ std::optional<Incident> mismatch(const Announced& ours, const Announced& theirs,
         Incident::Kind::kTypeMismatch, ours.topic,
         ours.topic + ": " + their_end + " uses type " + theirs.type + ", ours is " + ours.type + "; no samples pass"};
   }
+
   if (ours.is_writer == theirs.is_writer) return std::nullopt;
+
   const Announced& writer = ours.is_writer ? ours : theirs;
   const Announced& reader = ours.is_writer ? theirs : ours;
   const std::string conflict = qos_conflict(writer.qos, writer.manual_liveliness, reader.qos, reader.manual_liveliness);
   if (conflict.empty()) return std::nullopt;
+
   return Incident{Incident::Kind::kIncompatibleQos, ours.topic,
                   ours.topic + ": " + their_end + " does not fit our QoS: " + conflict + "; no samples pass"};
 }

@@ -17,6 +17,8 @@ using Clock = std::chrono::steady_clock;
 
 }  // namespace
 
+/// The loop: it waits on a WaitSet until a reader has something, a timer is due, or the guard condition
+/// wakes it; then it handles everything that has come.
 struct DdsBus::State {
   struct Timer {
     std::chrono::nanoseconds period;
@@ -27,6 +29,7 @@ struct DdsBus::State {
   explicit State(const Settings& given) : settings(given), site(std::make_shared<Site>(given)) {
     wait_set.attach_condition(site->guard());
   }
+
   ~State() {
     for (auto& [name, reader] : readers) wait_set.detach_condition(reader->condition());
     wait_set.detach_condition(site->guard());
@@ -37,7 +40,10 @@ struct DdsBus::State {
   bool handle_readers();
   bool handle_timers();
   bool handle_all();
+
+  /// Until `limit`, or the next timer if that is earlier. Not at all when a reader has more.
   void wait_until(Clock::time_point limit);
+
   void report(const Incident& incident) const {
     for (const auto& handler : incident_handlers) handler(incident);
   }
@@ -59,6 +65,7 @@ bool DdsBus::State::handle_posted() {
     const std::lock_guard<std::mutex> lock(post_mutex);
     work.swap(posted);
   }
+
   for (const auto& one : work) one();
   return !work.empty();
 }
@@ -74,29 +81,36 @@ bool DdsBus::State::handle_readers() {
   for (auto& [name, reader] : readers) {  // a map: readers that a handler adds do not disturb
     handled |= reader->drain([this](const Incident& incident) { report(incident); });
   }
+
   return handled;
 }
 
+/// A timer that was missed several times fires once, and next at the next multiple of its period.
 bool DdsBus::State::handle_timers() {
   bool handled = false;
   const Clock::time_point now = Clock::now();
+
   for (std::size_t i = 0; i < timers.size(); ++i) {
     Timer& timer = timers[i];
     if (timer.next > now) continue;
+
     const auto missed = (now - timer.next) / timer.period;
     timer.next += (missed + 1) * timer.period;
     timer.handler();
     handled = true;
   }
+
   return handled;
 }
 
 bool DdsBus::State::handle_all() {
   site->guard().set_trigger_value(false);  // first: what comes from now on wakes the next wait
+
   const bool posted_work = handle_posted();
   const bool incidents = handle_incidents();
   const bool samples = handle_readers();
   const bool ticks = handle_timers();
+
   return posted_work || incidents || samples || ticks;
 }
 
@@ -104,9 +118,12 @@ void DdsBus::State::wait_until(Clock::time_point limit) {
   for (const auto& [name, reader] : readers) {
     if (reader->has_more()) return;
   }
+
   for (const Timer& timer : timers) limit = std::min(limit, timer.next);
+
   const auto left = limit - Clock::now();
   if (left <= std::chrono::nanoseconds(0)) return;
+
   fast::dds::ConditionSeq active;
   wait_set.wait(active, fast::duration(left));
 }
@@ -117,6 +134,7 @@ DdsBus::~DdsBus() = default;
 std::shared_ptr<detail::RawWriter> DdsBus::raw_writer(const char* topic, int strength) {
   const Site::Channel& channel = state_->site->channel(topic);
   auto writer = std::make_shared<DdsWriter>(state_->site, channel, strength);
+
   state_->own.push_back(
       {topic, channel.support.get_type_name(), state_->settings.participant_name, "", true, channel.type->qos, {}});
   return writer;
@@ -131,6 +149,7 @@ void DdsBus::raw_on(const char* topic, detail::RawHandler handler) {
     state_->own.push_back(
         {topic, channel.support.get_type_name(), state_->settings.participant_name, "", false, channel.type->qos, {}});
   }
+
   found->second->add(std::move(handler));
 }
 
@@ -148,6 +167,7 @@ void DdsBus::post(std::function<void()> work) {
     const std::lock_guard<std::mutex> lock(state_->post_mutex);
     state_->posted.push_back(std::move(work));
   }
+
   state_->site->wake();
 }
 
@@ -157,6 +177,7 @@ bool DdsBus::run_once(std::chrono::nanoseconds limit) {
     if (Clock::now() >= end) return false;
     state_->wait_until(end);
   }
+
   return true;
 }
 

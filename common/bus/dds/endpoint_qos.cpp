@@ -7,6 +7,7 @@ namespace aisle::bus {
 namespace {
 
 using namespace std::chrono_literals;
+
 namespace dds = fast::dds;
 
 /// What writers and readers have in common.
@@ -19,15 +20,18 @@ void apply(const Qos& qos, EndpointQos& endpoint) {
   endpoint.ownership().kind =
       qos.ownership == Ownership::kExclusive ? dds::EXCLUSIVE_OWNERSHIP_QOS : dds::SHARED_OWNERSHIP_QOS;
   if (qos.deadline > 0ms) endpoint.deadline().period = fast::duration(qos.deadline);
+
   if (qos.liveliness_lease > 0ms) {
     endpoint.liveliness().kind = dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;
     endpoint.liveliness().lease_duration = fast::duration(qos.liveliness_lease);
     endpoint.liveliness().announcement_period = fast::duration(qos.liveliness_lease / 2);
   }
+
   endpoint.history().kind = qos.depth > 0 ? dds::KEEP_LAST_HISTORY_QOS : dds::KEEP_ALL_HISTORY_QOS;
   endpoint.history().depth = std::max(1, qos.depth);
   endpoint.data_sharing().off();
   endpoint.endpoint().history_memory_policy = fast::kMemoryPolicy;
+
   // The defaults allow ten instances: the eleventh vehicle would be dropped. 0: no limit.
   endpoint.resource_limits().max_samples = 0;
   endpoint.resource_limits().max_instances = 0;
@@ -38,16 +42,20 @@ void apply(const Qos& qos, EndpointQos& endpoint) {
 
 }  // namespace
 
+/// Heartbeats every 50 ms repair a loss soon; a write blocks at most 10 ms when the history is full.
 dds::DataWriterQos writer_qos(const Qos& qos, int strength) {
   dds::DataWriterQos writer = dds::DATAWRITER_QOS_DEFAULT;
   apply(qos, writer);
   writer.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
+
   if (qos.ownership == Ownership::kExclusive)
     writer.ownership_strength().value = static_cast<std::uint32_t>(std::max(0, strength));
+
   if (qos.reliability == Reliability::kReliable) {
     fast::set_heartbeat(writer, 50ms);
     writer.reliability().max_blocking_time = fast::duration(10ms);
   }
+
   // The end of a queue's instance is not a disposal; everywhere else, to unregister is to dispose.
   writer.writer_data_lifecycle().autodispose_unregistered_instances = qos.depth > 0;
   return writer;

@@ -10,6 +10,7 @@
 namespace aisle::bus {
 namespace {
 
+/// A codec by a row of the type table.
 class TableCodec final : public SampleCodec {
  public:
   explicit TableCodec(const TopicType& type)
@@ -18,21 +19,26 @@ class TableCodec final : public SampleCodec {
   const std::string& topic() const override { return topic_; }
   const std::string& type_name() const override { return type_name_; }
   const Qos& qos() const override { return type_.qos; }
+
   AnySample new_sample() const override {
     fast::Sample made = fast::new_sample(support_);
     auto deleter = made.get_deleter();
     return AnySample(made.release(), std::move(deleter));
   }
+
   bool encode(const void* sample, std::vector<std::uint8_t>& bytes) const override {
     return fast::encode(support_, sample, bytes);
   }
+
   bool decode(const std::vector<std::uint8_t>& bytes, void* sample) const override {
     return fast::decode(support_, bytes, sample);
   }
+
   void key(const void* sample, std::string& key) const override {
     key.clear();
     type_.append_key(const_cast<void*>(sample), key);
   }
+
   void copy_key(void* to, const void* from) const override { type_.copy_key(to, const_cast<void*>(from)); }
   std::size_t encoded_bytes(const void* sample) const override { return fast::serialized_bytes(support_, sample); }
 
@@ -50,8 +56,10 @@ const SampleCodec& sample_codec(const std::string& topic) {
     for (const TopicType& type : all_topic_types()) made.try_emplace(type.name, type);
     return made;
   }();
+
   const auto found = codecs.find(topic);
   assert(found != codecs.end() && "not in topics.hpp");
+
   return found->second;
 }
 

@@ -20,8 +20,10 @@ constexpr std::size_t kEndsAtOnce = 64;
 /// stdout belongs to programs (`aisle topic echo --json`); the middleware complains on stderr, and of errors only.
 void configure_process_once() {
   static std::once_flag once;
+
   std::call_once(once, [] {
     dds::Log::ClearConsumers();
+
     auto consumer = std::make_unique<dds::StdoutErrConsumer>();
     consumer->stderr_threshold(dds::Log::Kind::Info);
     dds::Log::RegisterConsumer(std::move(consumer));
@@ -44,10 +46,13 @@ void forget_changes(dds::DataWriter& writer) {
 Site::Site(const Settings& settings)
     : discovery_(settings.partition, [this] { wake(); }), partition_(settings.partition) {
   configure_process_once();
+
   const dds::DomainParticipantQos qos = participant_qos(settings);
   auto* factory = dds::DomainParticipantFactory::get_instance();
+
   participant_ = factory->create_participant(static_cast<dds::DomainId_t>(settings.domain), qos, &discovery_,
                                              dds::StatusMask::none());
+
   if (participant_ == nullptr) {
     const std::string hint =
         settings.security.enabled() ? "check the certificates and permissions (openssl smime -verify), and " : "";
@@ -55,19 +60,26 @@ Site::Site(const Settings& settings)
                                  "check that UDP ports from " + std::to_string(7400 + 250 * settings.domain) +
                                  " are free");
   }
+
   dds::PublisherQos publisher = dds::PUBLISHER_QOS_DEFAULT;
   dds::SubscriberQos subscriber = dds::SUBSCRIBER_QOS_DEFAULT;
+
   if (!partition_.empty()) {
     publisher.partition().push_back(partition_.c_str());
     subscriber.partition().push_back(partition_.c_str());
   }
+
   publisher_ = participant_->create_publisher(publisher);
   subscriber_ = participant_->create_subscriber(subscriber);
 }
 
+/// The listener first: it must not be called while the entities go. Then the writers' histories, then
+/// the entities.
 Site::~Site() {
   if (participant_ == nullptr) return;
+
   participant_->set_listener(nullptr);
+
   std::vector<dds::DataWriter*> writers;
   if (publisher_ != nullptr) publisher_->get_datawriters(writers);
   for (dds::DataWriter* writer : writers) forget_changes(*writer);
@@ -78,11 +90,15 @@ Site::~Site() {
 const Site::Channel& Site::channel(const std::string& name) {
   const auto known = channels_.find(name);
   if (known != channels_.end()) return known->second;
+
   const TopicType& type = topic_type(name);
   dds::TypeSupport support = type.make_support();
+
   support.register_type(participant_);
+
   dds::Topic* topic = participant_->create_topic(name, support.get_type_name(), dds::TOPIC_QOS_DEFAULT);
   if (topic == nullptr) throw config::BadEnvironment("cannot create topic " + name + ": out of memory?");
+
   return channels_.emplace(name, Channel{&type, std::move(support), topic}).first->second;
 }
 
@@ -98,6 +114,7 @@ fast::dds::DataReader& Site::make_reader(const Channel& channel, fast::dds::Data
   dds::DataReader* reader =
       subscriber_->create_datareader(channel.topic, reader_qos(channel.type->qos), listener, heard);
   if (reader == nullptr) throw config::BadEnvironment(std::string("cannot create a reader of ") + channel.type->name);
+
   discovery_.add_local(channel.announced(false));
   return *reader;
 }
@@ -118,15 +135,22 @@ DdsWriter::~DdsWriter() {
   if (const auto site = site_.lock()) site->drop(writer_);
 }
 
+/// On a queue, what was written is remembered until readers have acknowledged it; that bounds it to
+/// max_kept.
 bool DdsWriter::write(const void* sample) {
   const auto site = site_.lock();
   if (!site) return false;
+
   void* data = const_cast<void*>(sample);  // 2.9 asks for it, and does not write
   if (room_ == 0) return fast::ok(writer_.write(data, dds::HANDLE_NIL));
+
   if (written_.size() >= std::min(room_, kEndsAtOnce)) end_acknowledged();
+
   if (written_.size() >= room_ || !fast::ok(writer_.write(data, dds::HANDLE_NIL))) return false;
+
   written_.push_back(fast::new_sample(support_));
   type_.copy_key(written_.back().get(), data);
+
   return true;
 }
 
@@ -148,8 +172,10 @@ void DdsWriter::assert_liveliness() {
 int DdsWriter::matched_readers() const {
   const auto site = site_.lock();
   if (!site) return 0;
+
   dds::PublicationMatchedStatus status;
   writer_.get_publication_matched_status(status);
+
   return status.current_count;
 }
 

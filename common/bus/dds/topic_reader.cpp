@@ -12,6 +12,7 @@ namespace {
 namespace dds = fast::dds;
 constexpr int kSamplesPerTurn = 512;  // then others have their turn
 
+/// As Fast DDS prints it.
 std::string text_of_guid(const fast::rtps::InstanceHandle_t& writer) {
   std::ostringstream text;
   text << fast::rtps::iHandle2GUID(writer);
@@ -25,6 +26,7 @@ void TopicReader::Listener::queue(const WriterEvent& event) {
     const std::lock_guard<std::mutex> lock(mutex_);
     events_.push_back(event);
   }
+
   site_.wake();
 }
 
@@ -67,6 +69,7 @@ bool TopicReader::drain(const Report& report) {
   const std::vector<WriterEvent> events =
       listener_.take();  // before the samples: what a writer said last comes before its end
   bool handled = drain_samples(report);
+
   for (std::size_t i = 0; i < events.size(); ++i) {
     const bool returned =
         std::any_of(events.begin() + static_cast<std::ptrdiff_t>(i), events.end(),
@@ -74,6 +77,7 @@ bool TopicReader::drain(const Report& report) {
     if (events[i].gone && !returned) lose(events[i], report);
     handled = true;
   }
+
   report_statuses(report);
   return handled;
 }
@@ -81,24 +85,30 @@ bool TopicReader::drain(const Report& report) {
 bool TopicReader::drain_samples(const Report& report) {
   int taken = 0;
   dds::SampleInfo info;
+
   while (taken < kSamplesPerTurn && fast::ok(reader_->take_next_sample(sample_.get(), &info))) {
     take(info, report);
     ++taken;
   }
+
   has_more_ = taken == kSamplesPerTurn;
   return taken > 0;
 }
 
+/// Data, or the end of an instance. Samples with bytes that do not fit the type are dropped and
+/// reported.
 void TopicReader::take(const dds::SampleInfo& info, const Report& report) {
   const Handle& writer = info.publication_handle;
   if (!info.valid_data) {
     end(info.instance_handle, writer, info.instance_state == dds::NOT_ALIVE_DISPOSED_INSTANCE_STATE);
     return;
   }
+
   if (!fast::last_sample_fits) {
     report(malformed_sample(type_->name, type_name_, participant_of(writer)));
     return;
   }
+
   if (type_->qos.depth > 0) {
     instances_.hear(info.instance_handle, writer, [this] {
       fast::Sample key = fast::new_sample(support_);
@@ -106,6 +116,7 @@ void TopicReader::take(const dds::SampleInfo& info, const Report& report) {
       return key;
     });
   }
+
   hand_over(sample_.get(), SampleKind::kData, writer);
 }
 
@@ -125,16 +136,19 @@ void TopicReader::report_statuses(const Report& report) {
   const auto limited = [&](const Incident& incident) {
     if (quiet_.allows(incident.kind, monotonic_now())) report(incident);
   };
+
   if (changed.is_active(dds::StatusMask::requested_deadline_missed())) {
     dds::RequestedDeadlineMissedStatus status;
     reader_->get_requested_deadline_missed_status(status);
     limited(deadline_missed(type_->name, type_->qos, status.total_count));
   }
+
   if (changed.is_active(dds::StatusMask::sample_rejected())) {
     dds::SampleRejectedStatus status;
     reader_->get_sample_rejected_status(status);
     limited(samples_rejected(type_->name, status.total_count));
   }
+
   if (changed.is_active(dds::StatusMask::requested_incompatible_qos())) {
     dds::RequestedIncompatibleQosStatus status;
     reader_->get_requested_incompatible_qos_status(status);  // named with the peer by Discovery

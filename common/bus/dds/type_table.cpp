@@ -21,9 +21,11 @@ void append_field(const Field& field, std::string& bytes) {
   }
 }
 
+/// Topic: a row of topics.hpp; Generated: the type support that fastddsgen made for its sample.
 template <class Topic, class Generated>
 TopicType row() {
   static_assert(std::is_same_v<typename Topic::Sample, typename Generated::type>);
+
   using Sample = typename Topic::Sample;
   return {Topic::kName, Topic::kQos, [] { return fast::dds::TypeSupport(new fast::Guarded<Generated>); },
           [](void* to, void* from) { Topic::key(*static_cast<Sample*>(to)) = Topic::key(*static_cast<Sample*>(from)); },
@@ -53,6 +55,7 @@ const TopicType& topic_type(const std::string& topic) {
   for (const TopicType& row : table()) {
     if (topic == row.name) return row;
   }
+
   assert(false && "not in topics.hpp");
   std::abort();
 }

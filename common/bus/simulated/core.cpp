@@ -10,9 +10,11 @@ Core::Core(std::uint64_t seed, const Options& options)
 
 bool Core::step() {
   if (is_idle()) return false;
+
   now_ = next_time();
   while (!events_.empty() && events_.next_time() <= now_) events_.pop()();
   give_turns();
+
   return true;
 }
 
@@ -21,14 +23,17 @@ void Core::advance_to(time::Stamp time) {
   now_ = std::max(now_, time);
 }
 
+/// Called by a bus within its turn: other buses have their turns meanwhile.
 bool Core::wait(time::Stamp limit, const std::function<bool()>& done) {
   while (!done()) {
     if (is_idle() || next_time() > limit) {
       now_ = std::max(now_, limit);
       return done();
     }
+
     step();
   }
+
   return true;
 }
 
@@ -49,15 +54,19 @@ time::Stamp Core::extra_latency(const Process& a, const Process& b) const {
   return std::max(time::Stamp{}, slower - options_.link.latency);
 }
 
+/// A packet that is lost, or cannot pass, is tried again a heartbeat later.
 void Core::tell(Process& from, Process& to, std::function<void()> arrival) {
   if (to.gone) return;
+
   const Links::Fate fate = passes(from, to) ? links_.send(from.host, to.host) : Links::Fate{};
   if (fate.copies == 0) {
     after(options_.heartbeat, [this, &from, &to, arrival = std::move(arrival)] {
       if (!from.gone) tell(from, to, arrival);
     });
+
     return;
   }
+
   after(fate.after[0], [&to, arrival = std::move(arrival)] {
     if (!to.gone) arrival();
   });

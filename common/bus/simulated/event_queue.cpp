@@ -4,6 +4,7 @@
 
 namespace aisle::bus::simulated {
 
+/// A slot of an action that is done is used again.
 void EventQueue::push(time::Stamp time, Action action) {
   std::size_t slot = actions_.size();
   if (unused_.empty()) {
@@ -13,15 +14,18 @@ void EventQueue::push(time::Stamp time, Action action) {
     unused_.pop_back();
     actions_[slot] = std::move(action);
   }
+
   heap_.push_back({time, order_++, slot});
   std::push_heap(heap_.begin(), heap_.end(), is_later);
 }
 
 EventQueue::Action EventQueue::pop() {
   std::pop_heap(heap_.begin(), heap_.end(), is_later);
+
   const std::size_t slot = heap_.back().slot;
   heap_.pop_back();
   unused_.push_back(slot);
+
   return std::exchange(actions_[slot], nullptr);
 }
 

@@ -22,6 +22,7 @@ const Link& Links::link(int from, int to) const {
   return from == to ? base_ : between_;
 }
 
+/// Remembers since when nothing passes: leases run from then.
 void Links::set_link(int from, int to, const Link& link, time::Stamp now) {
   const bool was_cut = this->link(from, to).passes_nothing();
   if (link.passes_nothing() && !was_cut) cut_since_[{from, to}] = now;
@@ -33,6 +34,7 @@ void Links::set_all_between(const Link& link, time::Stamp now) {
   for (auto entry = own_.begin(); entry != own_.end();) {
     entry = entry->first.first == entry->first.second ? std::next(entry) : own_.erase(entry);
   }
+
   if (link.passes_nothing() && !between_.passes_nothing()) all_cut_since_ = now;
   between_ = link;
 }
@@ -51,32 +53,41 @@ time::Stamp Links::delay(const Link& link) {
   if (link.jitter.count() > 0) {
     delay += time::Stamp(random_() % (static_cast<std::uint64_t>(link.jitter.count()) + 1));
   }
+
   return delay;
 }
 
+/// A number is drawn only for what the link can do, in a fixed order: so a link without faults draws
+/// nothing.
 Links::Fate Links::send(int from, int to) {
   const Link& link = this->link(from, to);
   ++tally_.sent;
+
   if (link.cut) {
     ++tally_.cut;
     return {};
   }
+
   if (link.loss > 0.0 && chance() < link.loss) {
     ++tally_.lost;
     return {};
   }
+
   Fate fate;
   fate.copies = 1;
   fate.after[0] = delay(link);
+
   if (link.reorder > 0.0 && chance() < link.reorder) {
     ++tally_.reordered;
     fate.after[0] += link.hold_back;
   }
+
   if (link.duplicate > 0.0 && chance() < link.duplicate) {
     ++tally_.duplicated;
     fate.copies = 2;
     fate.after[1] = delay(link);
   }
+
   if (fate.after[0] > base_.latency + base_.jitter) ++tally_.delayed;
   return fate;
 }

@@ -24,11 +24,14 @@ void Process::post(std::function<void()> work) {
 /// An event at the next tick: it ends a wait, and gives the turn to a process that is driven.
 void Process::wake_for_timers() {
   if (timers_.empty() || gone) return;
+
   const auto first =
       std::min_element(timers_.begin(), timers_.end(), [](const Timer& a, const Timer& b) { return a.next < b.next; });
   const time::Stamp next = first->next;
   if (wake_ && *wake_ <= next) return;
+
   wake_ = next;
+
   core.at(next, [this, next] {
     if (wake_ != next) return;
     wake_.reset();
@@ -43,6 +46,7 @@ bool Process::has_work() const {
 
 void Process::take_turn() {
   if (gone || hung || frozen_since || in_turn_) return;
+
   if (core.now() < busy_until_) {
     if (!std::exchange(waits_, true)) {
       core.at(busy_until_, [this] {
@@ -50,8 +54,10 @@ void Process::take_turn() {
         core.give_turn(*this);
       });
     }
+
     return;
   }
+
   in_turn_ = true;
   busy_until_ = core.now() + turn_time;
   turn ? turn() : static_cast<void>(run_once(std::chrono::nanoseconds(0)));
@@ -65,15 +71,18 @@ bool Process::run_once(std::chrono::nanoseconds limit) {
     if (gone || core.now() >= end) return false;
     core.wait(end, [this] { return has_work(); });
   }
+
   return true;
 }
 
 bool Process::handle_all() {
   if (gone || frozen_since) return false;
+
   const bool posted_work = handle_posted();
   const bool told_incidents = handle_incidents();
   const bool samples = handle_readers();
   const bool ticks = handle_timers();
+
   wake_for_timers();
   return posted_work || told_incidents || samples || ticks;
 }
@@ -92,25 +101,30 @@ bool Process::handle_incidents() {
 
 bool Process::handle_readers() {
   if (!std::exchange(samples_wait, false)) return false;
+
   bool handled = false;
   for (auto& [topic, reader] : readers) {  // a map: readers that a handler adds do not disturb
     handled |= reader->drain([this](const Incident& incident) { report(incident); });
     samples_wait |= reader->has_work();
   }
+
   return handled;
 }
 
 bool Process::handle_timers() {
   bool handled = false;
   const time::Stamp now = core.now();
+
   for (std::size_t i = 0; i < timers_.size(); ++i) {
     Timer& timer = timers_[i];
     if (timer.next > now) continue;
+
     const auto missed = (now - timer.next) / timer.period;
     timer.next += (missed + 1) * timer.period;
     timer.handler();
     handled = true;
   }
+
   return handled;
 }
 
@@ -123,26 +137,32 @@ Announced Process::announce(const SampleCodec& codec, bool is_writer) const {
   Announced announced = other == announced_as.end()
                             ? Announced{codec.topic(), codec.type_name(), is_writer, codec.qos(), false}
                             : other->second;
+
   announced.is_writer = is_writer;
   announced.manual_liveliness = announced.qos.liveliness_lease.count() > 0;
+
   return announced;
 }
 
 std::shared_ptr<WriterEnd> Process::add_writer(const char* topic_name, int strength) {
   Topic& topic = core.topic(topic_name);
   const std::string guid = "p" + std::to_string(id) + ".w" + std::to_string(writers.size());
+
   writers.push_back(std::make_shared<WriterEnd>(core, *this, topic, announce(topic.codec, true), strength, guid));
   core.introduce(*writers.back());
+
   return writers.back();
 }
 
 ReaderEnd& Process::reader(const char* topic_name) {
   const auto found = readers.find(topic_name);
   if (found != readers.end()) return *found->second;
+
   Topic& topic = core.topic(topic_name);
   ReaderEnd& made =
       *readers.emplace(topic_name, std::make_unique<ReaderEnd>(core, *this, topic, announce(topic.codec, false)))
            .first->second;
+
   core.introduce(made);
   return made;
 }
@@ -165,6 +185,7 @@ std::string Process::described() const {
 
 std::vector<Endpoint> Process::endpoints() const {
   std::vector<Endpoint> all;
+
   const auto add = [&](const Announced& seen, const Process& of, bool is_ours) {
     Endpoint endpoint{seen.topic, seen.type, of.settings.participant_name, "", seen.is_writer, seen.qos, {}};
     if (!is_ours) {
@@ -172,16 +193,21 @@ std::vector<Endpoint> Process::endpoints() const {
       endpoint.qos.depth = 0;
       if (!of.settings.partition.empty()) endpoint.partitions = {of.settings.partition};
     }
+
     all.push_back(std::move(endpoint));
   };
+
   const auto add_all = [&](const Process& of, bool is_ours) {
     for (const auto& writer : of.writers) {
       if (!writer->gone || of.gone) add(writer->announced, of, is_ours);
     }
+
     for (const auto& [topic, reader] : of.readers) add(reader->announced, of, is_ours);
   };
+
   add_all(*this, true);
   for (const int other : known) add_all(core.process(other), false);
+
   return all;
 }
 
@@ -191,6 +217,7 @@ std::vector<Participant> Process::peers() const {
     const Process& peer = core.process(other);
     all.push_back({peer.settings.participant_name, core.links().host_name(peer.host), peer.id + 1});
   }
+
   return all;
 }
 

@@ -13,6 +13,7 @@ const void* sample_of(const Change& change, const SampleCodec& codec) {
     change.decoded = codec.new_sample();
     change.is_malformed = !codec.decode(change.bytes, change.decoded.get());
   }
+
   return change.is_malformed ? nullptr : change.decoded.get();
 }
 
@@ -34,6 +35,7 @@ void ReaderEnd::begin(Match& match) {
 
 void ReaderEnd::forget(Match& match) {
   if (!match.at_reader) return;
+
   match.at_reader = false;
   match.early.clear();
   lose_ownership(match.writer);
@@ -58,19 +60,28 @@ void ReaderEnd::note(const WriterEvent& event) {
   wake();
 }
 
+/// A sample has arrived: renews the lease, then passes the filters for duplicates and for
+/// ownership.
 void ReaderEnd::accept(Match& match, const ChangePtr& change) {
   if (gone) return;
+
   assert_liveliness(match);
+
   if (change->sequence <= match.newest) return;  // twice, or overtaken
+
   match.newest = change->sequence;
+
   if (qos_.ownership == Ownership::kExclusive && !is_owner(match.writer, change->instance)) return;
+
   if (qos_.deadline.count() > 0) {
     deadlines_[change->instance] = core_.now() + qos_.deadline;
     watch_deadlines();
   }
+
   put(change, match.writer);
 }
 
+/// Keep last: the oldest waiting sample of the instance makes room.
 void ReaderEnd::put(const ChangePtr& change, WriterEnd& writer) {
   std::vector<Cached>& waiting = cache_[change->instance];
   if (qos_.depth > 0 && waiting.size() >= static_cast<std::size_t>(qos_.depth)) waiting.erase(waiting.begin());
@@ -78,9 +89,11 @@ void ReaderEnd::put(const ChangePtr& change, WriterEnd& writer) {
   wake();
 }
 
+/// The strongest writer; of equally strong ones the one with the least id.
 bool ReaderEnd::is_owner(const WriterEnd& writer, const InstanceId& instance) {
   std::vector<const WriterEnd*>& claims = claims_[instance];
   if (std::find(claims.begin(), claims.end(), &writer) == claims.end()) claims.push_back(&writer);
+
   return std::none_of(claims.begin(), claims.end(), [&](const WriterEnd* other) {
     if (other->strength != writer.strength) return other->strength > writer.strength;
     return std::pair(other->process.id, other->guid) < std::pair(writer.process.id, writer.guid);
@@ -94,20 +107,26 @@ void ReaderEnd::lose_ownership(const WriterEnd& writer) {
 
 void ReaderEnd::assert_liveliness(Match& match) {
   if (gone || qos_.liveliness_lease.count() == 0) return;
+
   match.asserted = core_.now();
+
   if (!match.alive) {
     match.alive = true;
     note({&match.writer, false, false});
   }
+
   if (!match.lease_watched) watch_lease(match);
 }
 
 void ReaderEnd::watch_lease(Match& match) {
   match.lease_watched = true;
+
   core_.at(match.asserted + qos_.liveliness_lease, [this, &match] {
     match.lease_watched = false;
+
     if (gone || !match.at_reader) return;
     if (match.asserted + qos_.liveliness_lease > core_.now()) return watch_lease(match);
+
     match.alive = false;
     lose_ownership(match.writer);
     note({&match.writer, true, true});
@@ -116,7 +135,9 @@ void ReaderEnd::watch_lease(Match& match) {
 
 void ReaderEnd::watch_deadlines() {
   if (deadlines_watched_ || deadlines_.empty()) return;
+
   deadlines_watched_ = true;
+
   const auto first = std::min_element(deadlines_.begin(), deadlines_.end(),
                                       [](const auto& a, const auto& b) { return a.second < b.second; });
   core_.at(first->second, [this] { check_deadlines(); });
@@ -124,22 +145,30 @@ void ReaderEnd::watch_deadlines() {
 
 void ReaderEnd::check_deadlines() {
   deadlines_watched_ = false;
+
   if (gone) return;
+
   for (auto& [instance, due] : deadlines_) {
     if (due > core_.now()) continue;
+
     due = core_.now() + qos_.deadline;
     ++missed_;
+
     // The owner lost this instance, until it writes again.
     if (qos_.ownership == Ownership::kExclusive) claims_[instance].clear();
   }
+
   if (missed_ > 0) wake();
   watch_deadlines();
 }
 
+/// Samples first, then the ends of writers that did not come back, then missed deadlines.
 bool ReaderEnd::drain(const Report& report) {
   if (!has_work()) return false;
+
   const std::vector<WriterEvent> events = std::exchange(events_, {});  // before the samples: what a writer said last
   bool handled = drain_samples(report);                                // comes before its end
+
   for (std::size_t i = 0; i < events.size(); ++i) {
     const bool returned =
         std::any_of(events.begin() + static_cast<std::ptrdiff_t>(i), events.end(),
@@ -147,11 +176,13 @@ bool ReaderEnd::drain(const Report& report) {
     if (events[i].gone && !returned) lose(events[i], report);
     handled = true;
   }
+
   if (missed_ > 0) {
     missed_total_ += std::exchange(missed_, 0);
     const Incident incident = deadline_missed(topic.codec.topic(), qos_, missed_total_);
     if (quiet_.allows(incident.kind, core_.now())) report(incident);
   }
+
   return handled;
 }
 
@@ -161,11 +192,13 @@ bool ReaderEnd::drain_samples(const Report& report) {
     const auto first = cache_.begin();
     std::vector<Cached>& waiting = first->second;
     const Cached cached = std::move(waiting.front());
+
     waiting.erase(waiting.begin());
     if (waiting.empty()) cache_.erase(first);
     take(cached, report);
     ++taken;
   }
+
   return taken > 0;
 }
 
@@ -175,11 +208,13 @@ void ReaderEnd::take(const Cached& cached, const Report& report) {
     end(change.instance, *cached.writer, true);
     return;
   }
+
   const void* sample = sample_of(change, topic.codec);
   if (sample == nullptr) {
     report(malformed_sample(topic.codec.topic(), announced.type, cached.writer->process.described()));
     return;
   }
+
   if (qos_.depth > 0) {
     instances_.hear(change.instance, cached.writer, [&] {
       AnySample key = topic.codec.new_sample();
@@ -187,6 +222,7 @@ void ReaderEnd::take(const Cached& cached, const Report& report) {
       return key;
     });
   }
+
   hand_over(sample, SampleKind::kData, *cached.writer);
 }
 

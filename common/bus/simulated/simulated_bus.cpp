@@ -11,9 +11,11 @@ namespace {
 class SimulatedWriter final : public detail::RawWriter {
  public:
   SimulatedWriter(Core& core, std::shared_ptr<WriterEnd> end) : core_(core.weak_from_this()), end_(std::move(end)) {}
+
   ~SimulatedWriter() override {
     if (const auto core = core_.lock()) end_->close();
   }
+
   SimulatedWriter(const SimulatedWriter&) = delete;
   SimulatedWriter& operator=(const SimulatedWriter&) = delete;
 
@@ -21,6 +23,7 @@ class SimulatedWriter final : public detail::RawWriter {
   bool dispose(const void* sample) override { return end_->dispose(sample); }
   void assert_liveliness() override { end_->assert_liveliness(); }
   int matched_readers() const override { return end_->matched_readers(); }
+
   bool wait_until_acknowledged(std::chrono::milliseconds limit) override {
     const auto core = core_.lock();
     return core && core->wait(core->now() + limit, [this] { return end_->is_acknowledged(); });
