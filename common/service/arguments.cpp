@@ -13,13 +13,16 @@
 namespace aisle::service {
 namespace {
 
+/// Of the program, and of the verb that was chosen.
 void add_flag_names(const CLI::App& app, std::vector<std::string>& names) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
+
   for (const CLI::App* verb : app.get_subcommands()) add_flag_names(*verb, names);
 }
 
+/// Of the innermost verb that was chosen.
 void add_verb_names(const CLI::App& app, std::vector<std::string>& names) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   if (!chosen.empty()) return add_verb_names(*chosen.front(), names);
@@ -27,17 +30,21 @@ void add_verb_names(const CLI::App& app, std::vector<std::string>& names) {
     names.push_back(verb->get_name());
 }
 
+/// Names the nearest flag or verb that exists here.
 std::string unknown_argument(const CLI::App& app, const std::string& argument) {
   const std::string name = argument.substr(0, argument.find('='));
   const bool is_flag = name.rfind('-', 0) == 0;
   std::vector<std::string> known;
+
   if (is_flag) {
     add_flag_names(app, known);
   } else {
     add_verb_names(app, known);
   }
+
   const std::string nearest = config::nearest_name(name, known);
   if (nearest == name) return "'" + name + "' is not expected here; see --help";  // e.g. after a lone --
+
   return (is_flag ? "unknown flag '" : "unexpected argument '") + name + "'" +
          (nearest.empty() ? "; see --help" : "; did you mean '" + nearest + "'?");
 }
@@ -50,9 +57,11 @@ std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* a
     return std::nullopt;
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error, std::cout, std::cerr);
+
     // A mistyped verb is reported as one that is missing: name what was typed instead.
     const std::vector<std::string> extras = app.remaining(true);
     if (!extras.empty()) throw config::BadInput(unknown_argument(app, extras.front()));
+
     throw config::BadInput(std::string(error.what()) + "; see --help");
   }
 }

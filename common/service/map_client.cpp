@@ -23,6 +23,7 @@ MapClient::MapClient(bus::Bus& bus, const std::string& requester_id, const Optio
   bus_.on<topics::MapTile>([this](const aisle::MapTile& sample, const bus::SampleInfo& info) {
     if (info.kind == bus::SampleKind::kData) take(sample);
   });
+
   bus_.every(kLookEvery, [this] { ask_for_missing(); });
 }
 
@@ -30,6 +31,7 @@ void MapClient::take(const aisle::MapInfo& sample) {
   auto summary = wire::decode(sample);
   if (!summary) return drop("map_info: " + summary.reason());
   if (!is_ours(summary->map_id)) return;
+
   map_id_ = summary->map_id;
   note(mirror_.take(*summary));
 }
@@ -46,11 +48,16 @@ bool MapClient::is_ours(const std::string& map_id) {
   return false;
 }
 
+/// An edit recomputes the clearances around the changed cells only.
 void MapClient::note(grid::MapMirror::Change change) {
   if (change == grid::MapMirror::Change::kNone) return;
+
   progress_ = bus_.now();
+
   if (change != grid::MapMirror::Change::kComplete) return;
+
   hash_ = mirror_.summary()->hash;
+
   if (options_.with_clearance) {
     if (clearance_.geometry() == mirror_.grid().geometry()) {
       clearance_.update(mirror_.grid(), mirror_.changed_low(), mirror_.changed_high());
@@ -58,16 +65,20 @@ void MapClient::note(grid::MapMirror::Change change) {
       clearance_ = grid::ClearanceField(mirror_.grid(), options_.clearance_max_m);
     }
   }
+
   const std::size_t count = on_map_.size();  // what a handler adds is called from the next map on
   for (std::size_t i = 0; i < count; ++i)
     on_map_[i](mirror_.grid(), clearance_, mirror_.changed_low(), mirror_.changed_high());
 }
 
+/// Asking counts as progress, so that requests keep their distance.
 void MapClient::ask_for_missing() {
   if (mirror_.is_complete()) return;
+
   const bool knows_what = mirror_.summary().has_value();
   if (bus_.now() - progress_ < (knows_what ? options_.ask_after : kAskForInfoAfter)) return;
   if (requests_.matched_readers() == 0) return;
+
   progress_ = bus_.now();
   requests_.write(wire::encode(fleet::MapRequest{requester_id_, map_id_, ++requests_sent_, mirror_.missing_tiles()}));
 }

@@ -14,6 +14,7 @@ aisle::Origin OriginStamper::next() {
   origin.epoch(epoch_);
   origin.sequence_number(++sequence_number_);
   origin.stamp_ns(bus_->wall_clock_ns());
+
   return origin;
 }
 

@@ -10,10 +10,12 @@ namespace {
 
 constexpr std::size_t kMostInstances = 512;
 constexpr double kMostSkewS = 1.0;
+
 // An older process's last sample may still be on its way when a restarted one speaks; after this it is a second
 // process.
 constexpr time::Stamp kHandover = std::chrono::milliseconds(500);
 
+/// For messages.
 std::string name_of(const PeerHealth& peer) { return fmt::format("process {} on host {}", peer.process_id, peer.host); }
 
 }  // namespace
@@ -31,6 +33,8 @@ bool PeerWatch::is_twin(const PeerHealth& peer) const {
          peer.instance_id != own_instance_id_;
 }
 
+/// A sample of an earlier start than the newest one known: the older process still lives, unless the
+/// newer has only just come.
 bool PeerWatch::is_duplicate(const PeerHealth& peer, const Seen* seen, time::Stamp now) const {
   if (peer.is_stopping) return false;
   if (!own_instance_id_.empty() && peer.instance_id == own_instance_id_) return peer.boot_id != own_boot_id_;
@@ -40,12 +44,15 @@ bool PeerWatch::is_duplicate(const PeerHealth& peer, const Seen* seen, time::Sta
 std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, std::int64_t wall_clock_ns) {
   std::vector<Finding> findings;
   if (peer.boot_id == own_boot_id_ && peer.instance_id == own_instance_id_) return findings;
+
   auto position = seen_.find(peer.instance_id);
   const bool duplicate = is_duplicate(peer, position == seen_.end() ? nullptr : &position->second, now);
+
   if (position == seen_.end()) {
     if (seen_.size() >= kMostInstances) seen_.erase(seen_.begin());
     position = seen_.emplace(peer.instance_id, Seen{}).first;
   }
+
   Seen& seen = position->second;
   if (seen.samples == 0 || peer.boot_id > seen.newest.boot_id) {
     const bool said_duplicate = seen.said_duplicate;
@@ -53,15 +60,19 @@ std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, st
     seen.said_duplicate = said_duplicate;
     seen.first_arrival = now;
   }
+
   if (duplicate && !seen.said_duplicate) {
     seen.said_duplicate = true;
+
     const bool is_ours = peer.instance_id == own_instance_id_;
     findings.push_back(
         {Finding::Kind::kDuplicateInstance, peer.instance_id,
          fmt::format("instance id '{}' is used twice: also by {}{}; give one of them another --instance",
                      peer.instance_id, name_of(peer), is_ours ? "" : " beside " + name_of(seen.newest))});
   }
+
   if (peer.boot_id < seen.newest.boot_id) return findings;
+
   if (is_twin(peer) && !seen.said_twin) {
     seen.said_twin = true;
     findings.push_back({Finding::Kind::kDuplicateVehicle, peer.instance_id,
@@ -69,6 +80,7 @@ std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, st
                                     "them, or give it another vehicle's id",
                                     own_agv_id_, own_service_, peer.instance_id, name_of(peer))});
   }
+
   if (peer.idl_version != own_idl_version_ && !seen.said_version) {
     seen.said_version = true;
     findings.push_back(
@@ -76,9 +88,11 @@ std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, st
          fmt::format("{} ({}) speaks IDL version {} (software {}), this process {}; install the same release on both",
                      peer.instance_id, name_of(peer), peer.idl_version, peer.software_version, own_idl_version_)});
   }
+
   // The first sample may be history that waited for us, so one that is fresh must confirm it.
   const double skew_s = static_cast<double>(peer.wall_clock_ns - wall_clock_ns) * 1e-9;
   const bool is_skewed = seen.samples >= 2 && std::abs(skew_s) > kMostSkewS && std::abs(seen.last_skew_s) > kMostSkewS;
+
   if (is_skewed && !seen.said_skew) {
     seen.said_skew = true;
     findings.push_back(
@@ -86,9 +100,11 @@ std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, st
          fmt::format("the clock of host {} ({}) is {:.1f} s {} ours; synchronise both, e.g. with chrony", peer.host,
                      peer.instance_id, std::abs(skew_s), skew_s > 0 ? "ahead of" : "behind")});
   }
+
   seen.last_skew_s = skew_s;
   seen.newest = peer;
   ++seen.samples;
+
   return findings;
 }
 

@@ -23,6 +23,7 @@ constexpr milliseconds kReportPeriod{250};
 constexpr milliseconds kLivelinessPeriod{500};  // of a lease of 2 s
 constexpr seconds kWarningPeriod{10};
 
+/// The part that PeerWatch judges.
 PeerHealth peer_of(const fleet::ServiceHealth& health, const Sender& from) {
   PeerHealth peer;
   peer.instance_id = health.instance_id;
@@ -35,6 +36,7 @@ PeerHealth peer_of(const fleet::ServiceHealth& health, const Sender& from) {
   peer.is_stopping = health.state == fleet::ServiceState::kStopping;
   peer.service = health.service;
   peer.agv_id = health.agv_id;
+
   return peer;
 }
 
@@ -48,6 +50,7 @@ Health health_of(const Identity& identity) {
   health.host = identity.host;
   health.process_id = identity.process_id;
   health.agv_id = identity.agv_id;
+
   return health;
 }
 
@@ -79,9 +82,11 @@ struct Shell::State {
   time::Stamp now() const { return shared->bus.now(); }
   std::int64_t wall_clock_ns() const { return shared->bus.wall_clock_ns(); }
 
+  /// At most one line of a kind in kWarningPeriod.
   void warn(const std::string& kind, const std::string& text) {
     const process::RateLimit::Pass pass = warnings.ask(kind, now());
     if (!pass.allowed) return;
+
     if (pass.kept_back == 0) {
       log->warn("{}", text);
     } else {
@@ -89,15 +94,19 @@ struct Shell::State {
     }
   }
 
+  /// Counted by every shell, logged by the first: the bus is the same.
   void take(const bus::Incident& incident) {
     health.count("incidents");
+
     if (shared->shells.front() == this)
       warn(std::to_string(static_cast<int>(incident.kind)) + incident.topic, incident.text);
+
     const bool passes_by_itself =
         incident.kind == bus::Incident::Kind::kDeadlineMissed || incident.kind == bus::Incident::Kind::kLivelinessLost;
     if (!passes_by_itself) health.last_error = incident.text;
   }
 
+  /// Contradictions with other processes become warnings; all but a clock that is off also last_error.
   void take(const PeerHealth& peer) {
     for (const Finding& finding : peers.take(peer, now(), wall_clock_ns())) {
       log->warn("{}", finding.text);
@@ -110,7 +119,9 @@ struct Shell::State {
   /// Asks the service how it is.
   void fill_report() {
     if (map != nullptr) health.tell_map(map->map_id(), map->revision(), map->hash());
+
     if (!fill || has_failed) return;
+
     health.waits_for.clear();
     health.is_degraded = false;
     fill(health);
@@ -119,18 +130,22 @@ struct Shell::State {
                                               : fleet::ServiceState::kWaiting;
   }
 
+  /// Something that others must hear at once.
   bool has_changed() const {
     return !was_published || health.state != said.state || health.waits_for != said.waits_for ||
            health.last_error != said.last_error;
   }
 
+  /// Writes `service_health` with the newest usage and stamp.
   void publish() {
     const Surroundings::Usage usage = surroundings.usage ? surroundings.usage() : Surroundings::Usage{};
     health.cpu_percent = usage.cpu_percent;
     health.resident_mb = usage.resident_mb;
+
     fleet::Origin by = origin();
     by.sequence_number = ++sequence_number;
     health.wall_clock_ns = by.stamp_ns;
+
     aisle::ServiceHealth sample = wire::encode(health);
     wire::stamp(sample, by);
     writer.write(sample);
@@ -146,7 +161,9 @@ struct Shell::State {
   /// Runs where an exception was caught.
   void fail(const std::string& why) {
     has_failed = true;
+
     if (shared->only_failed_are_left()) throw;
+
     health.state = fleet::ServiceState::kDegraded;
     health.waits_for.clear();
     health.last_error = "failed: " + why + "; silent until its process is restarted";
@@ -154,8 +171,10 @@ struct Shell::State {
     publish();
   }
 
+  /// See Shell: a handler that throws silences this shell and no other.
   void guarded(const std::function<void()>& work) {
     if (has_failed) return;
+
     try {
       work();
     } catch (const std::exception& error) {
@@ -183,6 +202,7 @@ bool Shell::Shared::only_failed_are_left() const {
   return std::all_of(shells.begin(), shells.end(), [](const State* shell) { return shell->has_failed; });
 }
 
+/// What is done once a bus, for all its shells.
 void Shell::Shared::start() {
   bus.on_incident([this](const bus::Incident& incident) {
     for (State* shell : shells) shell->take(incident);
@@ -232,16 +252,20 @@ void Shell::warn(const std::string& kind, const std::string& text) { state_->war
 MapClient& Shell::map(const MapClient::Options& options, MapClient::OnMap on_map) {
   auto& maps = state_->shared->maps;
   auto found = std::find_if(maps.begin(), maps.end(), [&](const auto& entry) { return entry.first == options; });
+
   if (found == maps.end()) {
     maps.emplace_back(options, std::make_unique<MapClient>(bus(), instance_id(), options));
     found = std::prev(maps.end());
   }
+
   state_->map = found->second.get();
+
   if (on_map) {
     state_->map->on_map([this, on_map = std::move(on_map)](
                             const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low,
                             grid::Cell high) { guarded([&] { on_map(grid, clearance, low, high); }); });
   }
+
   return *found->second;
 }
 
@@ -255,10 +279,12 @@ void Shell::post(std::function<void()> work) {
 
 std::function<void()> Shell::soon(std::function<void()> work) {
   auto is_posted = std::make_shared<bool>(false);
+
   auto run = [is_posted, work = std::move(work)] {
     *is_posted = false;
     work();
   };
+
   return [this, is_posted, run = std::move(run)] {
     if (!std::exchange(*is_posted, true)) post(run);
   };
