@@ -13,6 +13,7 @@ constexpr std::size_t kMaxCells = 16384;
 constexpr double kMaxEdgeCells = 2097152.0;
 constexpr std::size_t kMaxDetail = 256;
 
+/// 0 free, 1 occupied, 2 unknown, as in the IDL.
 std::vector<std::uint8_t> bytes(const std::vector<grid::Occupancy>& cells) {
   std::vector<std::uint8_t> out(cells.size());
   std::transform(cells.begin(), cells.end(), out.begin(),
@@ -27,6 +28,7 @@ aisle::EditAction to_wire(fleet::MapEdit::Action action) {
     case fleet::MapEdit::Action::kUnblock:
       return EditAction::EDIT_UNBLOCK;
   }
+
   return {};
 }
 
@@ -37,6 +39,7 @@ std::optional<fleet::MapEdit::Action> from_wire(aisle::EditAction action) {
     case EditAction::EDIT_UNBLOCK:
       return fleet::MapEdit::Action::kUnblock;
   }
+
   return std::nullopt;
 }
 
@@ -49,6 +52,7 @@ aisle::EditShape to_wire(fleet::MapEdit::Shape shape) {
     case fleet::MapEdit::Shape::kDisc:
       return EditShape::SHAPE_DISC;
   }
+
   return {};
 }
 
@@ -61,6 +65,7 @@ std::optional<fleet::MapEdit::Shape> from_wire(aisle::EditShape shape) {
     case EditShape::SHAPE_DISC:
       return fleet::MapEdit::Shape::kDisc;
   }
+
   return std::nullopt;
 }
 
@@ -73,6 +78,7 @@ aisle::EditOutcome to_wire(fleet::MapEditResult::Outcome outcome) {
     case fleet::MapEditResult::Outcome::kRefused:
       return EditOutcome::EDIT_REFUSED;
   }
+
   return {};
 }
 
@@ -85,21 +91,27 @@ std::optional<fleet::MapEditResult::Outcome> from_wire(aisle::EditOutcome outcom
     case EditOutcome::EDIT_REFUSED:
       return fleet::MapEditResult::Outcome::kRefused;
   }
+
   return std::nullopt;
 }
 
+/// Checks the sizes before anything is computed from them.
 grid::Tiling decode_tiling(const aisle::MapInfo& sample, Checks& checks) {
   checks.within("width_cells", sample.width_cells(), 1.0, kMaxEdgeCells)
       .within("height_cells", sample.height_cells(), 1.0, kMaxEdgeCells)
       .within("resolution_m", sample.resolution_m(), 1e-4, 1e3)
       .within("tile_size_cells", sample.tile_size_cells(), 1.0, grid::MapMirror::kMaxTileSize);
+
   const geometry::Pose2 origin = decode(sample.origin_in_map(), checks, "origin_in_map");
   checks.holds(origin.yaw == 0.0, "origin_in_map.yaw_rad is not 0");
+
   if (!checks.ok()) return {};
+
   grid::Tiling tiling;
   tiling.tile_size = static_cast<int>(sample.tile_size_cells());
   tiling.geometry = {static_cast<int>(sample.width_cells()), static_cast<int>(sample.height_cells()),
                      sample.resolution_m(), origin.position()};
+
   return tiling;
 }
 
@@ -108,6 +120,7 @@ grid::Tiling decode_tiling(const aisle::MapInfo& sample, Checks& checks) {
 aisle::MapInfo encode(const grid::MapSummary& summary) {
   const grid::Geometry& g = summary.tiling.geometry;
   aisle::MapInfo sample;
+
   sample.map_id(summary.map_id);
   sample.revision(summary.revision);
   sample.width_cells(static_cast<std::uint32_t>(g.width));
@@ -117,26 +130,34 @@ aisle::MapInfo encode(const grid::MapSummary& summary) {
   sample.tile_size_cells(static_cast<std::uint32_t>(summary.tiling.tile_size));
   sample.hash(summary.hash);
   sample.tile_hashes(summary.tile_hashes);
+
   return sample;
 }
 
 Decoded<grid::MapSummary> decode(const aisle::MapInfo& sample) {
   Checks checks;
   grid::MapSummary summary;
+
   summary.map_id = sample.map_id().to_string();
   summary.revision = sample.revision();
   summary.hash = sample.hash();
   checks.id("map_id", summary.map_id).holds(summary.revision > 0, "revision counts from 1");
   summary.tiling = decode_tiling(sample, checks);
+
   if (!checks.ok()) return Decoded<grid::MapSummary>::refused(checks.reason());
+
   const auto tiles =
       static_cast<std::size_t>(summary.tiling.tiles_x()) * static_cast<std::size_t>(summary.tiling.tiles_y());
   checks.count("tile_hashes", sample.tile_hashes().size(), tiles, std::min(tiles, kMaxTiles));
+
   if (!checks.ok()) return Decoded<grid::MapSummary>::refused(checks.reason());
+
   summary.tile_hashes = sample.tile_hashes();
+
   if (grid::map_hash(summary.tile_hashes) != summary.hash) {
     return Decoded<grid::MapSummary>::refused("hash does not belong to tile_hashes");
   }
+
   return summary;
 }
 
@@ -148,31 +169,39 @@ aisle::MapTile encode(const grid::Tile& tile) {
   sample.revision(tile.revision);
   sample.hash(tile.hash);
   sample.cells(bytes(tile.cells));
+
   return sample;
 }
 
 Decoded<grid::Tile> decode(const aisle::MapTile& sample) {
   Checks checks;
   grid::Tile tile;
+
   tile.map_id = sample.map_id().to_string();
   checks.id("map_id", tile.map_id)
       .within("tile_x", sample.tile_x(), 0.0, kMaxTiles - 1.0)
       .within("tile_y", sample.tile_y(), 0.0, kMaxTiles - 1.0)
       .count("cells", sample.cells().size(), 1, kMaxCells);
+
   if (!checks.ok()) return Decoded<grid::Tile>::refused(checks.reason());
+
   tile.tile_x = static_cast<int>(sample.tile_x());
   tile.tile_y = static_cast<int>(sample.tile_y());
   tile.revision = sample.revision();
   tile.hash = sample.hash();
   tile.cells.resize(sample.cells().size());
+
   for (std::size_t i = 0; i < tile.cells.size(); ++i) {
     if (sample.cells()[i] > static_cast<std::uint8_t>(grid::Occupancy::kUnknown)) {
       return Decoded<grid::Tile>::refused("cells[" + std::to_string(i) + "] = " + std::to_string(sample.cells()[i]) +
                                           " is not 0, 1 or 2");
     }
+
     tile.cells[i] = static_cast<grid::Occupancy>(sample.cells()[i]);
   }
+
   if (grid::tile_hash(tile.cells) != tile.hash) return Decoded<grid::Tile>::refused("hash does not belong to cells");
+
   return tile;
 }
 
@@ -182,6 +211,7 @@ aisle::MapRequest encode(const fleet::MapRequest& request) {
   sample.map_id(request.map_id);
   sample.sequence_number(request.sequence_number);
   sample.tiles(request.tiles);
+
   return sample;
 }
 
@@ -189,10 +219,13 @@ Decoded<fleet::MapRequest> decode(const aisle::MapRequest& sample) {
   Checks checks;
   fleet::MapRequest request{
       sample.requester_id().to_string(), sample.map_id().to_string(), sample.sequence_number(), {}};
+
   checks.id("requester_id", request.requester_id)
       .optional_id("map_id", request.map_id)
       .count("tiles", sample.tiles().size(), 0, kMaxTiles);
+
   if (!checks.ok()) return Decoded<fleet::MapRequest>::refused(checks.reason());
+
   request.tiles = sample.tiles();
   return request;
 }
@@ -205,12 +238,14 @@ aisle::MapEdit encode(const fleet::MapEdit& edit) {
   sample.shape(to_wire(edit.shape));
   for (const geometry::Point2 point : edit.points_in_map) sample.points().push_back(encode(point));
   sample.radius_m(edit.radius_m);
+
   return sample;
 }
 
 Decoded<fleet::MapEdit> decode(const aisle::MapEdit& sample) {
   Checks checks;
   fleet::MapEdit edit;
+
   edit.edit_id = sample.edit_id().to_string();
   edit.map_id = sample.map_id().to_string();
   edit.action = checks.known("action", sample.action(), from_wire(sample.action()));
@@ -221,6 +256,7 @@ Decoded<fleet::MapEdit> decode(const aisle::MapEdit& sample) {
       .count("points", sample.points().size(), 1, 64)
       .within("radius_m", edit.radius_m, -kFarthestM, kFarthestM);
   for (const aisle::Point& point : sample.points()) edit.points_in_map.push_back(decode(point, checks, "points"));
+
   return checks.decoded(std::move(edit));
 }
 
@@ -232,12 +268,14 @@ aisle::MapEditResult encode(const fleet::MapEditResult& result) {
   sample.detail(result.detail.substr(0, kMaxDetail));
   sample.revision(result.revision);
   sample.changed_cells(result.changed_cells);
+
   return sample;
 }
 
 Decoded<fleet::MapEditResult> decode(const aisle::MapEditResult& sample) {
   Checks checks;
   fleet::MapEditResult result;
+
   result.edit_id = sample.edit_id().to_string();
   result.map_id = sample.map_id().to_string();
   result.outcome = checks.known("outcome", sample.outcome(), from_wire(sample.outcome()));
@@ -245,6 +283,7 @@ Decoded<fleet::MapEditResult> decode(const aisle::MapEditResult& sample) {
   result.revision = sample.revision();
   result.changed_cells = sample.changed_cells();
   checks.id("edit_id", result.edit_id).optional_id("map_id", result.map_id);
+
   return checks.decoded(std::move(result));
 }
 

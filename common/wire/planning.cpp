@@ -36,6 +36,7 @@ aisle::PlanOutcome to_wire(fleet::PlanOutcome value) {
     case fleet::PlanOutcome::kCancelled:
       return PlanOutcome::PLAN_CANCELLED;
   }
+
   return {};
 }
 
@@ -56,6 +57,7 @@ std::optional<fleet::PlanOutcome> from_wire(aisle::PlanOutcome value) {
     case PlanOutcome::PLAN_CANCELLED:
       return fleet::PlanOutcome::kCancelled;
   }
+
   return std::nullopt;
 }
 
@@ -72,6 +74,7 @@ aisle::PlanTrigger to_wire(fleet::PlanTrigger value) {
     case fleet::PlanTrigger::kTakeover:
       return PlanTrigger::TRIGGER_TAKEOVER;
   }
+
   return {};
 }
 
@@ -88,6 +91,7 @@ std::optional<fleet::PlanTrigger> from_wire(aisle::PlanTrigger value) {
     case PlanTrigger::TRIGGER_TAKEOVER:
       return fleet::PlanTrigger::kTakeover;
   }
+
   return std::nullopt;
 }
 
@@ -110,6 +114,7 @@ aisle::NavigationPhase to_wire(fleet::Phase value) {
     case fleet::Phase::kHeld:
       return NavigationPhase::PHASE_HELD;
   }
+
   return {};
 }
 
@@ -132,6 +137,7 @@ std::optional<fleet::Phase> from_wire(aisle::NavigationPhase value) {
     case NavigationPhase::PHASE_HELD:
       return fleet::Phase::kHeld;
   }
+
   return std::nullopt;
 }
 
@@ -172,6 +178,7 @@ aisle::NavigationReason to_wire(fleet::Reason value) {
     case fleet::Reason::kAuthority:
       return NavigationReason::REASON_AUTHORITY;
   }
+
   return {};
 }
 
@@ -212,6 +219,7 @@ std::optional<fleet::Reason> from_wire(aisle::NavigationReason value) {
     case NavigationReason::REASON_AUTHORITY:
       return fleet::Reason::kAuthority;
   }
+
   return std::nullopt;
 }
 
@@ -225,12 +233,14 @@ aisle::Goal encode(const fleet::Goal& goal) {
   sample.position_tolerance_m(goal.position_tolerance_m);
   sample.yaw_tolerance_rad(goal.yaw_tolerance_rad);
   sample.cancelled(goal.is_cancelled);
+
   return sample;
 }
 
 Decoded<fleet::Goal> decode(const aisle::Goal& sample) {
   Checks checks;
   fleet::Goal goal;
+
   goal.agv_id = sample.agv_id().to_string();
   goal.id = sample.goal_id().to_string();
   goal.pose_in_map = decode(sample.pose_in_map(), checks, "pose_in_map");
@@ -241,6 +251,7 @@ Decoded<fleet::Goal> decode(const aisle::Goal& sample) {
       .id("goal_id", goal.id)
       .within("position_tolerance_m", goal.position_tolerance_m, 0.0, kWidestToleranceM)
       .within("yaw_tolerance_rad", goal.yaw_tolerance_rad, 0.0, kWidestToleranceRad);
+
   return checks.decoded(std::move(goal));
 }
 
@@ -262,12 +273,14 @@ aisle::Plan encode(const fleet::Plan& plan) {
   for (const geometry::Point2 point : plan.waypoints_in_map) sample.waypoints_in_map().push_back(encode(point));
   sample.length_m(plan.length_m);
   sample.planning_ms(plan.planning_ms);
+
   return sample;
 }
 
 Decoded<fleet::Plan> decode(const aisle::Plan& sample) {
   Checks checks;
   fleet::Plan plan;
+
   plan.agv_id = sample.agv_id().to_string();
   plan.id = sample.plan_id();
   plan.goal_id = sample.goal_id().to_string();
@@ -291,11 +304,14 @@ Decoded<fleet::Plan> decode(const aisle::Plan& sample) {
       .within("length_m", plan.length_m, 0.0, kLongestWayM)
       .finite("planning_ms", plan.planning_ms)
       .count("waypoints_in_map", sample.waypoints_in_map().size(), plan.is_found() ? 1 : 0, kMostWaypoints);
+
   if (!checks.ok()) return Decoded<fleet::Plan>::refused(checks.reason());
 
   plan.waypoints_in_map.reserve(sample.waypoints_in_map().size());
+
   for (const aisle::Point& point : sample.waypoints_in_map())
     plan.waypoints_in_map.push_back(decode(point, checks, "waypoints_in_map"));
+
   return checks.decoded(std::move(plan));
 }
 
@@ -313,18 +329,21 @@ aisle::NavigationStatus encode(const fleet::NavigationStatus& status) {
   sample.blocked_at_in_map(encode(status.blocked_at_in_map));
   sample.blocked_radius_m(status.blocked_radius_m);
   sample.control_ms(status.control_ms);
+
   for (std::size_t i = 0; i < std::min(status.intent.size(), kMostIntent); ++i) {
     aisle::IntentPoint point;
     point.offset_s(status.intent[i].offset_s);
     point.base_in_map(encode(status.intent[i].base_in_map));
     sample.intent().push_back(point);
   }
+
   return sample;
 }
 
 Decoded<fleet::NavigationStatus> decode(const aisle::NavigationStatus& sample) {
   Checks checks;
   fleet::NavigationStatus status;
+
   status.agv_id = sample.agv_id().to_string();
   status.goal_id = sample.goal_id().to_string();
   status.plan_id = sample.plan_id();
@@ -344,6 +363,7 @@ Decoded<fleet::NavigationStatus> decode(const aisle::NavigationStatus& sample) {
       .within("blocked_radius_m", status.blocked_radius_m, 0.0, kLargestBlockM)
       .finite("control_ms", status.control_ms)
       .count("intent", sample.intent().size(), 0, kMostIntent);
+
   if (!checks.ok()) return Decoded<fleet::NavigationStatus>::refused(checks.reason());
 
   double before_s = 0.0;
@@ -352,6 +372,7 @@ Decoded<fleet::NavigationStatus> decode(const aisle::NavigationStatus& sample) {
     before_s = point.offset_s();
     status.intent.push_back({point.offset_s(), decode(point.base_in_map(), checks, "intent.base_in_map")});
   }
+
   return checks.decoded(std::move(status));
 }
 

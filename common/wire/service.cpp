@@ -21,6 +21,7 @@ aisle::ServiceState to_wire(fleet::ServiceState value) {
     case fleet::ServiceState::kStopping:
       return ServiceState::SERVICE_STOPPING;
   }
+
   return {};
 }
 
@@ -37,6 +38,7 @@ std::optional<fleet::ServiceState> from_wire(aisle::ServiceState value) {
     case ServiceState::SERVICE_STOPPING:
       return fleet::ServiceState::kStopping;
   }
+
   return std::nullopt;
 }
 
@@ -60,19 +62,23 @@ aisle::ServiceHealth encode(const fleet::ServiceHealth& health) {
   sample.wall_clock_ns(health.wall_clock_ns);
   sample.cpu_percent(health.cpu_percent);
   sample.resident_mb(health.resident_mb);
+
   for (const auto& [name, value] : health.counters) {
     if (sample.counters().size() == kMostCounters) break;
+
     aisle::Counter counter;
     counter.name(name);
     counter.value(value);
     sample.counters().push_back(counter);
   }
+
   return sample;
 }
 
 Decoded<fleet::ServiceHealth> decode(const aisle::ServiceHealth& sample) {
   Checks checks;
   fleet::ServiceHealth health;
+
   health.instance_id = sample.instance_id().to_string();
   health.service = sample.service().to_string();
   health.software_version = sample.software_version().to_string();
@@ -99,6 +105,7 @@ Decoded<fleet::ServiceHealth> decode(const aisle::ServiceHealth& sample) {
       .finite("resident_mb", health.resident_mb)
       .count("counters", sample.counters().size(), 0, kMostCounters);
   for (const aisle::Counter& counter : sample.counters()) health.counters[counter.name().to_string()] = counter.value();
+
   return checks.decoded(std::move(health));
 }
 

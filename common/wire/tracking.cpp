@@ -32,12 +32,14 @@ aisle::Track encode(const fleet::Track& track) {
   sample.age_s(track.age_s);
   sample.unseen_s(track.unseen_s);
   sample.is_static(track.is_static);
+
   return sample;
 }
 
 Decoded<fleet::Track> decode(const aisle::Track& sample) {
   Checks checks;
   fleet::Track track;
+
   track.id = sample.track_id();
   track.position_in_map = decode(sample.position_in_map(), checks, "position_in_map");
   track.velocity_in_map = {sample.velocity_x_mps(), sample.velocity_y_mps()};
@@ -51,16 +53,19 @@ Decoded<fleet::Track> decode(const aisle::Track& sample) {
       .within("radius_m", sample.radius_m(), 0.0, kLargestRadiusM)
       .finite("age_s", sample.age_s())
       .finite("unseen_s", sample.unseen_s());
+
   for (std::size_t i = 0; i < track.covariance.size(); ++i) {
     track.covariance[i] = sample.covariance()[i];
     checks.finite("covariance", track.covariance[i]);
   }
+
   return checks.decoded(track);
 }
 
 aisle::TrackingStatus encode(const fleet::TrackingStatus& status) {
   aisle::TrackingStatus sample;
   sample.source_id(status.source_id);
+
   for (const fleet::ScanUse& scan : status.newest_scans) {
     aisle::ScanUse use;
     use.agv_id(scan.agv_id);
@@ -68,16 +73,19 @@ aisle::TrackingStatus encode(const fleet::TrackingStatus& status) {
     use.scan_stamp_ns(scan.scan_stamp_ns);
     sample.newest_scans().push_back(use);
   }
+
   sample.live_track_ids(status.live_track_ids);
   sample.scans_used(status.scans_used);
   sample.scans_dropped(status.scans_dropped);
   sample.processing_ms(status.processing_ms);
+
   return sample;
 }
 
 Decoded<fleet::TrackingStatus> decode(const aisle::TrackingStatus& sample) {
   Checks checks;
   fleet::TrackingStatus status;
+
   status.source_id = sample.source_id().to_string();
   status.scans_used = sample.scans_used();
   status.scans_dropped = sample.scans_dropped();
@@ -86,12 +94,14 @@ Decoded<fleet::TrackingStatus> decode(const aisle::TrackingStatus& sample) {
       .finite("processing_ms", status.processing_ms)
       .count("newest_scans", sample.newest_scans().size(), 0, kMostScans)
       .count("live_track_ids", sample.live_track_ids().size(), 0, kMostTracks);
+
   if (!checks.ok()) return Decoded<fleet::TrackingStatus>::refused(checks.reason());
 
   for (const aisle::ScanUse& use : sample.newest_scans()) {
     status.newest_scans.push_back({use.agv_id().to_string(), use.scan_sequence(), use.scan_stamp_ns()});
     checks.id("newest_scans.agv_id", status.newest_scans.back().agv_id);
   }
+
   status.live_track_ids = sample.live_track_ids();
   return checks.decoded(std::move(status));
 }
@@ -108,12 +118,14 @@ aisle::Coverage encode(const fleet::CoverageTile& tile) {
   sample.height_cells(static_cast<std::uint32_t>(tile.height_cells));
   sample.age_step_s(tile.age_step_s);
   sample.ages(tile.ages);
+
   return sample;
 }
 
 Decoded<fleet::CoverageTile> decode(const aisle::Coverage& sample) {
   Checks checks;
   fleet::CoverageTile tile;
+
   tile.source_id = sample.source_id().to_string();
   tile.map_id = sample.map_id().to_string();
   tile.tile_x = sample.tile_x();
@@ -127,13 +139,16 @@ Decoded<fleet::CoverageTile> decode(const aisle::Coverage& sample) {
       .within("age_step_s", tile.age_step_s, kShortestStepS, kLongestStepS)
       .within("width_cells", sample.width_cells(), 1.0, kMostCells)
       .within("height_cells", sample.height_cells(), 1.0, kMostCells);
+
   if (!checks.ok()) return Decoded<fleet::CoverageTile>::refused(checks.reason());
 
   tile.width_cells = static_cast<int>(sample.width_cells());
   tile.height_cells = static_cast<int>(sample.height_cells());
+
   const std::size_t cells = static_cast<std::size_t>(sample.width_cells()) * sample.height_cells();
   checks.count("ages", sample.ages().size(), cells, cells);
   if (checks.ok()) tile.ages.assign(sample.ages().begin(), sample.ages().end());
+
   return checks.decoded(std::move(tile));
 }
 

@@ -24,6 +24,7 @@ aisle::KinematicModel to_wire(kinematics::Model model) {
     case kinematics::Model::kTricycle:
       return KinematicModel::MODEL_TRICYCLE;
   }
+
   return {};
 }
 
@@ -36,6 +37,7 @@ std::optional<kinematics::Model> from_wire(aisle::KinematicModel model) {
     case KinematicModel::MODEL_TRICYCLE:
       return kinematics::Model::kTricycle;
   }
+
   return std::nullopt;
 }
 
@@ -46,6 +48,7 @@ aisle::FootprintKind to_wire(geometry::Body::Shape shape) {
     case geometry::Body::Shape::kRectangle:
       return FootprintKind::FOOTPRINT_RECTANGLE;
   }
+
   return {};
 }
 
@@ -56,6 +59,7 @@ std::optional<geometry::Body::Shape> from_wire(aisle::FootprintKind shape) {
     case FootprintKind::FOOTPRINT_RECTANGLE:
       return geometry::Body::Shape::kRectangle;
   }
+
   return std::nullopt;
 }
 
@@ -72,6 +76,7 @@ aisle::HoldReason to_wire(fleet::Hold hold) {
     case fleet::Hold::kDuplicateId:
       return HoldReason::HOLD_DUPLICATE_ID;
   }
+
   return {};
 }
 
@@ -88,6 +93,7 @@ std::optional<fleet::Hold> from_wire(aisle::HoldReason hold) {
     case HoldReason::HOLD_DUPLICATE_ID:
       return fleet::Hold::kDuplicateId;
   }
+
   return std::nullopt;
 }
 
@@ -100,6 +106,7 @@ aisle::BodyKind to_wire(fleet::Obstacle::Kind kind) {
     case fleet::Obstacle::Kind::kBlock:
       return BodyKind::BODY_BLOCK;
   }
+
   return {};
 }
 
@@ -112,6 +119,7 @@ std::optional<fleet::Obstacle::Kind> from_wire(aisle::BodyKind kind) {
     case BodyKind::BODY_BLOCK:
       return fleet::Obstacle::Kind::kBlock;
   }
+
   return std::nullopt;
 }
 
@@ -122,6 +130,7 @@ struct LimitField {
   double low;
   double high;
 };
+
 constexpr LimitField kLimits[]{
     {"max_speed_mps", &kinematics::Limits::max_speed_mps, 0.01, kFastestMps},
     {"max_reverse_mps", &kinematics::Limits::max_reverse_mps, 0.0, kFastestMps},
@@ -136,9 +145,11 @@ geometry::Footprint decode_footprint(const aisle::VehicleInfo& sample, Checks& c
     checks.within("radius_m", sample.radius_m(), kSmallestM, kLargestM);
     return geometry::disc(sample.radius_m());
   }
+
   checks.within("length_m", sample.length_m(), kSmallestM, 2.0 * kLargestM)
       .within("width_m", sample.width_m(), kSmallestM, 2.0 * kLargestM)
       .within("ahead_m", sample.ahead_m(), -kLargestM, kLargestM);
+
   return geometry::rectangle(sample.length_m(), sample.width_m(), sample.ahead_m());
 }
 
@@ -155,6 +166,7 @@ std::optional<fleet::CommandInForce> decode_command(const aisle::VehicleState& s
   Checks checks;
   fleet::CommandInForce command{sample.command_agv_id().to_string(), decode(sample.command_by(), checks, "command_by"),
                                 sample.command_plan_id()};
+
   checks.id("command_agv_id", command.agv_id);
   return checks.ok() ? std::optional(std::move(command)) : std::nullopt;
 }
@@ -165,6 +177,7 @@ aisle::VehicleInfo encode(const fleet::Vehicle& vehicle) {
   const geometry::Footprint& footprint = vehicle.footprint;
   const kinematics::Limits& limits = vehicle.limits;
   aisle::VehicleInfo sample;
+
   sample.agv_id(vehicle.id);
   sample.model(to_wire(limits.model));
   sample.footprint(to_wire(footprint.shape));
@@ -180,17 +193,21 @@ aisle::VehicleInfo encode(const fleet::Vehicle& vehicle) {
   sample.max_turn_acceleration_radps2(limits.max_turn_acceleration_radps2);
   sample.sensor_range_m(vehicle.sensor_range_m);
   sample.command_timeout_s(vehicle.command_timeout_s);
+
   if (limits.model != kinematics::Model::kTricycle) return sample;
+
   sample.steers_behind(limits.axle.is_rear);
   sample.wheelbase_m(limits.axle.wheelbase_m);
   sample.max_steering_rad(limits.axle.max_steering_rad);
   sample.max_steering_rate_radps(limits.axle.max_steering_rate_radps);
+
   return sample;
 }
 
 Decoded<fleet::Vehicle> decode(const aisle::VehicleInfo& sample) {
   Checks checks;
   fleet::Vehicle vehicle;
+
   vehicle.id = sample.agv_id().to_string();
   vehicle.sensor_range_m = sample.sensor_range_m();
   vehicle.command_timeout_s = sample.command_timeout_s();
@@ -216,19 +233,23 @@ aisle::VehicleState encode(const fleet::VehicleState& state) {
   sample.twist(encode(state.motion.twist));
   sample.steering_rad(state.motion.steering_rad);
   sample.hold(to_wire(state.hold));
+
   if (state.command) {
     sample.command_agv_id(state.command->agv_id);
     sample.command_by(encode(state.command->by));
     sample.command_plan_id(state.command->plan_id);
   }
+
   sample.accepted_epoch(state.accepted_epoch);
   sample.refused_commands(state.refused_commands);
+
   return sample;
 }
 
 Decoded<fleet::VehicleState> decode(const aisle::VehicleState& sample) {
   Checks checks;
   fleet::VehicleState state;
+
   state.agv_id = sample.agv_id().to_string();
   state.motion = {decode(sample.base_in_map(), checks, "base_in_map"), decode(sample.twist(), checks, "twist"),
                   sample.steering_rad()};
@@ -237,6 +258,7 @@ Decoded<fleet::VehicleState> decode(const aisle::VehicleState& sample) {
   state.refused_commands = sample.refused_commands();
   state.command = decode_command(sample);
   checks.id("agv_id", state.agv_id).within("steering_rad", sample.steering_rad(), -geometry::kPi, geometry::kPi);
+
   return checks.decoded(std::move(state));
 }
 
@@ -253,12 +275,14 @@ aisle::Scan encode(const fleet::Scan& scan) {
   sample.range_min_m(scan.range_min_m);
   sample.range_max_m(scan.range_max_m);
   sample.ranges_m(scan.ranges_m);
+
   return sample;
 }
 
 Decoded<fleet::Scan> decode(const aisle::Scan& sample) {
   Checks checks;
   fleet::Scan scan;
+
   scan.agv_id = sample.agv_id().to_string();
   scan.base_in_map = {sample.base_in_map().x_m(), sample.base_in_map().y_m(), sample.base_in_map().yaw_rad()};
   scan.position_sigma_m = sample.position_sigma_m();
@@ -271,6 +295,7 @@ Decoded<fleet::Scan> decode(const aisle::Scan& sample) {
   scan.range_max_m = sample.range_max_m();
   checks.id("agv_id", scan.agv_id).count("ranges_m", sample.ranges_m().size(), 0, kMostRays);
   if (checks.ok()) scan.ranges_m.assign(sample.ranges_m().begin(), sample.ranges_m().end());
+
   return checks.decoded(std::move(scan));
 }
 
@@ -283,12 +308,14 @@ aisle::VelocityCommand encode(const fleet::VelocityCommand& command) {
   sample.twist(encode(command.twist));
   sample.scan_stamp_ns(command.scan_stamp_ns);
   sample.control_ms(command.control_ms);
+
   return sample;
 }
 
 Decoded<fleet::VelocityCommand> decode(const aisle::VelocityCommand& sample) {
   Checks checks;
   fleet::VelocityCommand command;
+
   command.agv_id = sample.agv_id().to_string();
   command.goal_id = sample.goal_id().to_string();
   command.plan_id = sample.plan_id();
@@ -297,6 +324,7 @@ Decoded<fleet::VelocityCommand> decode(const aisle::VelocityCommand& sample) {
   command.scan_stamp_ns = sample.scan_stamp_ns();
   if (std::isfinite(sample.control_ms())) command.control_ms = sample.control_ms();  // for people: refuses nothing
   checks.id("agv_id", command.agv_id).optional_id("goal_id", command.goal_id);
+
   return checks.decoded(std::move(command));
 }
 
@@ -312,12 +340,14 @@ aisle::WorldObstacle encode(const fleet::Obstacle& obstacle) {
   sample.length_m(obstacle.footprint.length_m);
   sample.width_m(obstacle.footprint.width_m);
   sample.ahead_m(obstacle.footprint.ahead_m);
+
   return sample;
 }
 
 Decoded<fleet::Obstacle> decode(const aisle::WorldObstacle& sample) {
   Checks checks;
   fleet::Obstacle obstacle;
+
   obstacle.id = sample.obstacle_id().to_string();
   obstacle.kind = checks.known("kind", sample.kind(), from_wire(sample.kind()));
   obstacle.footprint.shape = checks.known("shape", sample.shape(), from_wire(sample.shape()));
@@ -334,6 +364,7 @@ Decoded<fleet::Obstacle> decode(const aisle::WorldObstacle& sample) {
       .within("ahead_m", sample.ahead_m(), -kLargestThingM, kLargestThingM)
       .within("velocity_x_mps", sample.velocity_x_mps(), -kFastestMps, kFastestMps)
       .within("velocity_y_mps", sample.velocity_y_mps(), -kFastestMps, kFastestMps);
+
   return checks.decoded(std::move(obstacle));
 }
 

@@ -25,11 +25,13 @@ Json picture_of(const aisle::Coverage& sample) {
   const std::size_t width = sample.width_cells();
   const std::size_t height =
       width == 0 ? 0 : std::min<std::size_t>(sample.height_cells(), sample.ages().size() / width);
+
   for (std::size_t y = height; y-- > 0;) {
     std::string row;
     for (std::size_t x = 0; x < width; ++x) row += letter(sample.ages()[y * width + x], sample.age_step_s());
     rows.push_back(std::move(row));
   }
+
   return rows;
 }
 
@@ -39,6 +41,7 @@ Json to_json(const aisle::Coverage& sample) {
   const auto count = [&](auto is_counted) {
     return std::count_if(sample.ages().begin(), sample.ages().end(), is_counted);
   };
+
   return Json{{"source_id", sample.source_id().to_string()},
               {"tile_x", sample.tile_x()},
               {"tile_y", sample.tile_y()},

@@ -25,9 +25,12 @@ Json to_json(const aisle::ServiceHealth& sample) {
   idl::visit_fields(sample, [&](const std::string& name, const auto& field) {
     if (name != "counters") json[name] = detail::json_of_field(name, field);
   });
+
   json["counters"] = Json::object();
+
   for (const aisle::Counter& counter : sample.counters())
     json["counters"][counter.name().to_string()] = counter.value();
+
   return json;
 }
 
