@@ -9,11 +9,14 @@
 
 namespace aisle::draw {
 
+/// The power of ten at or below the exact step, then the first of its multiples that is enough.
 double round_step(double span, int most) {
   const double least = span / most;
   const double power = std::pow(10.0, std::floor(std::log10(least)));
+
   for (const double times : {1.0, 2.0, 5.0})
     if (least <= times * power) return times * power;
+
   return 10.0 * power;
 }
 
@@ -31,6 +34,7 @@ std::string chart_box(const Chart& chart) {
 std::string value_line(const Chart& chart, double value, std::string_view stroke, std::string_view text_attributes) {
   constexpr int kGapPx = 6;             // between the number and the box
   constexpr double kHalfDigitPx = 4.0;  // a number's middle stands above its foot
+
   return path(fmt::format("M{} {:.1f}H{}", chart.left_px, chart.y(value), chart.right_px()),
               fmt::format("stroke=\"{}\"", stroke)) +
          text(chart.left_px - kGapPx, chart.y(value) + kHalfDigitPx, text_attributes, fmt::format("{:.1f}", value));

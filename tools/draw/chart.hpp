@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,10 +8,12 @@
 
 namespace aisle::draw {
 
-/// 1, 2 or 5 times a power of ten, the least that divides `span` into at most `most` parts. @pre both > 0
+/// The least step of 1, 2 or 5 times a power of ten that divides `span` into at most `most` parts. @pre
+/// both > 0
 double round_step(double span, int most);
 
-/// Axes of one curve over time: t from 0 to duration_s, values from low to high; what lies beyond is drawn at the edge.
+/// Axes of one curve over time: t from 0 to duration_s (seconds), values from low to high. What lies
+/// beyond is drawn at the edge.
 struct Chart {
   int left_px{0};
   int top_px{0};
@@ -20,19 +23,20 @@ struct Chart {
   double low{0.0};
   double high{1.0};
 
+  /// Pixels of a moment and of a value.
   double x(double t_s) const;
   double y(double value) const;
   int bottom_px() const { return top_px + height_px; }
   int right_px() const { return left_px + width_px; }
 };
 
-/// The box that the curves stand in.
+/// The box in which the curves are drawn.
 std::string chart_box(const Chart& chart);
 
-/// A line across at `value` with the value, to one digit after the point, left of it.
+/// A line across the chart at `value`, with the value to one digit after the point on its left.
 std::string value_line(const Chart& chart, double value, std::string_view stroke, std::string_view text_attributes);
 
-/// One value at a time.
+/// The value of a curve at one moment.
 struct Sample {
   double t_s;
   double value;

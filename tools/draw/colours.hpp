@@ -1,10 +1,12 @@
 #pragma once
+
 #include <cstddef>
 
 namespace aisle::draw {
 
-/// Colours for things of one kind, in turn and then repeated: the first six are told apart with any colour vision
-/// (Okabe, Ito 2008), four darker ones follow. `of_first` takes only so many of them, 1 to 10.
+/// Colours for things of one kind, in turn and then repeated: the first six can be told apart with any
+/// colour vision (Okabe, Ito 2008), four darker ones follow. `of_first`: only so many of them are used,
+/// 1 to 10.
 const char* colour(std::size_t index, std::size_t of_first = 10);
 
 inline constexpr const char* kInk = "#1f2933";      // headings, values

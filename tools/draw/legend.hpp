@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,7 @@ class Legend {
   /// The first entry stands at (x, y); names stand `name_at_px` to the right of their symbols.
   Legend(Px x, Px y, int name_at_px, std::string name_attributes);
 
+  /// `width`: from the beginning of this entry to that of the next.
   void add(std::string_view symbol, std::string_view name, Px width);
   const std::string& svg() const { return svg_; }
 

@@ -32,6 +32,7 @@ std::string path_along(const MapFrame& frame, const std::vector<Point2>& points_
     if (!kept.empty() && !is_last && std::hypot(p.x - kept.back().x, p.y - kept.back().y) < kLeastApartPx) continue;
     kept.push_back(p);
   }
+
   return path_along(kept);
 }
 
@@ -56,6 +57,7 @@ std::string turned_rect(const MapFrame& frame, const geometry::Pose2& middle_in_
   const std::vector<Point2> corners{geometry::to_map(middle_in_map, {l, w}), geometry::to_map(middle_in_map, {-l, w}),
                                     geometry::to_map(middle_in_map, {-l, -w}),
                                     geometry::to_map(middle_in_map, {l, -w})};
+
   return path(path_along(frame, corners) + "z", attributes);
 }
 

@@ -40,6 +40,7 @@ std::string escaped(std::string_view text) {
         out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
     }
   }
+
   return out;
 }
 
@@ -86,6 +87,7 @@ std::string document(const Page& page, std::string_view body) {
   const std::string width = page.width.text(), height = page.height.text();
   const std::string size =
       page.fills_container ? std::string{} : fmt::format("width=\"{}\" height=\"{}\" ", width, height);
+
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" {}viewBox=\"0 0 {} {}\"{}>\n{}<rect width=\"100%\" height=\"100%\" "
       "fill=\"{}\"/>\n{}</svg>\n",

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,10 @@ class Px {
  public:
   Px(int whole) : value_(whole), is_whole_(true) {}
   Px(double value) : value_(value), is_whole_(false) {}
+
+  /// As it stands in an attribute.
   std::string text() const;
+
   friend Px operator+(Px a, Px b);  // whole when both are
 
  private:
@@ -32,11 +36,16 @@ std::string escaped(std::string_view text);
 std::string rect(Px x, Px y, Px width, Px height, std::string_view attributes);
 std::string circle(Px x, Px y, Px radius, std::string_view attributes);
 std::string path(std::string_view d, std::string_view attributes);
+
 /// With a `title` inside, which browsers show under the pointer.
 std::string path(std::string_view d, std::string_view attributes, std::string_view title);
+
+/// A line through all the points.
 std::string polyline(const std::vector<PointPx>& points, std::string_view attributes);
+
 /// `words` are escaped. @pre `attributes` may be empty
 std::string text(Px x, Px y, std::string_view attributes, std::string_view words);
+
 /// `content`, moved by (x, y).
 std::string moved(Px x, Px y, std::string_view content);
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
@@ -19,11 +20,14 @@ struct GridLayers {
   std::vector<Box> unknown;
 };
 
-/// Runs of equal blocks of `edge` x `edge` cells. A block is occupied when one of its cells is, else unknown when one
-/// of its cells is. edge 1: exactly the grid.
+/// Runs of equal blocks of `edge` x `edge` cells, each as one box. A block is occupied when one of its
+/// cells is, else unknown when one of its cells is. With edge 1 the boxes are exactly the grid.
 GridLayers grid_layers(const grid::OccupancyGrid& grid, int edge = 1);
 
-/// What is not free, in few boxes: runs from above, equal runs below each other as one.
+/// Everything that is not free, in few boxes.
+///
+/// How: from the top row down, each run of cells that are not free grows downwards as long as the cells
+/// below it are like it.
 std::vector<Box> obstacles(const grid::OccupancyGrid& grid);
 
 /// How exactly corners are written.
