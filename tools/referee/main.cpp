@@ -1,5 +1,6 @@
 // aisle-referee: judges one simulated run, writes its report and pictures, and says by its exit code whether it went
 // well.
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -21,6 +22,7 @@ namespace {
 
 using namespace aisle;
 
+/// The command line.
 struct Options {
   std::string scenario_file;
   std::optional<std::uint64_t> seed;
@@ -38,14 +40,17 @@ struct Options {
   }
 };
 
+/// Each vehicle's goals, loops counted.
 referee::Expectation expectation_of(const scenario::Scenario& scenario) {
   referee::Expectation expectation;
   for (const scenario::Mission& mission : scenario.missions) {
     expectation.goals_of[mission.vehicle] += static_cast<int>(mission.goals_in_map.size()) * mission.loops;
   }
+
   return expectation;
 }
 
+/// The line of --progress-json, which `aisle-demo` reads.
 void print_progress(const referee::RefereeService& service, int goals_expected) {
   const referee::Judge& judge = service.judge();
   fmt::print(
@@ -61,11 +66,14 @@ referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& sc
                              const Options& options) {
   const referee::Expectation expectation = expectation_of(scenario);
   referee::RefereeService service(shell.bus(), shell.health(), walls, expectation);
+
   if (options.progress_json) {
     shell.bus().every(std::chrono::seconds(1), [&] { print_progress(service, expectation.goals()); });
   }
+
   const double duration_s = options.duration_s.value_or(scenario.duration_s);
   std::string because;
+
   while (because.empty()) {
     shell.bus().run_once(std::chrono::milliseconds(50));
     shell.publish_changes();
@@ -73,12 +81,14 @@ referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& sc
     if (service.now_s() >= duration_s) because = fmt::format("{:.0f} s are over", duration_s);
     if (process::stop_on_signals()) because = "stopped by a signal";
   }
+
   referee::RunReport report = service.finish();
   report.ended_because = because;
   report.scenario = scenario.name;
   report.seed = options.seed.value_or(scenario.seed);
   report.person_clearance_m = scenario.person_clearance_m;
   report.people_give_way = scenario.recordings.empty();
+
   return report;
 }
 
@@ -89,15 +99,18 @@ int main(int argc, char** argv) {
   int verdict = process::kDone;
   const service::About about{
       "referee", "Judges a simulated run from ground truth: contacts, clearance, goals, authority, timing.", ""};
+
   const int code = service::run_process(
       argc, argv, about, [&](CLI::App& app) { options.add_to(app); },
       [&](service::Process& process) {
         const scenario::Scenario scenario = scenario::read_scenario(options.scenario_file);
         const referee::Walls walls(grid::read_map_file(scenario.map_file, scenario.map_options));
         const referee::RunReport report = judge_run(process.shell(), scenario, walls, options);
+
         referee::write_report(report, walls, options.out);
         fmt::print("{}", referee::summary(report));
         verdict = report.passed() ? process::kDone : process::kNegative;
       });
+
   return code != process::kDone ? code : verdict;
 }

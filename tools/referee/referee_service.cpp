@@ -15,6 +15,7 @@ using service::Sender;
 constexpr double kJudgeDelay_s = 0.15;
 constexpr int kDiscCorners = 32;
 
+/// The judge's shape: a disc is a point with a radius.
 Shape shape_of(const geometry::Footprint& footprint) {
   if (footprint.is_disc()) return {footprint.radius_m, 0.0, 0.0};
   return {0.0, footprint.length_m, footprint.width_m};
@@ -29,9 +30,11 @@ BodyKind kind_of(fleet::Obstacle::Kind kind) {
     case fleet::Obstacle::Kind::kBlock:
       break;
   }
+
   return BodyKind::kBlock;
 }
 
+/// Corners of the edited area in map; a disc becomes a polygon.
 std::vector<geometry::Point2> outline_of(const fleet::MapEdit& edit) {
   std::vector<geometry::Point2> outline = edit.points_in_map;
   if (edit.shape == fleet::MapEdit::Shape::kRectangle && outline.size() == 2) {
@@ -39,14 +42,17 @@ std::vector<geometry::Point2> outline_of(const fleet::MapEdit& edit) {
     const geometry::Point2 b = outline[1];
     return {a, {b.x, a.y}, b, {a.x, b.y}};
   }
+
   if (edit.shape == fleet::MapEdit::Shape::kDisc && outline.size() == 1) {
     const geometry::Point2 center = outline[0];
     outline.clear();
+
     for (int i = 0; i < kDiscCorners; ++i) {
       const double angle_rad = 2.0 * geometry::kPi * i / kDiscCorners;
       outline.push_back(center + edit.radius_m * geometry::Point2{std::cos(angle_rad), std::sin(angle_rad)});
     }
   }
+
   return outline;
 }
 
@@ -85,16 +91,19 @@ void RefereeService::listen_to_simulation(bus::Bus& bus) {
       [this](const std::string& id, service::End how) {
         if (how == service::End::kDisposed) judge_.body_gone(id);
       });
+
   listen<topics::VehicleState>(bus,
                                [this](const fleet::VehicleState& state, const Sender& from) { take(state, from); });
 }
 
 void RefereeService::listen_to_fleet(bus::Bus& bus) {
   listen<topics::Plan>(bus, [this](const fleet::Plan& plan, const Sender& from) { take(plan, from); });
+
   listen<topics::VelocityCommand>(bus, [this](const fleet::VelocityCommand& command, const Sender& from) {
     judge_.command_arrived(
         {command.agv_id, from.by.stamp_ns, command.scan_stamp_ns, command.control_ms, arrived_s(from)});
   });
+
   listen<topics::NavigationStatus>(
       bus, [this](const fleet::NavigationStatus& status, const Sender& from) { take(status, from); });
   listen<topics::Goal>(bus, [this](const fleet::Goal& goal, const Sender& from) { take(goal, from); });
@@ -104,12 +113,14 @@ void RefereeService::listen_to_map_and_services(bus::Bus& bus) {
   listen<topics::MapEdit>(bus, [this](const fleet::MapEdit& edit, const Sender& from) { take(edit, from); });
   listen<topics::MapEditResult>(bus,
                                 [this](const fleet::MapEditResult& answer, const Sender& from) { take(answer, from); });
+
   listen<topics::ServiceHealth>(bus, [this](const fleet::ServiceHealth& health, const Sender& from) {
     judge_.health_arrived(
         {health.instance_id, health.service, from.by.boot_id, health.cpu_percent, health.resident_mb});
   });
 }
 
+/// Wall clocks are compared here: the simulation and the referee must run on hosts with the same time.
 void RefereeService::take(const fleet::Obstacle& truth, const Sender& from) {
   const double t_s = 1e-9 * static_cast<double>(from.by.stamp_ns - started_wall_ns_);
   judge_.body_seen({truth.id, kind_of(truth.kind), shape_of(truth.footprint), truth.base_in_map,
@@ -122,6 +133,7 @@ void RefereeService::take(const fleet::VehicleState& state, const Sender& from) 
   report.boot_id = from.by.boot_id;
   report.t_s = arrived_s(from);
   report.speed_mps = std::fabs(state.motion.twist.linear_mps);
+
   if (state.command) {
     report.command_agv_id = state.command->agv_id;
     report.command_source = state.command->by.source_id;
@@ -130,6 +142,7 @@ void RefereeService::take(const fleet::VehicleState& state, const Sender& from) 
     report.command_sequence = state.command->by.sequence_number;
     report.command_plan_id = state.command->plan_id;
   }
+
   report.holds = state.hold != fleet::Hold::kNone;
   judge_.vehicle_reported(report, state.refused_commands);
 }
@@ -158,9 +171,11 @@ void RefereeService::take(const fleet::Goal& goal, const Sender& from) {
   judge_.goal_arrived(record, goal.is_cancelled);
 }
 
+/// A vehicle without a goal does not wait; one that is blocked or held does.
 void RefereeService::take(const fleet::NavigationStatus& status, const Sender& from) {
   using fleet::Phase;
   GoalNews news;
+
   news.agv_id = status.agv_id;
   news.goal_id = status.goal_id;
   news.reason = name(status.phase);
@@ -168,6 +183,7 @@ void RefereeService::take(const fleet::NavigationStatus& status, const Sender& f
   news.t_s = arrived_s(from);
   if (status.phase == Phase::kArrived) news.phase = GoalNews::Phase::kArrived;
   if (status.phase == Phase::kFailed) news.phase = GoalNews::Phase::kFailed;
+
   const bool waits = status.phase == Phase::kBlocked || status.phase == Phase::kHeld ||
                      (status.phase == Phase::kWaiting && status.reason != fleet::Reason::kNoGoal);
   judge_.navigation_arrived(news, waits);
@@ -189,6 +205,7 @@ void RefereeService::take(const fleet::MapEditResult& answer, const Sender& from
   const std::string outcome = applied                               ? "applied"
                               : answer.outcome == Outcome::kRefused ? "refused: " + answer.detail
                                                                     : "already applied";
+
   judge_.edit_answered({answer.edit_id, applied, outcome, answer.revision, arrived_s(from)});
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -10,20 +11,26 @@
 
 namespace aisle::referee {
 
-/// Hears everything on the site, puts it on one clock (seconds since it was made) and hands it to the judge. Writes
-/// nothing but its own health. Ground truth is placed by its stamp, everything else by its arrival.
+/// Listens to everything on the site, puts it on one clock (seconds since the service was made) and
+/// hands it to the judge. Writes nothing but its own health.
+///
+/// Ground truth is placed by its stamp (the simulation's wall clock), everything else by its arrival.
 class RefereeService {
  public:
   /// `bus`, `health` and `walls` must outlive the service.
   RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls, const Expectation& expectation);
 
+  /// Seconds since the service was made.
   double now_s() const;
   const Judge& judge() const { return judge_; }
   bool is_over() const { return judge_.is_over(now_s()); }
+
+  /// Judges what is left and closes the books.
   RunReport finish();
 
  private:
-  /// Hands on what the codec accepts; the rest is counted, as `unfit_<topic>`.
+  /// Hands on the values that the codec accepts; samples that it refuses are counted as
+  /// `unfit_<topic>`.
   template <class Topic>
   void listen(bus::Bus& bus, std::function<void(const service::ValueOf<Topic>&, const service::Sender&)> take,
               std::function<void(const service::KeyOf<Topic>&, service::End)> gone = {});

@@ -19,6 +19,7 @@ const char* name_of(Kind kind) {
     case Kind::kStalePlan:
       break;
   }
+
   return "stale_plan";
 }
 
@@ -41,7 +42,9 @@ void AuthorityWatch::vehicle_reported(const VehicleReport& report) {
     vehicle.without_plan_since_s = -1.0;
     vehicle.going_on.clear();
   }
+
   if (report.command_agv_id.empty()) return;
+
   judge(vehicle, report, Kind::kForeignVehicle, report.command_agv_id != report.agv_id,
         fmt::format("obeys a command for {}", report.command_agv_id));
   check_order(vehicle, report);
@@ -53,6 +56,7 @@ void AuthorityWatch::check_order(Followed& vehicle, const VehicleReport& report)
         fmt::format("obeys epoch {} of {} after epoch {}", report.command_epoch, report.command_source,
                     vehicle.highest_epoch));
   vehicle.highest_epoch = std::max(vehicle.highest_epoch, report.command_epoch);
+
   const bool same_sender = vehicle.source == report.command_source && vehicle.source_boot == report.command_boot &&
                            vehicle.epoch == report.command_epoch;
   judge(vehicle, report, Kind::kSequenceWentBack, same_sender && report.command_sequence < vehicle.sequence,
@@ -67,14 +71,17 @@ void AuthorityWatch::check_order(Followed& vehicle, const VehicleReport& report)
 void AuthorityWatch::check_plan(Followed& vehicle, const VehicleReport& report) {
   const bool moves = report.speed_mps > kMoving_mps && !report.holds;
   const bool planless = report.command_plan_id == 0;
+
   if (!moves || !planless) vehicle.without_plan_since_s = -1.0;
   if (moves && planless && vehicle.without_plan_since_s < 0.0) vehicle.without_plan_since_s = report.t_s;
+
   bool violated = false;
   if (moves && planless) {
     violated = report.t_s - vehicle.without_plan_since_s > kBrakingGrace_s;
   } else if (moves && vehicle.plan_seen && report.command_plan_id != vehicle.plan_id) {
     violated = report.t_s - vehicle.plan_since_s > (vehicle.plan_drivable ? kGrace_s : kBrakingGrace_s);
   }
+
   judge(vehicle, report, Kind::kStalePlan, violated,
         fmt::format("drives {:.2f} m/s by plan {} while {} is the newest", report.speed_mps, report.command_plan_id,
                     vehicle.plan_id));

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -6,7 +7,8 @@
 
 namespace aisle::referee {
 
-/// What a vehicle says about itself and about the command that it obeys. Empty command_agv_id: none yet.
+/// What a vehicle says about itself and about the command that it follows. Empty command_agv_id: it has
+/// followed none.
 struct VehicleReport {
   std::string agv_id;
   std::uint64_t boot_id{0};
@@ -21,24 +23,35 @@ struct VehicleReport {
   std::uint64_t command_plan_id{0};
 };
 
+/// A vehicle followed a command that it should have refused.
 struct AuthorityViolation {
   enum class Kind { kForeignVehicle, kEpochWentBack, kSequenceWentBack, kStalePlan };
+
   Kind kind;
   std::string agv_id;
   double t_s;
   std::string text;
 };
 
-/// Says whether a vehicle obeyed someone it should not have: a command for another vehicle, of an epoch lower than one
-/// it obeyed before, an older one of the same sender, or one of a plan that was replaced more than kGrace_s ago while
-/// it drives (kBrakingGrace_s where the newest plan is a refusal, or the command belongs to no plan: it may brake). A
-/// vehicle that holds follows no command. Each kind is reported once until it ends. A vehicle that restarts begins
-/// anew.
+/// Checks that vehicles follow only commands that they may follow. Violations are:
+///
+///   - a command for another vehicle;
+///   - an epoch lower than one followed before;
+///   - an older command of the same sender than one followed before;
+///   - driving by a plan that was replaced more than kGrace_s ago, or kBrakingGrace_s where the newest plan is a
+///   refusal or the command belongs to no plan (the vehicle may brake).
+///
+/// A vehicle that holds follows no command. Each kind is reported once until it ends. A vehicle that
+/// restarts begins anew.
 class AuthorityWatch {
  public:
   /// `plan_id` is the newest for this vehicle; `drivable`: a path was found.
   void plan_arrived(const std::string& agv_id, std::uint64_t plan_id, bool drivable, double t_s);
+
+  /// Reports of one vehicle in the order of their arrival.
   void vehicle_reported(const VehicleReport& report);
+
+  /// In the order in which they began.
   const std::vector<AuthorityViolation>& violations() const { return violations_; }
 
   static constexpr double kGrace_s = 0.5;
@@ -46,6 +59,7 @@ class AuthorityWatch {
   static constexpr double kMoving_mps = 0.05;
 
  private:
+  /// What is known of one vehicle: the highest epoch, the last command, the newest plan.
   struct Followed {
     bool reported{false};
     std::uint64_t boot_id{0};
@@ -61,8 +75,14 @@ class AuthorityWatch {
     double without_plan_since_s{-1.0};
     std::map<AuthorityViolation::Kind, bool> going_on;
   };
+
+  /// Epoch, and number within a sender.
   void check_order(Followed& vehicle, const VehicleReport& report);
+
+  /// Does it drive by an old plan, or by none?
   void check_plan(Followed& vehicle, const VehicleReport& report);
+
+  /// Notes a violation at its beginning.
   void judge(Followed& vehicle, const VehicleReport& report, AuthorityViolation::Kind kind, bool violated,
              const std::string& text);
 
@@ -70,6 +90,7 @@ class AuthorityWatch {
   std::vector<AuthorityViolation> violations_;
 };
 
+/// "stale_plan", for the report.
 const char* name_of(AuthorityViolation::Kind kind);
 
 }  // namespace aisle::referee

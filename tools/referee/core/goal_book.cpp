@@ -17,6 +17,7 @@ const char* name_of(GoalOutcome outcome) {
     case GoalOutcome::kCancelled:
       break;
   }
+
   return "cancelled";
 }
 
@@ -38,23 +39,29 @@ void GoalBook::assigned(const GoalRecord& goal, bool cancelled) {
       newest->outcome = GoalOutcome::kCancelled;
       newest->decided_s = goal.assigned_s;
     }
+
     return;  // the same goal again, e.g. by a dispatcher that restarted
   }
+
   const auto known = std::find_if(goals_.begin(), goals_.end(), [&](const GoalRecord& g) {
     return g.agv_id == goal.agv_id && g.goal_id == goal.goal_id;
   });
+
   if (newest != nullptr && newest->outcome == GoalOutcome::kOpen) {
     newest->outcome = GoalOutcome::kFailed;
     newest->decided_s = goal.assigned_s;
     newest->reason =
         newest->reason.empty() ? "replaced by " + goal.goal_id : newest->reason + "; replaced by " + goal.goal_id;
   }
+
   if (cancelled) return;
+
   if (known != goals_.end()) {  // given a second time
     known->outcome = known->outcome == GoalOutcome::kReached ? GoalOutcome::kReached : GoalOutcome::kOpen;
     newest_[goal.agv_id] = static_cast<std::size_t>(known - goals_.begin());
     return;
   }
+
   goals_.push_back(goal);
   newest_[goal.agv_id] = goals_.size() - 1;
 }
@@ -65,13 +72,17 @@ void GoalBook::heard(const GoalNews& news, const geometry::Pose2& true_base_in_m
       goal->outcome == GoalOutcome::kCancelled) {
     return;
   }
+
   if (news.phase != GoalNews::Phase::kArrived) {
     // A planner that comes back may still drive it: a failure is final only when the goal is replaced or the run ends.
     goal->reason = news.reason;
+
     const bool fails = news.phase == GoalNews::Phase::kFailed;
     if (!fails || goal->failing_since_s < 0.0) goal->failing_since_s = fails ? news.t_s : -1.0;
+
     return;
   }
+
   const double off_m = geometry::distance(true_base_in_map.position(), goal->pose_in_map.position());
   if (off_m <= goal->position_tolerance_m + kSlack_m) {
     goal->outcome = GoalOutcome::kReached;
@@ -85,6 +96,7 @@ void GoalBook::heard(const GoalNews& news, const geometry::Pose2& true_base_in_m
 void GoalBook::close(double t_s) {
   for (GoalRecord& goal : goals_) {
     if (goal.outcome != GoalOutcome::kOpen) continue;
+
     goal.outcome = GoalOutcome::kFailed;
     goal.decided_s = t_s;
     goal.reason =

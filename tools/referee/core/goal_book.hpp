@@ -1,4 +1,5 @@
 #pragma once
+
 #include <map>
 #include <string>
 #include <vector>
@@ -7,8 +8,10 @@
 
 namespace aisle::referee {
 
+/// Of a goal that was given.
 enum class GoalOutcome { kOpen, kReached, kFailed, kCancelled };
 
+/// A goal and what became of it. Times in seconds since the start of the run.
 struct GoalRecord {
   std::string agv_id;
   std::string goal_id;
@@ -21,9 +24,10 @@ struct GoalRecord {
   std::string reason;  // why it is not reached, as far as anyone said
 };
 
-/// What a local planner says about a vehicle's goal.
+/// What a local planner says of its vehicle's goal.
 struct GoalNews {
   enum class Phase { kOther, kArrived, kFailed };
+
   std::string agv_id;
   std::string goal_id;
   Phase phase{Phase::kOther};
@@ -31,18 +35,24 @@ struct GoalNews {
   double t_s{0.0};
 };
 
-/// Which goals were given and what became of them. A vehicle's claim to have arrived counts only where ground truth has
-/// it within the goal's tolerance and kSlack_m (localisation and braking); a goal replaced by another before it was
-/// reached has failed.
+/// Which goals were given and what became of them. A vehicle's claim to have arrived counts only where
+/// ground truth has the vehicle within the goal's tolerance plus kSlack_m (for localisation and
+/// braking). A goal that was replaced by another before it was reached has failed.
 class GoalBook {
  public:
+  /// A goal was given, given again, or cancelled.
   void assigned(const GoalRecord& goal, bool cancelled);
+
+  /// `true_base_in_map`: of ground truth.
   void heard(const GoalNews& news, const geometry::Pose2& true_base_in_map);
+
   /// Nothing more will come: what is open has failed.
   void close(double t_s);
 
   /// The open goal of this vehicle, or null.
   const GoalRecord* open_goal(const std::string& agv_id) const;
+
+  /// In the order in which they were given.
   std::vector<GoalRecord> all() const { return goals_; }
   int count(GoalOutcome outcome) const;
   int assigned_count(const std::string& agv_id) const;

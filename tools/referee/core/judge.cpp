@@ -25,18 +25,23 @@ Judge::VehicleBook& Judge::vehicle(const std::string& agv_id) {
 
 void Judge::body_seen(const BodySample& sample) {
   contacts_.see(sample);
+
   if (sample.kind != BodyKind::kVehicle) {
     trace_body(sample);
     return;
   }
+
   VehicleBook& book = vehicle(sample.id);
   book.row.shape = sample.shape;
   book.row.ahead_m = sample.ahead_m;
+
   if (book.last_truth_s >= 0.0 && book.truth_boot == sample.boot_id) {
     book.row.truth_gap_ms_max = std::max(book.row.truth_gap_ms_max, (sample.t_s - book.last_truth_s) * kMilli);
   }
+
   book.last_truth_s = sample.t_s;
   book.truth_boot = sample.boot_id;
+
   const Standing standing = book.holds ? Standing::kHolds : book.waits ? Standing::kWaits : Standing::kNone;
   book.row.drive.drove(sample.t_s, sample.base_in_map, sample.speed_mps, goals_.open_goal(sample.id) != nullptr,
                        standing);
@@ -46,6 +51,7 @@ void Judge::trace_body(const BodySample& sample) {
   BodyTrace& trace = bodies_[sample.id];
   trace.kind = sample.kind;
   trace.shape = sample.shape;
+
   const bool moved =
       trace.way.empty() || geometry::distance(trace.way.back().second.position(), sample.base_in_map.position()) > 0.05;
   if (moved && (trace.way.empty() || sample.t_s - trace.way.back().first >= kBodyTrace_s)) {
@@ -62,20 +68,26 @@ void Judge::vehicle_reported(const VehicleReport& report, std::uint64_t refused_
   book.holds = report.holds;
 }
 
+/// A plan with another id for the same goal is a replan. It ends the wait of an edit whose revision it
+/// knows.
 void Judge::plan_arrived(const PlanNews& plan) {
   authority_.plan_arrived(plan.agv_id, plan.plan_id, plan.found, plan.t_s);
+
   VehicleBook& book = vehicle(plan.agv_id);
   const bool is_new = !book.has_plan || book.plan_id != plan.plan_id;
+
   if (is_new) {
     if (book.has_plan && book.planned_goal == plan.goal_id) ++book.row.replans;
     planning_ms_.add(plan.planning_ms);
     if (plan.found) book.row.plans.push_back({plan.t_s, plan.waypoints_in_map});
   }
+
   book.has_plan = true;
   book.plan_id = plan.plan_id;
   book.planned_goal = plan.goal_id;
   book.plan_revision = plan.map_revision;
   book.plan_stamp_ns = plan.stamp_ns;
+
   for (PendingEdit& edit : pending_edits_) {
     const auto waits = std::find(edit.waiting.begin(), edit.waiting.end(), plan.agv_id);
     if (waits == edit.waiting.end() || plan.map_revision < edit.revision) continue;
@@ -84,11 +96,13 @@ void Judge::plan_arrived(const PlanNews& plan) {
   }
 }
 
+/// Gaps are between arrivals; scan to command is between the two stamps, once for each new scan.
 void Judge::command_arrived(const CommandNews& command) {
   VehicleBook& book = vehicle(command.agv_id);
   if (book.last_command_s >= 0.0) book.row.command_gap_ms.add((command.t_s - book.last_command_s) * kMilli);
   book.last_command_s = command.t_s;
   control_ms_.add(command.control_ms);
+
   if (command.scan_stamp_ns > book.last_scan_stamp_ns) {
     book.last_scan_stamp_ns = command.scan_stamp_ns;
     book.row.scan_to_command_ms.add(static_cast<double>(command.stamp_ns - command.scan_stamp_ns) / 1e6);
@@ -113,23 +127,29 @@ void Judge::edit_planned_for(std::int64_t asked_stamp_ns, std::int64_t plan_stam
   map_edit_to_plan_ms_.add(static_cast<double>(plan_stamp_ns - asked_stamp_ns) / 1e6);
 }
 
+/// Vehicles without an open goal plan nothing, and are not waited for.
 void Judge::edit_answered(const EditAnswer& answer) {
   const auto row =
       std::find_if(edits_.begin(), edits_.end(), [&](const EditRow& e) { return e.edit_id == answer.edit_id; });
   if (row == edits_.end() || row->answered_s >= 0.0) return;
+
   row->answered_s = answer.t_s;
   row->outcome = answer.outcome;
   row->revision = answer.revision;
+
   if (!answer.applied) return;
+
   PendingEdit pending{row->asked_stamp_ns, answer.revision, {}};
   for (const auto& [agv_id, book] : vehicles_) {
     if (goals_.open_goal(agv_id) == nullptr || !book.has_plan) continue;
+
     if (book.plan_revision >= answer.revision) {
       edit_planned_for(row->asked_stamp_ns, book.plan_stamp_ns);  // the plan was faster on the wire than the answer
     } else {
       pending.waiting.push_back(agv_id);
     }
   }
+
   pending_edits_.push_back(std::move(pending));
 }
 
@@ -137,6 +157,7 @@ void Judge::health_arrived(const HealthNews& health) {
   ServiceRow& row = services_[health.instance];
   row.instance = health.instance;
   row.service = health.service;
+
   std::uint64_t& boot = boots_[health.instance];
   if (row.starts == 0 || boot != health.boot_id) {
     ++row.starts;
@@ -145,6 +166,7 @@ void Judge::health_arrived(const HealthNews& health) {
     row.cpu_percent_sum += health.cpu_percent;  // the first sample of a start has no sample before it
     ++row.cpu_samples;
   }
+
   row.resident_mb_max = std::max(row.resident_mb_max, health.resident_mb);
 }
 
@@ -152,12 +174,14 @@ void Judge::advance(double until_s) { contacts_.advance(until_s); }
 
 bool Judge::is_over(double now_s) const {
   if (expectation_.goals_of.empty()) return false;
+
   for (const auto& [agv_id, expected] : expectation_.goals_of) {
     const GoalRecord* open = goals_.open_goal(agv_id);
     const bool given_up = open != nullptr && open->failing_since_s >= 0.0 && now_s - open->failing_since_s >= kGiveUp_s;
     const bool done = open == nullptr && goals_.assigned_count(agv_id) >= expected;
     if (!given_up && !done) return false;
   }
+
   return std::all_of(vehicles_.begin(), vehicles_.end(), [&](const auto& entry) {
     const DriveBook& drive = entry.second.row.drive;
     return !drive.seen() || (drive.stands() && now_s - drive.stands_since_s() >= kSettle_s);
@@ -167,6 +191,7 @@ bool Judge::is_over(double now_s) const {
 RunReport Judge::finish(double t_s) {
   contacts_.advance(t_s);
   goals_.close(t_s);
+
   RunReport report;
   report.duration_s = t_s;
   report.goals_expected = std::max(expectation_.goals(), goals_.assigned_count());
@@ -181,6 +206,7 @@ RunReport Judge::finish(double t_s) {
   report.planning_ms = planning_ms_;
   report.control_ms = control_ms_;
   report.map_edit_to_plan_ms = map_edit_to_plan_ms_;
+
   return report;
 }
 

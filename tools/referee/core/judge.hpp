@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -9,6 +10,7 @@
 
 namespace aisle::referee {
 
+/// A plan that arrived.
 struct PlanNews {
   std::string agv_id;
   std::uint64_t plan_id{0};
@@ -22,6 +24,7 @@ struct PlanNews {
   double t_s{0.0};           // when it arrived
 };
 
+/// A velocity command that arrived.
 struct CommandNews {
   std::string agv_id;
   std::int64_t stamp_ns{0};
@@ -30,6 +33,7 @@ struct CommandNews {
   double t_s{0.0};  // when it arrived
 };
 
+/// The map's answer to an edit.
 struct EditAnswer {
   std::string edit_id;
   bool applied{false};
@@ -38,6 +42,7 @@ struct EditAnswer {
   double t_s{0.0};  // when it arrived
 };
 
+/// What a process says of its own load.
 struct HealthNews {
   std::string instance;
   std::string service;
@@ -46,20 +51,26 @@ struct HealthNews {
   double resident_mb{0.0};
 };
 
-/// What a run should do: for the end of it. Empty: it is not known, and the run goes on until it is stopped.
+/// How many goals a run should give, so that its end can be seen. Empty: this is not known, and the run
+/// goes on until it is stopped.
 struct Expectation {
   std::map<std::string, int> goals_of;  // by vehicle
+
   int goals() const;
 };
 
-/// Judges one simulated run from what is on the wire. Knows nothing of how planners work, and shares no code with them.
-/// All moments are seconds since the start of the run on one clock; call `advance` at least some ten times a second.
+/// Judges one simulated run from what is on the wire. Knows nothing of how planners work, and shares no
+/// code with them. All moments are seconds since the start of the run on one clock; call `advance`
+/// about ten times a second or more often.
 class Judge {
  public:
   Judge(const Walls* walls, const Expectation& expectation);
 
+  /// Ground truth; of one body in order of time.
   void body_seen(const BodySample& sample);
   void body_gone(const std::string& id);
+
+  /// What the vehicles and the services say, each at its arrival.
   void vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands);
   void plan_arrived(const PlanNews& plan);
   void command_arrived(const CommandNews& command);
@@ -72,8 +83,8 @@ class Judge {
   /// Judges contacts up to `until_s`: some tenths of a second behind the newest sample, so that none comes too late.
   void advance(double until_s);
 
-  /// Each vehicle was given all its goals and they are decided, or has reported its goal as failed for kGiveUp_s; and
-  /// all have stood for kSettle_s at `now_s`.
+  /// True when each vehicle was given all its goals and they are decided, or it has reported its goal
+  /// as failed for kGiveUp_s; and all vehicles have stood for kSettle_s at `now_s`.
   bool is_over(double now_s) const;
   const ContactWatch& contacts() const { return contacts_; }
   const GoalBook& goals() const { return goals_; }
@@ -87,6 +98,7 @@ class Judge {
   static constexpr double kGiveUp_s = 30.0;  // longer than a dispatcher goes on trying
 
  private:
+  /// Everything of one vehicle.
   struct VehicleBook {
     VehicleRow row;
     bool holds{false};
@@ -101,13 +113,20 @@ class Judge {
     std::uint64_t plan_revision{0};
     std::int64_t plan_stamp_ns{0};
   };
+
+  /// An edit that was applied, until a plan of each vehicle that drove then has looked at it.
   struct PendingEdit {
     std::int64_t asked_stamp_ns;
     std::uint64_t revision;
     std::vector<std::string> waiting;  // vehicles whose plan has not been looked at since
   };
+
   VehicleBook& vehicle(const std::string& agv_id);
+
+  /// Keeps a person's or a block's way, for the picture.
   void trace_body(const BodySample& sample);
+
+  /// Notes how long after an edit a plan knew of it, in milliseconds.
   void edit_planned_for(std::int64_t asked_stamp_ns, std::int64_t plan_stamp_ns);
 
   ContactWatch contacts_;

@@ -55,6 +55,7 @@ double RunReport::cpu_percent_total() const {
   for (const auto& [id, row] : services) {
     if (row.service != "referee") sum += row.cpu_percent_mean();
   }
+
   return sum;
 }
 
@@ -63,14 +64,17 @@ std::vector<std::string> RunReport::troubles() const {
   for (const Contact& c : contacts)
     lines.push_back(
         fmt::format("{:8.3f} CONTACT {} {} {}", c.begin_s, c.a, c.b, c.vehicle_moved() ? "moving" : "standing"));
+
   for (const AuthorityViolation& v : violations)
     lines.push_back(fmt::format("{:8.3f} VIOLATION of authority: {} {}", v.t_s, v.agv_id, v.text));
 
   for (const GoalRecord& goal : goals)
     if (goal.outcome == GoalOutcome::kFailed)
       lines.push_back(fmt::format("{:8.3f} {} goal missed: {} {}", duration_s, goal.agv_id, goal.goal_id, goal.reason));
+
   const int never_given = goals_expected - static_cast<int>(goals.size());
   if (never_given > 0) lines.push_back(fmt::format("{:8.3f} goals never given: {}", duration_s, never_given));
+
   return lines;
 }
 
@@ -83,6 +87,7 @@ bool RunReport::passed() const {
   const bool touched = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
     return c.vehicle_moved() || c.pair != PairClass::kVehiclePerson || people_give_way;
   });
+
   return goals_missed() == 0 && !touched && !came_too_near() && violations.empty();
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -19,6 +20,7 @@ struct PlanTrace {
   std::vector<geometry::Point2> waypoints_in_map;
 };
 
+/// Everything of one vehicle.
 struct VehicleRow {
   std::string agv_id;
   Shape shape;
@@ -32,6 +34,7 @@ struct VehicleRow {
   double truth_gap_ms_max{0.0};  // between two samples of ground truth
 };
 
+/// The way of a person, or the place of a block.
 struct BodyTrace {
   BodyKind kind{BodyKind::kPerson};
   Shape shape;
@@ -58,10 +61,11 @@ struct ServiceRow {
   double cpu_percent_sum{0.0};
   int cpu_samples{0};
   double resident_mb_max{0.0};
+
   double cpu_percent_mean() const { return cpu_samples > 0 ? cpu_percent_sum / cpu_samples : 0.0; }
 };
 
-/// Everything a run leaves: what report.json and the pictures are made of.
+/// Everything that is known of a run: report.json and the pictures are made of it.
 struct RunReport {
   std::string scenario;
   std::uint64_t seed{0};
@@ -84,19 +88,27 @@ struct RunReport {
       true};  // false where people are recordings: these walk into vehicles that stand, which is not held against them
 
   int count(GoalOutcome outcome) const;
+
+  /// Expected, but neither reached nor cancelled.
   int goals_missed() const;
   int contacts_moving_vehicle() const;
+
+  /// Sums and distributions over all vehicles.
   double distance_m() const;
   int stops() const;
   int replans() const;
   Distribution command_gap_ms() const;
   Distribution scan_to_command_ms() const;
   double cpu_percent_total() const;  // of the services, not of the referee
+
   /// Did a vehicle and a person come nearer than the scenario allows?
   bool came_too_near() const;
-  /// A line, with its second, for each contact, violation and missed goal: why a run did not pass.
+
+  /// Why a run did not pass: one line, with its second, for each contact, violation and missed goal.
   std::vector<std::string> troubles() const;
-  /// Every goal reached, nothing touched, no person passed too near, no vehicle obeyed a command that it should refuse.
+
+  /// Every goal reached, nothing touched, no person passed too near, no vehicle followed a command that
+  /// it should refuse.
   bool passed() const;
 };
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <optional>
 #include <vector>
 
@@ -13,8 +14,8 @@ struct WallBox {
   geometry::Point2 high;
 };
 
-/// The real walls: the occupied squares of the map as it was at the start (edits are rules, not walls), exactly,
-/// as boxes of whole cells. Unknown squares and what lies outside the map are no walls.
+/// The real walls: the occupied squares of the map as it was at the start (edits are rules, not walls),
+/// exactly, as boxes of whole cells. Unknown squares and the outside of the map are no walls.
 class Walls {
  public:
   explicit Walls(const grid::OccupancyGrid& map);
@@ -28,7 +29,10 @@ class Walls {
   static constexpr double kSearch_m = 1.0;
 
  private:
+  /// Fills boxes_.
   void collect_boxes(const grid::OccupancyGrid& map);
+
+  /// Fills bins_, so that closest() looks at few boxes.
   void sort_into_bins();
 
   std::vector<WallBox> boxes_;

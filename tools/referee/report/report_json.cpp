@@ -14,22 +14,26 @@ using Json = nlohmann::ordered_json;
 Json number(double value) { return std::round(value * 1e3) / 1e3; }
 Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
+/// Median and 99th percentile as two keys.
 void quantiles(Json& out, const std::string& name, const Distribution& figures) {
   out[name + "_p50"] = number(figures.quantile(0.5));
   out[name + "_p99"] = number(figures.quantile(0.99));
 }
 
+/// With a row of its own for goals that were never given.
 Json goals_failed(const RunReport& report) {
   Json failed = Json::array();
   for (const GoalRecord& goal : report.goals) {
     if (goal.outcome == GoalOutcome::kFailed)
       failed.push_back({{"agv", goal.agv_id}, {"goal", goal.goal_id}, {"reason", goal.reason}});
   }
+
   const int never_given = report.goals_expected - static_cast<int>(report.goals.size());
   if (never_given > 0)
     failed.push_back({{"agv", ""},
                       {"goal", ""},
                       {"reason", std::to_string(never_given) + " goals of the scenario were never given"}});
+
   return failed;
 }
 
@@ -48,6 +52,7 @@ Json contacts_of(const RunReport& report) {
                     {"depth_m", number(c.depth_m)},
                     {"vehicle_moved", c.vehicle_moved()}});
   }
+
   return list;
 }
 
@@ -56,6 +61,7 @@ Json violations_of(const RunReport& report) {
   for (const AuthorityViolation& v : report.violations) {
     list.push_back({{"kind", name_of(v.kind)}, {"agv", v.agv_id}, {"t_s", number(v.t_s)}, {"text", v.text}});
   }
+
   return list;
 }
 
@@ -66,6 +72,7 @@ Json vehicle_rows(const RunReport& report) {
     const auto reached = std::count_if(report.goals.begin(), report.goals.end(), [&](const GoalRecord& g) {
       return of_this(g) && g.outcome == GoalOutcome::kReached;
     });
+
     Json out{{"agv", id},
              {"goals_assigned", std::count_if(report.goals.begin(), report.goals.end(), of_this)},
              {"goals_reached", reached},
@@ -80,6 +87,7 @@ Json vehicle_rows(const RunReport& report) {
     quantiles(out, "scan_to_command_ms", row.scan_to_command_ms);
     rows.push_back(std::move(out));
   }
+
   return rows;
 }
 
@@ -92,6 +100,7 @@ Json service_rows(const RunReport& report) {
                     {"cpu_percent", number(row.cpu_percent_mean())},
                     {"resident_mb_max", number(row.resident_mb_max)}});
   }
+
   return rows;
 }
 
@@ -104,6 +113,7 @@ Json edit_rows(const RunReport& report) {
                     {"outcome", edit.outcome.empty() ? "no answer" : edit.outcome},
                     {"revision", edit.revision}});
   }
+
   return rows;
 }
 
@@ -127,6 +137,7 @@ nlohmann::ordered_json to_json(const RunReport& report) {
     out[std::string("least_clearance_") + name_of(pair) + "_m"] =
         number(report.clearances.least_m[static_cast<std::size_t>(pair)]);
   }
+
   out["person_clearance_asked_m"] = number(report.person_clearance_m);
   out["distance_m"] = number(report.distance_m());
   out["stops"] = report.stops();
@@ -144,6 +155,7 @@ nlohmann::ordered_json to_json(const RunReport& report) {
   out["vehicle_rows"] = vehicle_rows(report);
   out["service_rows"] = service_rows(report);
   out["map_edits"] = edit_rows(report);
+
   return out;
 }
 

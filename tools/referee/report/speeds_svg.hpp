@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 
 #include "tools/referee/core/run_report.hpp"

@@ -7,22 +7,27 @@
 namespace aisle::referee {
 namespace {
 
+/// The number with its unit; "-" where nothing was measured.
 std::string figure(const std::optional<double>& value, const char* unit, int decimals = 1) {
   return value ? fmt::format("{:.{}f} {}", *value, decimals, unit) : std::string("-");
 }
 
+/// Median and 99th percentile.
 std::string pair_of(const Distribution& d, const char* unit) {
   return d.count() == 0 ? "-" : fmt::format("{:.1f} / {:.1f} {}", *d.quantile(0.5), *d.quantile(0.99), unit);
 }
 
+/// A line with the value in the second column.
 std::string row(const char* name, const std::string& value) { return fmt::format("  {:<34}{}\n", name, value); }
 
 std::string clearances(const RunReport& report) {
   std::string out = row("least clearance", figure(report.clearances.overall_m(), "m", 3));
   const char* names[] = {"  vehicle to vehicle", "  vehicle to person", "  vehicle to block", "  vehicle to wall"};
+
   for (std::size_t i = 0; i < kPairClasses.size(); ++i) {
     if (report.clearances.least_m[i]) out += row(names[i], figure(report.clearances.least_m[i], "m", 3));
   }
+
   return out;
 }
 
@@ -34,6 +39,7 @@ std::string vehicles(const RunReport& report) {
     const auto reached = std::count_if(report.goals.begin(), report.goals.end(), [&](const GoalRecord& g) {
       return of_this(g) && g.outcome == GoalOutcome::kReached;
     });
+
     const std::string gap =
         v.command_gap_ms.count() == 0
             ? std::string("-")
@@ -42,35 +48,44 @@ std::string vehicles(const RunReport& report) {
                        fmt::format("{}/{}", reached, std::count_if(report.goals.begin(), report.goals.end(), of_this)),
                        v.drive.distance_m(), v.drive.stops(), v.replans, v.drive.max_speed_mps(), gap);
   }
+
   return out;
 }
 
 std::string services(const RunReport& report) {
   if (report.services.empty()) return {};
+
   std::string out = fmt::format("\n  {:<30}{:>10}{:>14}{:>8}\n", "process", "CPU", "resident", "starts");
   for (const auto& [id, s] : report.services) {
     out += fmt::format("  {:<30}{:>8.1f} %{:>11.1f} MB{:>8}\n", id, s.cpu_percent_mean(), s.resident_mb_max, s.starts);
   }
+
   return out;
 }
 
+/// Everything because of which a run fails, one line each.
 std::string troubles(const RunReport& report) {
   std::string out;
   for (const Contact& c : report.contacts) {
     out += fmt::format("  contact at {:.2f} s: {} and {} at ({:.2f}, {:.2f}), {:.2f} m/s, vehicle {:.2f} m/s\n",
                        c.begin_s, c.a, c.b, c.at_in_map.x, c.at_in_map.y, c.relative_speed_mps, c.vehicle_speed_mps);
   }
+
   if (report.came_too_near())
     out += fmt::format("  a person was passed nearer than the {:.2f} m that the scenario asks for\n",
                        report.person_clearance_m);
+
   for (const AuthorityViolation& v : report.violations)
     out += fmt::format("  authority at {:.2f} s: {} {}\n", v.t_s, v.agv_id, v.text);
+
   for (const GoalRecord& g : report.goals) {
     if (g.outcome == GoalOutcome::kFailed)
       out += fmt::format("  goal missed: {} {}: {}\n", g.agv_id, g.goal_id, g.reason);
   }
+
   const int never_given = report.goals_expected - static_cast<int>(report.goals.size());
   if (never_given > 0) out += fmt::format("  goals never given: {}\n", never_given);
+
   return out.empty() ? out : "\n" + out;
 }
 
@@ -92,6 +107,7 @@ std::string summary(const RunReport& report) {
   out += row("command gap p50 / p99", pair_of(report.command_gap_ms(), "ms"));
   out += row("map edit to plan p99", figure(report.map_edit_to_plan_ms.quantile(0.99), "ms"));
   out += row("CPU of all services", fmt::format("{:.0f} % of one core", report.cpu_percent_total()));
+
   return out + vehicles(report) + services(report) + troubles(report);
 }
 

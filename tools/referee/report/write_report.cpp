@@ -13,13 +13,17 @@
 namespace aisle::referee {
 namespace {
 
+/// Under a temporary name, then renamed.
 void write_whole(const std::filesystem::path& file, const std::string& text) {
   std::filesystem::path temporary = file;
   temporary += ".part";
+
   std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
   out << text;
   out.close();
+
   if (!out) throw std::system_error(errno, std::generic_category(), "cannot write " + temporary.string());
+
   std::filesystem::rename(temporary, file);
 }
 

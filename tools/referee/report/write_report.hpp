@@ -1,4 +1,5 @@
 #pragma once
+
 #include <filesystem>
 
 #include "tools/referee/core/run_report.hpp"
