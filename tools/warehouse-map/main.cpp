@@ -1,4 +1,5 @@
 // Draws the demo's warehouse, always the same: aisle-warehouse-map deploy/maps/warehouse.yaml
+
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cmath>
@@ -23,6 +24,7 @@ constexpr std::array<double, 2> kRackLeftsM{5.0, 24.0};  // cross aisles of 4 m 
 constexpr std::array<geometry::Point2, 3> kPillarsM{{{22.0, 2.6}, {12.0, 25.4}, {32.0, 25.4}}};
 constexpr double kPillarM = 0.4;
 
+/// Occupies the cells from one corner to the other, in metres, in map.
 void fill(grid::OccupancyGrid& grid, geometry::Point2 low_in_map, geometry::Point2 high_in_map) {
   const auto cell = [](double metres) { return static_cast<int>(std::lround(metres / kResolutionM)); };
   for (int y = cell(low_in_map.y); y < cell(high_in_map.y); ++y) {
@@ -30,6 +32,7 @@ void fill(grid::OccupancyGrid& grid, geometry::Point2 low_in_map, geometry::Poin
   }
 }
 
+/// Four walls, five double rows of racks in two columns, three pillars.
 grid::OccupancyGrid warehouse() {
   grid::OccupancyGrid grid(grid::Geometry{static_cast<int>(std::lround(kWidthM / kResolutionM)),
                                           static_cast<int>(std::lround(kHeightM / kResolutionM)),
@@ -39,11 +42,14 @@ grid::OccupancyGrid warehouse() {
   fill(grid, {0.0, kHeightM - kWallM}, {kWidthM, kHeightM});
   fill(grid, {0.0, 0.0}, {kWallM, kHeightM});
   fill(grid, {kWidthM - kWallM, 0.0}, {kWidthM, kHeightM});
+
   for (const double bottom : kRackBottomsM) {
     for (const double left : kRackLeftsM) fill(grid, {left, bottom}, {left + kRackLengthM, bottom + kRackDepthM});
   }
+
   const double half = kPillarM / 2.0;
   for (const geometry::Point2 p : kPillarsM) fill(grid, {p.x - half, p.y - half}, {p.x + half, p.y + half});
+
   return grid;
 }
 
@@ -52,13 +58,16 @@ grid::OccupancyGrid warehouse() {
 int main(int argc, char** argv) {
   CLI::App app{"Draws the demo's rack warehouse (44 x 28 m at 0.05 m) as a ROS map"};
   std::string file;
+
   app.add_option("FILE", file, "the .yaml to write; the image is written beside it")->required();
   CLI11_PARSE(app, argc, argv);
+
   try {
     grid::write_ros_map(warehouse(), file);
   } catch (const std::exception& error) {
     std::cerr << "aisle-warehouse-map: " << error.what() << '\n';
     return 3;
   }
+
   return 0;
 }
