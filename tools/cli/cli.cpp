@@ -17,7 +17,7 @@
 namespace aisle::cli {
 namespace {
 
-/// A range alone lets NaN pass.
+/// The parser's range check alone lets NaN pass. @returns an error text, empty for a number
 std::string is_number(const std::string& text) {
   return std::isnan(std::strtod(text.c_str(), nullptr)) ? text + " is not a number" : std::string{};
 }
@@ -69,28 +69,34 @@ std::unique_ptr<bus::Bus> join(const Cli& cli, const std::string& name) {
   bus::Settings settings = cli.settings;
   settings.participant_name = name;
   settings.super_client = !settings.discovery_server.empty();
+
   auto bus = std::make_unique<bus::DdsBus>(settings);
+
   bus->on_incident([](const bus::Incident& incident) {
     const bool is_mismatch =
         incident.kind == bus::Incident::Kind::kIncompatibleQos || incident.kind == bus::Incident::Kind::kTypeMismatch;
     if (is_mismatch) std::fprintf(stderr, "warning: %s\n", printable(incident.text).c_str());
   });
+
   return bus;
 }
 
 bool run_until(bus::Bus& bus, Seconds limit, const std::function<bool()>& done) {
   using std::chrono::nanoseconds;
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration_cast<nanoseconds>(limit);
+
   while (!done()) {
     const nanoseconds left = std::chrono::duration_cast<nanoseconds>(end - std::chrono::steady_clock::now());
     if (left <= nanoseconds::zero() || is_interrupted()) return false;
     bus.run_once(std::min<nanoseconds>(left, std::chrono::milliseconds(100)));
   }
+
   return true;
 }
 
 bool is_interrupted() { return process::stop_on_signals().load(); }
 
+/// Everything that decides which other processes can be seen.
 std::string place_of(const bus::Settings& settings) {
   std::string text = "domain " + std::to_string(settings.domain);
   if (!settings.partition.empty()) text += ", partition '" + settings.partition + "'";
@@ -98,6 +104,7 @@ std::string place_of(const bus::Settings& settings) {
   if (settings.interfaces.empty()) text += ", all interfaces";
   for (const std::string& peer : settings.peers) text += ", peer " + peer;
   if (!settings.discovery_server.empty()) text += ", discovery server " + settings.discovery_server;
+
   return text;
 }
 
@@ -112,6 +119,7 @@ std::vector<std::string> protect_negative_numbers(int argc, const char* const* a
                            (std::isdigit(static_cast<unsigned char>(argument[1])) || argument[1] == '.');
     if (is_number) argument.insert(argument.begin(), ' ');
   }
+
   return arguments;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -23,21 +24,27 @@ struct Cli {
 
 using Seconds = std::chrono::duration<double>;
 
-/// A verb with --help and --json below `parent`. Its arguments are read into values that must live until it has run;
-/// what a value holds at first is its default. (The parser's headers take seconds to compile, so only cli.cpp and
-/// main.cpp include them.)
+/// A verb of the command line with its own --help and --json, below `parent`. Its arguments are read
+/// into values that must live until the verb has run; what a value holds before is its default. (The
+/// parser's headers take seconds to compile, so only cli.cpp and main.cpp include them.)
 class Verb {
  public:
   Verb(CLI::App& parent, Cli& cli, const std::string& name, const std::string& purpose);
 
   Verb& argument(const std::string& name, std::string& value, const std::string& help);  // by its place; must be given
+
+  /// True when the flag is there.
   Verb& flag(const std::string& name, bool& value, const std::string& help);
+
+  /// A value after the flag; numbers must lie within `low` and `high`, both included.
   Verb& option(const std::string& name, std::string& value, const std::string& help);
   Verb& option(const std::string& name, double& value, double low, double high, const std::string& help);
   Verb& option(const std::string& name, int& value, int low, int high, const std::string& help);
+
   /// One or more values after the flag.
   Verb& list(const std::string& name, std::vector<std::string>& values, const std::string& help);
-  /// What it does when it is chosen; returns the exit code.
+
+  /// What the verb does when it is chosen. `action` returns the exit code.
   void runs(std::function<int()> action);
 
  private:
@@ -49,10 +56,11 @@ class Verb {
 /// topics that the verb uses become warnings on stderr. @throws config::BadEnvironment
 std::unique_ptr<bus::Bus> join(const Cli& cli, const std::string& name);
 
-/// Runs the loop until `done` (asked after each event), for at most `limit` or until a signal. True when done.
+/// Runs the loop until `done` returns true (it is asked after each event), for at most `limit` or until
+/// a signal. @returns whether it was done
 bool run_until(bus::Bus& bus, Seconds limit, const std::function<bool()>& done);
 
-/// SIGINT or SIGTERM came.
+/// Did SIGINT or SIGTERM come?
 bool is_interrupted();
 
 /// "domain 3, partition 'hall-2', interface 127.0.0.1", for messages about what was not found there.
@@ -61,7 +69,7 @@ std::string place_of(const bus::Settings& settings);
 /// The id under which a verb writes, different in each run: "aisle-1762154102113042".
 std::string unique_id(const std::string& prefix);
 
-/// "-4,5" would be taken for a flag; with a blank in front it is a value again.
+/// Puts a blank before arguments like "-4,5", which the parser would take for a flag otherwise.
 std::vector<std::string> protect_negative_numbers(int argc, const char* const* argv);
 
 // The verbs, each in its own file. They add themselves below `parent`.

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
@@ -7,7 +8,7 @@
 
 namespace aisle::cli {
 
-/// A pose as a person types it; without a yaw any heading will do.
+/// A pose as a person types it; without a yaw every heading is right.
 struct TypedPose {
   geometry::Pose2 in_map;
   bool has_yaw{false};

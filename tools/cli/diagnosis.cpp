@@ -10,17 +10,20 @@
 namespace aisle::cli {
 namespace {
 
+/// The endpoint for a person: role, participant, host.
 std::string who(const bus::Endpoint& endpoint) {
   return fmt::format("{} in '{}' on host {}", endpoint.is_writer ? "writer" : "reader",
                      endpoint.participant.empty() ? "?" : endpoint.participant,
                      endpoint.host.empty() ? "?" : endpoint.host);
 }
 
+/// Everything that is announced; the depth of the history is not.
 bool same_contract(const bus::Qos& a, const bus::Qos& b) {
   return a.reliability == b.reliability && a.durability == b.durability && a.ownership == b.ownership &&
          a.deadline == b.deadline && a.liveliness_lease == b.liveliness_lease;
 }
 
+/// No partitions: the default one, whose name is empty.
 bool is_in(const std::string& partition, const std::vector<std::string>& partitions) {
   if (partitions.empty()) return partition.empty();
   return std::find(partitions.begin(), partitions.end(), partition) != partitions.end();
@@ -35,6 +38,7 @@ std::string quoted(const std::string& text) { return "'" + text + "'"; }
 std::vector<Problem> judge_discovery(const bus::Settings& settings, std::size_t participants,
                                      const std::set<int>& other_domains) {
   if (participants > 0) return {};
+
   std::string text = "nobody seen in " + place_of(settings) + "; ";
   if (!other_domains.empty()) {
     std::string domains;
@@ -49,20 +53,24 @@ std::vector<Problem> judge_discovery(const bus::Settings& settings, std::size_t 
         "(both sides) or use "
         "--discovery-server ADDRESS:PORT";
   }
+
   return {{"discovery", text}};
 }
 
 std::vector<Problem> judge_network(const bus::Settings& settings, const std::vector<NetworkInterface>& interfaces) {
   std::vector<Problem> problems;
   std::string known;
+
   for (const NetworkInterface& interface : interfaces)
     known += (known.empty() ? "" : ", ") + interface.address + " (" + interface.name + ")";
+
   for (const std::string& address : settings.interfaces) {
     const bool is_ours =
         std::any_of(interfaces.begin(), interfaces.end(), [&](const auto& i) { return i.address == address; });
     if (!is_ours)
       problems.push_back({"network", "no interface of this host has the address " + address + "; it has " + known});
   }
+
   const bool needs_multicast = settings.peers.empty() && settings.discovery_server.empty();
   for (const NetworkInterface& interface : interfaces) {
     const bool is_used = settings.interfaces.empty() ? !interface.is_loopback
@@ -77,18 +85,22 @@ std::vector<Problem> judge_network(const bus::Settings& settings, const std::vec
                interface.address, interface.name)});
     }
   }
+
   return problems;
 }
 
 std::vector<Problem> judge_shared_memory(const bus::Settings& settings, const SharedMemory& memory) {
   if (!settings.shared_memory) return {};
+
   const std::string remedy = "or leave --shared-memory away: UDP works without it";
   const auto problem = [](const std::string& text) { return std::vector<Problem>{{"shared memory", text}}; };
   if (!memory.exists) return problem("there is no " + memory.folder + " on this host; mount a tmpfs there, " + remedy);
   if (!memory.is_writable)
     return problem(memory.folder + " cannot be written by this user; correct its mode (1777), " + remedy);
+
   std::vector<Problem> problems;
   const auto mb = [](std::uint64_t bytes) { return fmt::format("{:.0f} MB", static_cast<double>(bytes) / 1048576.0); };
+
   if (memory.available_bytes < kProcessesWithRoom * bus::kSharedMemoryBytes) {
     problems.push_back(
         {"shared memory",
@@ -97,12 +109,14 @@ std::vector<Problem> judge_shared_memory(const bus::Settings& settings, const Sh
                      memory.folder, mb(memory.available_bytes), mb(memory.capacity_bytes), mb(bus::kSharedMemoryBytes),
                      memory.folder, remedy)});
   }
+
   if (memory.left_over_files > 0) {
     problems.push_back(
         {"shared memory",
          fmt::format("{} holds {} segments ({}) of processes that were killed; remove them with: fastdds shm clean",
                      memory.folder, memory.left_over_files, mb(memory.left_over_bytes))});
   }
+
   return problems;
 }
 
@@ -110,10 +124,12 @@ std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::v
   std::vector<Problem> problems;
   std::set<std::string> other_partitions;
   bool is_anybody_in_ours = false;
+
   for (const bus::Endpoint& endpoint : endpoints) {
     const auto topic = std::find_if(topic_table().begin(), topic_table().end(),
                                     [&](const TopicRow& row) { return row.name == endpoint.topic; });
     if (topic == topic_table().end()) continue;
+
     if (endpoint.type != topic->type) {
       problems.push_back(
           {"type", fmt::format("topic '{}': the {} uses the type {}, Aisle {}; it hears and says nothing here",
@@ -126,14 +142,17 @@ std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::v
                                              who(endpoint), text_of(endpoint.qos, History::kNotAnnounced),
                                              text_of(topic->qos, History::kNotAnnounced))});
     }
+
     is_anybody_in_ours = true;
   }
+
   if (!is_anybody_in_ours && !other_partitions.empty()) {
     std::string names;
     for (const std::string& name : other_partitions) names += (names.empty() ? "" : ", ") + quoted(name);
     problems.push_back({"partition", "nobody uses partition " + quoted(settings.partition) + "; others use " + names +
                                          ": set --partition or AISLE_PARTITION"});
   }
+
   return problems;
 }
 
@@ -143,6 +162,7 @@ std::vector<Problem> judge_services(const std::map<std::string, fleet::ServiceHe
   for (const auto& [id, health] : newest) {
     const std::string waits_for = health.waits_for;
     const std::string last_error = health.last_error;
+
     if (gone.count(id) > 0) {
       problems.push_back(
           {"service", id + " on host " + health.host + " has fallen silent: it crashed, hangs, or cannot be reached"});
@@ -154,6 +174,7 @@ std::vector<Problem> judge_services(const std::map<std::string, fleet::ServiceHe
       problems.push_back({"service", id + " is ready, but had an error: " + last_error, true});
     }
   }
+
   return problems;
 }
 
@@ -161,6 +182,7 @@ void VehicleWatch::take(const fleet::VehicleState& state, const fleet::Origin& b
   Writer& writer = writers_[state.agv_id][by.boot_id];
   writer.source_id = by.source_id;
   ++writer.samples;
+
   const bool is_held = state.hold != fleet::Hold::kNone && state.hold != fleet::Hold::kNoCommand;
   holds_[state.agv_id] = is_held ? word_of(name(state.hold)) : "";
 }
@@ -170,18 +192,22 @@ std::vector<Problem> VehicleWatch::judge() const {
   for (const auto& [agv_id, writers] : writers_) {
     std::string sources;
     int speaking = 0;
+
     for (const auto& [boot_id, writer] : writers) {
       if (writer.samples < 2) continue;  // one sample may be the last of a process that was restarted
       sources += (speaking == 0 ? "" : " and ") + writer.source_id + fmt::format(" (boot {})", boot_id);
       ++speaking;
     }
+
     if (speaking > 1)
       problems.push_back(
           {"vehicle", "two vehicles call themselves '" + agv_id + "': " + sources + "; give one another id"});
   }
+
   for (const auto& [agv_id, hold] : holds_) {
     if (!hold.empty()) problems.push_back({"vehicle", agv_id + " holds: " + hold});
   }
+
   return problems;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
+
 // What the doctor thinks of what it saw. No DDS calls, clocks or sockets: doctor.cpp gathers, this judges.
+
 #include <cstdint>
 #include <map>
 #include <set>
@@ -14,7 +16,7 @@
 
 namespace aisle::cli {
 
-/// One thing that is wrong, in words that say what to do.
+/// One thing that is wrong, with words that say what to do.
 struct Problem {
   std::string about;  // "discovery", "qos", "type", "partition", "network", "clock", "version", "service", "vehicle",
                       // "shared memory"
@@ -30,7 +32,7 @@ struct NetworkInterface {
   bool multicast_works{false};  // a datagram sent to a group came back
 };
 
-/// Where shared-memory transport keeps its segments.
+/// The folder in which the shared-memory transport keeps its segments.
 struct SharedMemory {
   std::string folder;
   bool exists{false};
@@ -41,27 +43,34 @@ struct SharedMemory {
   std::uint64_t left_over_bytes{0};
 };
 
-/// Other processes seen; `other_domains` holds those where somebody was seen, when nobody was in ours.
+/// `participants`: other processes seen. `other_domains`: those where one was seen, when none was seen
+/// in ours.
 std::vector<Problem> judge_discovery(const bus::Settings& settings, std::size_t participants,
                                      const std::set<int>& other_domains);
 
+/// Addresses that this host does not have, and interfaces on which multicast is needed and does not
+/// work.
 std::vector<Problem> judge_network(const bus::Settings& settings, const std::vector<NetworkInterface>& interfaces);
 
-/// Nothing unless the settings ask for shared memory: room for segments, and what processes that were killed left
-/// behind.
+/// Too little room for segments, and segments that killed processes left behind. Empty unless the
+/// settings ask for shared memory.
 std::vector<Problem> judge_shared_memory(const bus::Settings& settings, const SharedMemory& memory);
 
-/// Types and QoS against the table; partitions in which Aisle's topics are used against ours.
+/// Compares types and QoS on the wire with the table of topics, and the partitions in which Aisle's
+/// topics are used with ours.
 std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::vector<bus::Endpoint>& endpoints);
 
-/// Services that are not ready; errors that ready ones had are past.
+/// Services that are not ready; an error that a ready one had counts as past. `gone`: those that fell
+/// silent.
 std::vector<Problem> judge_services(const std::map<std::string, fleet::ServiceHealth>& newest,
                                     const std::set<std::string>& gone);
 
-/// Tells apart who writes a vehicle's state.
+/// Finds out whether several processes write one vehicle's state.
 class VehicleWatch {
  public:
   void take(const fleet::VehicleState& state, const fleet::Origin& by);
+
+  /// Two processes with one vehicle's id, and vehicles that hold.
   std::vector<Problem> judge() const;
   std::size_t vehicles() const { return writers_.size(); }
 
@@ -70,6 +79,7 @@ class VehicleWatch {
     std::string source_id;
     int samples{0};
   };
+
   std::map<std::string, std::map<std::uint64_t, Writer>> writers_;  // by agv id, by boot id
   std::map<std::string, std::string> holds_;                        // newest hold reason, when there is one
 };

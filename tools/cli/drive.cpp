@@ -1,4 +1,5 @@
 // aisle drive: a scenario with all its services on a simulated network, in virtual time and without DDS.
+
 #include <fmt/format.h>
 
 #include <chrono>
@@ -31,6 +32,7 @@
 namespace aisle::cli {
 namespace {
 
+/// The flags with their defaults.
 struct Options {
   std::string scenario;
   std::string local{"wang"};
@@ -46,15 +48,18 @@ struct Options {
   bool verbose{false};
 };
 
+/// With commas between.
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
 }
 
+/// @throws config::BadInput with the nearest name when it is none of `known`
 void check_name(const char* flag, const std::string& name, const std::vector<std::string>& known) {
   for (const std::string& candidate : known)
     if (candidate == name) return;
+
   const std::string nearest = config::nearest_name(name, known);
   throw config::BadInput(fmt::format("{}: '{}' is unknown; {}there are {}", flag, name,
                                      nearest.empty() ? "" : "did you mean '" + nearest + "'? ", listed(known)));
@@ -83,6 +88,7 @@ sim::Setup setup_of(const Options& options, int run) {
   setup.paper_limits = options.paper_limits;
   setup.only_scans_of = known_vehicle(options.only_scans_of, setup.scenario);
   if (options.truth) setup.perception = sim::Perception::kTruth;
+
   return setup;
 }
 
@@ -97,18 +103,22 @@ struct Driven {
   void add(const sim::Outcome& outcome) {
     totals.add(outcome.result);
     for (const auto& [kind, count] : outcome.faults) faults[kind] += count;
+
     const Json report = referee::to_json(outcome.report);
     for (const Json& goal : report.at("goals_failed")) goals_failed.push_back(goal);
     for (const Json& violation : report.at("authority_violation_list")) violations.push_back(violation);
   }
+
   bool is_good() const { return totals.is_good() && violations.empty(); }
 };
 
+/// One JSON object, or a few lines for a person.
 void print(const Cli& cli, const Options& options, const Driven& driven) {
   const sim::Totals& totals = driven.totals;
   const double realtime_factor = driven.took_s > 0.0 ? totals.time_s / driven.took_s : 0.0;
   const std::string hash = fmt::format("{:016x}", totals.trace_hash);
   const bool has_least = totals.least_clearance_m < sim::kNothingNearM;
+
   if (cli.json) {
     std::printf("%s\n",
                 write_json(Json{{"local", options.local},
@@ -130,8 +140,10 @@ void print(const Cli& cli, const Options& options, const Driven& driven) {
                                 {"goals_failed", driven.goals_failed},
                                 {"violations", driven.violations}})
                     .c_str());
+
     return;
   }
+
   std::printf("%d run%s, global %s, local %s\n", totals.runs, totals.runs == 1 ? "" : "s", options.global.c_str(),
               options.local.c_str());
   std::printf("goals %d of %d, contacts %d (%d of a moving vehicle), least clearance %s\n", totals.goals_reached,
@@ -139,9 +151,11 @@ void print(const Cli& cli, const Options& options, const Driven& driven) {
               has_least ? fmt::format("{:.3f} m", totals.least_clearance_m).c_str() : "-, as nothing came near");
   std::printf("%.1f m in %.1f s, %d replans, %d changes of the turn's sign, jerk %.2f m/s^3\n", totals.distance_m,
               totals.time_s, totals.replans, totals.omega_sign_changes, totals.jerk_rms);
+
   std::string faults;
   for (const auto& [kind, count] : driven.faults)
     faults += fmt::format("{}{} {}", faults.empty() ? "" : ", ", kind, count);
+
   if (!faults.empty()) std::printf("faults: %s\n", faults.c_str());
   if (!driven.violations.empty()) std::printf("violations of authority: %zu\n", driven.violations.size());
   std::printf("%.0f x real time by CPU time, trace %s\n", realtime_factor, hash.c_str());
@@ -161,11 +175,14 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
   const sim::Setup setup = setup_of(options, run);
   const sim::Faults faults = faults_of(options, setup.seed);
   const std::string prefix = options.runs > 1 ? fmt::format("seed {}: ", setup.seed) : "";
+
   const auto say = [&](const std::string& line) {
     progress.clear();
     std::fprintf(stderr, "%s%s\n", prefix.c_str(), printable(line).c_str());
   };
+
   const std::chrono::nanoseconds begun = process::cpu_time();
+
   const sim::Outcome outcome = sim::drive(
       setup, faults,
       [&](double t_s) {
@@ -174,35 +191,46 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
         return !is_interrupted();
       },
       options.verbose ? say : std::function<void(const std::string&)>{});
+
   if (is_interrupted()) return false;
+
   driven.took_s += Seconds(process::cpu_time() - begun).count();
   driven.add(outcome);
   progress.clear();
+
   if (!options.svg.empty() && run == 0)
     process::write_output_file(options.svg, referee::fleet_svg(outcome.report, referee::Walls(setup.grid)));
+
   for (const std::string& line : outcome.result.log) say(line);
+
   const bool is_good = outcome.report.goals_missed() == 0 && outcome.report.contacts_moving_vehicle() == 0 &&
                        outcome.report.violations.empty();
   if (options.fault_seed > 0 && (options.verbose || !is_good))
     std::fprintf(stderr, "# --seed %llu --fault-seed %d is --seed %llu --faults with this file:\n%s",
                  static_cast<unsigned long long>(setup.seed), options.fault_seed,
                  static_cast<unsigned long long>(setup.seed), sim::to_yaml(faults.plan).c_str());
+
   return true;
 }
 
 int drive(const Cli& cli, const Options& options) {
   check_name("--local", options.local, names_of(local_planner::all_variants()));
   check_name("--global", options.global, names_of(global_planner::all_variants()));
+
   if (options.scenario.empty())
     throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(sim::families()));
+
   if (!options.svg.empty()) process::check_writable(options.svg);
+
   Driven driven;
   ProgressLine progress;
   bool goes_on = true;
+
   for (int run = 0; run < options.runs && goes_on; ++run) goes_on = drive_once(options, run, progress, driven);
   progress.clear();
   if (!goes_on) std::fprintf(stderr, "aisle drive: stopped after %d of %d runs\n", driven.totals.runs, options.runs);
   print(cli, options, driven);
+
   return goes_on && driven.is_good() ? process::kDone : process::kNegative;
 }
 

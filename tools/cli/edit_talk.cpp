@@ -28,6 +28,7 @@ std::string text_of_result(const fleet::MapEditResult& result) {
     case Outcome::kRefused:
       break;
   }
+
   return fmt::format("refused: {} (edit {})", result.detail, result.edit_id);
 }
 
@@ -42,6 +43,7 @@ EditTalk::EditTalk(bus::Bus& bus)
                                         },
                                         {},
                                         {}});
+
   service::hear<topics::MapEditResult>(bus_, {[this](const fleet::MapEditResult& result, const service::Sender& from) {
                                                 if (result.edit_id == edit_id_) result_ = Answer{result, from.by};
                                               },
@@ -56,15 +58,19 @@ std::string EditTalk::find_map(Seconds limit) {
 
 std::optional<EditTalk::Answer> EditTalk::send(const fleet::MapEdit& edit, Seconds limit) {
   edit_id_ = edit.edit_id;
+
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!result_ && !is_interrupted()) {
     auto sample = wire::encode(edit);
     sample.by(stamper_.next());
     writer_.write(sample);
+
     const Seconds left = end - std::chrono::steady_clock::now();
     run_until(bus_, std::min(left, kEditAgainAfter), [this] { return result_.has_value(); });
+
     if (left <= Seconds::zero()) break;
   }
+
   return result_;
 }
 
@@ -74,24 +80,29 @@ EditTalk::Answer EditTalk::apply(fleet::MapEdit edit, const std::string& map_id,
     throw config::BadEnvironment("no map seen in " + place_of(bus_.settings()) +
                                  "; is aisle-map running? aisle doctor looks for the cause");
   }
+
   edit.map_id = to;
+
   const std::optional<Answer> result = send(edit, Seconds(timeout_s));
   if (!result) {
     throw config::BadEnvironment(
         fmt::format("aisle-map did not answer within {:g} s; repeat with --id {} to be sure that it is applied once",
                     timeout_s, edit.edit_id));
   }
+
   return *result;
 }
 
 int print_result(const Cli& cli, const EditTalk::Answer& answer) {
   const bool is_refused = answer.result.outcome == fleet::MapEditResult::Outcome::kRefused;
   const int code = is_refused ? process::kNegative : process::kDone;
+
   if (cli.json) {
     std::printf("%s\n", write_json(json_of(answer.result, answer.by)).c_str());
   } else {
     std::fprintf(code == process::kDone ? stdout : stderr, "%s\n", printable(text_of_result(answer.result)).c_str());
   }
+
   return code;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -12,25 +13,28 @@
 
 namespace aisle::cli {
 
-/// Sends one edit to aisle-map and waits for what became of it.
+/// Sends one edit to aisle-map and waits for its result.
 class EditTalk {
  public:
+  /// The result, and which map service it is from.
   struct Answer {
     fleet::MapEditResult result;
     fleet::Origin by;
   };
 
-  /// On a bus that must outlive it.
+  /// @pre `bus` outlives it
   explicit EditTalk(bus::Bus& bus);
 
-  /// Sends it to the map with this id, or to the one that is seen when `map_id` is empty. The edit is repeated, and
-  /// applied once, until its result comes. @throws config::BadEnvironment when there is no map, or no answer, within
-  /// `timeout_s` each
+  /// Sends the edit to the map with this id, or to the first one that is seen when `map_id` is empty.
+  /// Repeats it until its result comes; the map applies it once. @throws config::BadEnvironment when
+  /// there is no map, or no answer, within `timeout_s` seconds each
   Answer apply(fleet::MapEdit edit, const std::string& map_id, double timeout_s);
 
  private:
-  /// Empty when no map is seen in time.
+  /// The id of the first map that is seen; empty when none is in time.
   std::string find_map(Seconds limit);
+
+  /// Repeats the edit until its result comes; none when it does not in time.
   std::optional<Answer> send(const fleet::MapEdit& edit, Seconds limit);
 
   bus::Bus& bus_;

@@ -1,4 +1,5 @@
 // aisle experiment: writes docs/experiments.md anew, one section or the whole page.
+
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -23,10 +24,12 @@ struct ExperimentOrders {
   std::string empty_place{"deploy/scenarios/depot-pedestrians.yaml"};
   Experiments experiments;
 };
+
 using Orders = std::shared_ptr<ExperimentOrders>;
 
 void say(const std::string& what) { std::fprintf(stderr, "%s\n", what.c_str()); }
 
+/// Flags that all experiments share.
 void add_places(Verb& verb, const Orders& orders, const char* what) {
   verb.option("--page", orders->page, std::string(what) + "; pictures go to experiments/ beside it")
       .option("--maps", orders->maps, "folder of the papers' maps");
@@ -51,17 +54,22 @@ void add_tracking_options(Verb& verb, const Orders& orders) {
               "drives of each family with prediction and without; 0: none");
 }
 
+/// Runs the experiments and writes the page. Sentences that the figures do not bear out are left out of
+/// it, and named.
 int run(const Orders& orders, const std::function<Sentences(const Experiments&)>& write) {
   Experiments& experiments = orders->experiments;
   experiments.page = orders->page;
   experiments.maps = orders->maps;
   experiments.tracking.empty_place = orders->empty_place;
+
   for (const std::string& sentence : write(experiments))
     say("left out, since the figures do not bear it out: " + sentence);
+
   std::printf("%s\n", orders->page.c_str());
   return process::kDone;
 }
 
+/// The verb writes one section of the page anew.
 void runs_section(Verb& verb, const Orders& orders, Section section) {
   verb.runs([orders, section] {
     return run(orders, [&](const Experiments& all) { return lab::write_section(all, section, say); });
@@ -75,6 +83,7 @@ constexpr const char* kSectionOfPage = "the page whose section is written anew";
 void add_experiment_all(CLI::App& parent, Cli& cli) {
   auto orders = std::make_shared<ExperimentOrders>();
   Verb verb(parent, cli, "all", "all of them: the whole page, hours");
+
   add_places(verb, orders, "the page, written anew");
   add_global_options(verb, orders);
   add_local_options(verb, orders);
@@ -85,6 +94,7 @@ void add_experiment_all(CLI::App& parent, Cli& cli) {
 void add_experiment_global(CLI::App& parent, Cli& cli) {
   auto orders = std::make_shared<ExperimentOrders>();
   Verb verb(parent, cli, "global", "global planners: the papers' tables, random maps, real maps");
+
   add_places(verb, orders, kSectionOfPage);
   add_global_options(verb, orders);
   runs_section(verb, orders, Section::kGlobalPlanning);
@@ -93,6 +103,7 @@ void add_experiment_global(CLI::App& parent, Cli& cli) {
 void add_experiment_local(CLI::App& parent, Cli& cli) {
   auto orders = std::make_shared<ExperimentOrders>();
   Verb verb(parent, cli, "local", "local planners: the suite of scenarios, the papers' fused drives and speed curves");
+
   add_places(verb, orders, kSectionOfPage);
   add_local_options(verb, orders);
   runs_section(verb, orders, Section::kLocalPlanning);
@@ -103,6 +114,7 @@ void add_experiment_tracking(CLI::App& parent, Cli& cli) {
   Verb verb(parent, cli, "tracking",
             "the obstacle tracker and a baseline on recorded people; what several vehicles see; ghosts in an empty "
             "place");
+
   add_places(verb, orders, kSectionOfPage);
   add_tracking_options(verb, orders);
   runs_section(verb, orders, Section::kObstacleTracking);

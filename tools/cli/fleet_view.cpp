@@ -11,10 +11,12 @@ namespace {
 
 constexpr time::Stamp kOfflineAfter = std::chrono::seconds(1);
 
+/// The number under `key` in this form; "-" where there is none.
 std::string number(const Json& row, const char* key, const char* form) {
   return row.contains(key) && row[key].is_number() ? fmt::format(fmt::runtime(form), row[key].get<double>()) : "-";
 }
 
+/// The text under `key`; "-" where there is none.
 std::string word(const Json& row, const char* key) {
   const std::string text = row.value(key, "");
   return text.empty() || text == "none" ? "-" : text;
@@ -26,6 +28,7 @@ void FleetView::watch(bus::Bus& bus) {
   using service::End;
   using service::hear;
   using service::Sender;
+
   hear<topics::VehicleState>(
       bus, {[this](const fleet::VehicleState& state, const Sender& from) { take(state, from.arrived); }, {}, {}});
   hear<topics::VehicleInfo>(bus, {[this](const fleet::Vehicle& vehicle, const Sender&) { take(vehicle); }, {}, {}});
@@ -81,8 +84,10 @@ Json FleetView::snapshot(const std::string& agv_id, const VehicleEntry& vehicle,
     row["distance_left_m"] = navigation.distance_left_m;
     row["time_left_s"] = navigation.time_left_s;
   }
+
   const std::string navigated = vehicle.navigation ? vehicle.navigation->goal_id : "";
   row["goal_id"] = navigated.empty() ? vehicle.goal_id : navigated;
+
   if (vehicle.state) {
     row["hold"] = word_of(name(vehicle.state->hold));
     row["speed_mps"] = vehicle.state->motion.twist.linear_mps;
@@ -90,14 +95,17 @@ Json FleetView::snapshot(const std::string& agv_id, const VehicleEntry& vehicle,
     row["refused_commands"] = vehicle.state->refused_commands;
     row["silent_s"] = time::seconds(now - vehicle.state_arrived);
   }
+
   return row;
 }
 
 Json FleetView::snapshot(time::Stamp now) const {
   Json vehicles = Json::array();
   for (const auto& [id, vehicle] : vehicles_) vehicles.push_back(snapshot(id, vehicle, now));
+
   Json services = Json::array();
   for (const auto& [id, health] : services_) services.push_back(health);
+
   return Json{{"vehicles", std::move(vehicles)}, {"services", std::move(services)}};
 }
 
@@ -111,6 +119,7 @@ std::string text_of_fleet(const Json& snapshot) {
                         number(row, "speed_mps", "{:.2f}"), number(pose, "x_m", "{:.2f}"),
                         number(pose, "y_m", "{:.2f}"), row["online"] ? word(row, "hold") : "offline"});
   }
+
   std::vector<std::vector<std::string>> services{
       {"SERVICE", "STATE", "WAITS FOR", "HOST", "CPU %", "MB", "LAST ERROR"}};
   for (const Json& row : snapshot["services"]) {
@@ -118,6 +127,7 @@ std::string text_of_fleet(const Json& snapshot) {
                         number(row, "cpu_percent", "{:.1f}"), number(row, "resident_mb", "{:.1f}"),
                         word(row, "last_error")});
   }
+
   return text_of_table(vehicles) + "\n" + text_of_table(services);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <map>
 #include <optional>
 #include <string>
@@ -16,17 +17,21 @@
 
 namespace aisle::cli {
 
-/// What the fleet says of itself, newest first hand: vehicles with what they do, and the services behind them.
+/// What the fleet says of itself, at first hand: vehicles with what they do, and the services behind
+/// them. Keeps the newest value of each.
 class FleetView {
  public:
   /// Subscribes to vehicle_state, vehicle_info, navigation_status, goal and service_health.
   void watch(bus::Bus& bus);
 
+  /// A value that came. `now`: on the bus's clock.
   void take(const fleet::VehicleState& state, time::Stamp now);
   void take(const fleet::Vehicle& vehicle);
   void take(const fleet::NavigationStatus& status);
   void take(const fleet::Goal& goal);
   void take(const fleet::ServiceHealth& health, const fleet::Origin& by);
+
+  /// Its local planner is gone, or silent.
   void lose_navigation(const std::string& agv_id);
   void lose_service(const std::string& instance_id);
 
@@ -44,6 +49,7 @@ class FleetView {
     std::optional<fleet::NavigationStatus> navigation;
     std::string goal_id;
   };
+
   Json snapshot(const std::string& agv_id, const VehicleEntry& vehicle, time::Stamp now) const;
 
   std::map<std::string, VehicleEntry> vehicles_;

@@ -1,4 +1,5 @@
 // aisle goal send: gives a vehicle a goal, and with --wait follows it there.
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -16,6 +17,7 @@
 namespace aisle::cli {
 namespace {
 
+/// The flags with their defaults.
 struct SendOptions {
   std::string agv_id;
   std::string pose;
@@ -29,14 +31,17 @@ struct SendOptions {
 constexpr Seconds kUntilPlanned{10.0};
 constexpr Seconds kUntilArrived{600.0};
 
+/// A goal without a yaw is reached with every heading.
 fleet::Goal make_goal(const SendOptions& options) {
   const TypedPose typed = parse_pose("goal", options.pose);
   fleet::Goal goal;
+
   goal.agv_id = options.agv_id;
   goal.id = options.goal_id.empty() ? unique_id("aisle") : options.goal_id;
   goal.pose_in_map = typed.in_map;
   goal.position_tolerance_m = options.tolerance_m;
   goal.yaw_tolerance_rad = typed.has_yaw ? options.yaw_tolerance_rad : 0.0;
+
   return goal;
 }
 
@@ -48,14 +53,17 @@ class GoalProgress {
     const std::string reason = status.reason == fleet::Reason::kNone ? "" : " (" + word_of(name(status.reason)) + ")";
     const std::string line = fmt::format("{} {}{}, {:.1f} m and {:.0f} s left", printable(status.agv_id), phase, reason,
                                          status.distance_left_m, status.time_left_s);
+
     if (is_terminal_) {
       std::fprintf(stderr, "\r\x1b[K%s", line.c_str());
       is_open_ = true;
     } else if (phase + reason != last_) {
       std::fprintf(stderr, "%s\n", line.c_str());
     }
+
     last_ = phase + reason;
   }
+
   ~GoalProgress() {
     if (is_open_) std::fprintf(stderr, "\n");
   }
@@ -66,6 +74,7 @@ class GoalProgress {
   std::string last_;
 };
 
+/// Prints the result and returns `code`. `length_m`: of the plan, when there is one.
 int report_sent(const Cli& cli, const fleet::Goal& goal, const std::string& result, const std::string& text, int code,
                 double length_m = -1.0) {
   if (cli.json) {
@@ -75,9 +84,11 @@ int report_sent(const Cli& cli, const fleet::Goal& goal, const std::string& resu
   } else {
     std::fprintf(code == process::kDone ? stdout : stderr, "%s\n", printable(text).c_str());
   }
+
   return code;
 }
 
+/// Tells a planner that is not there from one that does not answer.
 int report_no_answer(const Cli& cli, const GoalTalk& talk, const fleet::Goal& goal, double waited_s) {
   const bool nobody = !talk.is_read_by_anybody();
   return report_sent(
@@ -88,58 +99,75 @@ int report_no_answer(const Cli& cli, const GoalTalk& talk, const fleet::Goal& go
       process::kEnvironment);
 }
 
+/// Shows the vehicle's progress until it arrives, fails or gets another goal, or until `limit`.
 int follow(const Cli& cli, GoalTalk& talk, const fleet::Goal& goal, Seconds limit) {
   const std::string goal_id = goal.id;
   const std::string agv_id = goal.agv_id;
   const auto is_over = [](fleet::Phase phase) {
     return phase == fleet::Phase::kArrived || phase == fleet::Phase::kFailed;
   };
+
   std::string replaced_by;
   bool is_over_now = false;
+
   {
     GoalProgress progress;
+
     is_over_now = talk.listen_until(limit, [&] {
       const bool is_other_plan = talk.plan() && talk.plan()->goal_id != goal_id;
       if (is_other_plan) replaced_by = talk.plan()->goal_id;
+
       if (is_other_plan) return true;
       if (!talk.navigation() || talk.navigation()->goal_id != goal_id) return false;
+
       progress.show(*talk.navigation());
       return is_over(talk.navigation()->phase);
     });
   }
+
   if (!replaced_by.empty())
     return report_sent(cli, goal, "replaced", agv_id + " has another goal now: " + replaced_by, process::kNegative);
+
   if (!is_over_now) {
     const std::string why = is_interrupted() ? "interrupted" : fmt::format("not there after {:g} s", limit.count());
     return report_sent(cli, goal, "not_arrived", why + "; " + agv_id + " keeps the goal, aisle goal cancel drops it",
                        process::kNegative);
   }
+
   const fleet::NavigationStatus& status = *talk.navigation();
   if (status.phase == fleet::Phase::kArrived)
     return report_sent(cli, goal, "arrived", agv_id + " arrived", process::kDone);
+
   return report_sent(cli, goal, "failed", agv_id + " failed (" + word_of(name(status.reason)) + "): " + status.detail,
                      process::kNegative);
 }
 
+/// Says the goal until there is a plan for it; with --wait follows the vehicle then.
 int send(const Cli& cli, const SendOptions& options) {
   const fleet::Goal goal = make_goal(options);
   const std::string goal_id = goal.id;
   GoalTalk talk(cli, options.agv_id);
+
   talk.require_vehicle();
+
   const Seconds until_planned = options.timeout_s > 0.0 ? Seconds(options.timeout_s) : kUntilPlanned;
   const auto is_planned = [&] { return talk.plan() && talk.plan()->goal_id == goal_id; };
   if (!talk.say_until(goal, until_planned, is_planned)) return report_no_answer(cli, talk, goal, until_planned.count());
+
   const fleet::Plan plan = *talk.plan();
   if (!plan.is_found()) {
     const std::string outcome = word_of(name(plan.outcome));
     return report_sent(cli, goal, outcome, options.agv_id + " cannot go there: " + outcome + ": " + plan.detail,
                        process::kNegative);
   }
+
   const std::string text =
       fmt::format("{} goes {:.1f} m to {}, goal {}", options.agv_id, plan.length_m, options.pose, goal_id);
   if (!options.wait) return report_sent(cli, goal, "planned", text, process::kDone, plan.length_m);
+
   if (!cli.json) std::printf("%s\n", printable(text).c_str());
   std::fflush(stdout);
+
   return follow(cli, talk, goal, options.timeout_s > 0.0 ? Seconds(options.timeout_s) : kUntilArrived);
 }
 

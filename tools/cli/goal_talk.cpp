@@ -27,16 +27,19 @@ GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
       *bus_, {[this](const fleet::Vehicle& vehicle, const Sender&) { vehicles_.insert(vehicle.id); }, {}, {}});
   service::hear<topics::VehicleState>(
       *bus_, {[this](const fleet::VehicleState& state, const Sender&) { vehicles_.insert(state.agv_id); }, {}, {}});
+
   service::hear<topics::NavigationStatus>(*bus_, {[this](const fleet::NavigationStatus& status, const Sender&) {
                                                     if (status.agv_id == agv_id_) navigation_ = status;
                                                   },
                                                   {},
                                                   {}});
+
   service::hear<topics::Plan>(*bus_, {[this](const fleet::Plan& plan, const Sender&) {
                                         if (plan.agv_id == agv_id_) plan_ = plan;
                                       },
                                       {},
                                       {}});
+
   service::hear<topics::Goal>(*bus_, {[this](const fleet::Goal& goal, const Sender&) {
                                         if (goal.agv_id == agv_id_) goal_ = goal;
                                       },
@@ -46,13 +49,17 @@ GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
 
 void GoalTalk::require_vehicle() {
   if (run_until(*bus_, kUntilVehiclesAreSeen, [this] { return vehicles_.count(agv_id_) > 0; })) return;
+
   if (vehicles_.empty()) {
     throw config::BadEnvironment("no vehicle seen in " + place_of(cli_.settings) +
                                  "; aisle doctor looks for the cause");
   }
+
   const std::vector<std::string> seen(vehicles_.begin(), vehicles_.end());
   std::string names;
+
   for (const std::string& id : seen) names += (names.empty() ? "" : ", ") + id;
+
   const std::string nearest = config::nearest_name(agv_id_, seen);
   throw config::BadInput("no vehicle '" + agv_id_ + "'" + (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") +
                          " Seen are: " + names);
@@ -64,10 +71,12 @@ bool GoalTalk::say_until(const fleet::Goal& goal, Seconds limit, const std::func
     auto sample = wire::encode(goal);
     sample.by(stamper_.next());
     writer_.write(sample);
+
     const Seconds left = end - std::chrono::steady_clock::now();
     if (run_until(*bus_, std::min<Seconds>(left, kSayAgainAfter), done)) return true;
     if (left <= Seconds::zero()) break;
   }
+
   return false;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <memory>
 #include <optional>
 #include <set>
@@ -14,24 +15,28 @@
 
 namespace aisle::cli {
 
-/// Speaks with the planners about one vehicle's goal: repeats what it says twice a second until heard, and keeps the
-/// newest answers.
+/// Speaks with the planners about one vehicle's goal: repeats a goal twice a second until it is
+/// answered, and keeps the newest answers.
 class GoalTalk {
  public:
   GoalTalk(const Cli& cli, const std::string& agv_id);
 
-  /// Waits until the vehicle was seen. @throws config::BadInput with the vehicles seen instead, config::BadEnvironment
-  /// when there are none
+  /// Waits until the vehicle is seen. @throws config::BadInput with the vehicles that are seen instead,
+  /// config::BadEnvironment when there are none
   void require_vehicle();
-  /// Runs the loop as run_until(), and says `goal` at once and every 500 ms meanwhile.
+
+  /// Runs the loop as run_until() does, and writes `goal` at once and every 500 ms meanwhile.
   bool say_until(const fleet::Goal& goal, Seconds limit, const std::function<bool()>& done);
   bool listen_until(Seconds limit, const std::function<bool()>& done) { return run_until(*bus_, limit, done); }
 
   const std::string& agv_id() const { return agv_id_; }
+
+  /// The newest that was heard of this vehicle; the same for navigation() and goal().
   const std::optional<fleet::Plan>& plan() const { return plan_; }
   const std::optional<fleet::NavigationStatus>& navigation() const { return navigation_; }
   const std::optional<fleet::Goal>& goal() const { return goal_; }
-  /// Its own reader does not count.
+
+  /// Is there a reader of goals besides its own?
   bool is_read_by_anybody() const { return writer_.matched_readers() > 1; }
 
  private:

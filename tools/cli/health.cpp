@@ -1,4 +1,5 @@
 // aisle health: is one service ready? For healthchecks of containers.
+
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -21,12 +22,14 @@ namespace {
 
 constexpr double kLease_s = 3.0;  // a service speaks once a second; silent for as long as this, it hangs or is gone
 
+/// Names the nearest service that was seen.
 std::string text_of_absence(const Cli& cli, const std::string& instance_id, const std::set<std::string>& seen) {
   const std::string nearest = config::nearest_name(instance_id, {seen.begin(), seen.end()});
   return "no service '" + instance_id + "' seen in " + place_of(cli.settings) +
          (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
 }
 
+/// The line for a person.
 void print_word(const std::string& instance_id, const std::string& state, const std::string& waits_for,
                 const std::string& last_error) {
   const std::string word = instance_id + ": " + state + (waits_for.empty() ? "" : ", waits for " + waits_for) +
@@ -34,11 +37,13 @@ void print_word(const std::string& instance_id, const std::string& state, const 
   std::printf("%s\n", printable(word).c_str());
 }
 
+/// Joins the site and waits until the service is ready.
 int heard_health(const Cli& cli, const std::string& instance_id, double timeout_s) {
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-health");
   std::optional<fleet::ServiceHealth> newest;
   fleet::Origin by;
   std::set<std::string> seen;
+
   service::hear<topics::ServiceHealth>(*bus, {[&](const fleet::ServiceHealth& health, const service::Sender& from) {
                                                 seen.insert(health.instance_id);
                                                 if (health.instance_id != instance_id) return;
@@ -49,6 +54,7 @@ int heard_health(const Cli& cli, const std::string& instance_id, double timeout_
                                                 if (id == instance_id) newest.reset();
                                               },
                                               {}});
+
   const bool is_ready =
       run_until(*bus, Seconds(timeout_s), [&] { return newest && newest->state == fleet::ServiceState::kReady; });
   if (cli.json) {
@@ -58,9 +64,11 @@ int heard_health(const Cli& cli, const std::string& instance_id, double timeout_
   } else {
     print_word(instance_id, fleet::name(newest->state), newest->waits_for, newest->last_error);
   }
+
   return is_ready ? process::kDone : process::kNegative;
 }
 
+/// Reads the service's own file; what is older than the lease does not count.
 int kept_health(const Cli& cli, const std::string& instance_id, const std::string& file) {
   const std::optional<service::HealthNote> note = service::recall_health(file);
   if (!note || note->instance_id != instance_id) {
@@ -68,8 +76,10 @@ int kept_health(const Cli& cli, const std::string& instance_id, const std::strin
                  instance_id.c_str());
     return process::kNegative;
   }
+
   const double age_s = 1e-9 * static_cast<double>(process::wall_clock_ns() - note->wall_clock_ns);
   const bool is_fresh = age_s < kLease_s;
+
   if (cli.json) {
     std::printf("%s\n", write_json(Json{{"instance_id", instance_id},
                                         {"state", fleet::name(note->state)},
@@ -82,6 +92,7 @@ int kept_health(const Cli& cli, const std::string& instance_id, const std::strin
   } else {
     print_word(instance_id, fleet::name(note->state), note->waits_for, note->last_error);
   }
+
   return is_fresh && note->state == fleet::ServiceState::kReady ? process::kDone : process::kNegative;
 }
 
@@ -92,7 +103,9 @@ void add_health(CLI::App& parent, Cli& cli) {
     std::string instance_id, file;
     double timeout_s{3.0};
   };
+
   auto options = std::make_shared<Options>();
+
   Verb(parent, cli, "health", "exit code 0 when one service is ready, else 1: for healthchecks")
       .argument("instance", options->instance_id, "of the service, e.g. map or local-planner-agv-1")
       .option("--timeout", options->timeout_s, 0.1, 1e6, "how long to wait until it is ready, seconds")

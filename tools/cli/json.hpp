@@ -1,5 +1,7 @@
 #pragma once
+
 // JSON as this program prints it.
+
 #include "common/wire/json/json.hpp"
 
 namespace aisle::cli {

@@ -15,13 +15,16 @@
 
 namespace {
 
+/// All verbs, in the order of --help.
 void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   using namespace aisle::cli;
+
   const auto add_group = [&app](const char* name, const char* purpose) {
     CLI::App* group = app.add_subcommand(name, purpose);
     group->require_subcommand(1)->fallthrough();
     return group;
   };
+
   CLI::App& topic = *add_group("topic", "what is said on the site's topics");
   add_topic_list(topic, cli);
   add_topic_info(topic, cli);
@@ -29,9 +32,11 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_topic_hz(topic, cli);
   add_topic_bw(topic, cli);
   add_fleet(app, cli);
+
   CLI::App& goal = *add_group("goal", "send a vehicle somewhere, or stop it");
   add_goal_send(goal, cli);
   add_goal_cancel(goal, cli);
+
   CLI::App& map = *add_group("map", "the site's map: look, edit, save");
   add_map_info(map, cli);
   add_map_block(map, cli);
@@ -40,6 +45,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_map_accept(map, cli);
   add_map_save(map, cli);
   add_plan(app, cli);
+
   CLI::App& experiment = *add_group("experiment", "compare with what is published; write docs/experiments.md anew");
   add_experiment_all(experiment, cli);
   add_experiment_global(experiment, cli);
@@ -57,22 +63,28 @@ int main(int argc, char** argv) {
   return aisle::process::run_guarded("aisle", [&]() -> int {
     aisle::process::stop_on_signals();
     std::signal(SIGPIPE, SIG_DFL);  // end quietly when the reader of a pipe does
+
     aisle::cli::Cli cli;
     CLI::App app(
         "Looks at a fleet of AGVs and gives it orders.\nExit codes: 0 done, 1 the answer is no, 2 bad input, 3 "
         "environment.",
         "aisle");
+
     app.set_version_flag("--version", std::string("aisle ") + aisle::process::software_version());
     app.require_subcommand(1);
     aisle::service::add_site_options(app, cli.settings);
     add_verbs(app, cli);
+
     const std::vector<std::string> arguments = aisle::cli::protect_negative_numbers(argc, argv);
     std::vector<const char*> pointers;
+
     for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
     if (const std::optional<int> code = aisle::service::parse_arguments(app, argc, pointers.data())) return *code;
+
     const int code = cli.action();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw aisle::config::BadEnvironment("stdout cannot be written; is the disk full?");
+
     return code;
   });
 }

@@ -1,4 +1,5 @@
 // aisle map block, aisle map unblock: edits the site's map, and waits for what aisle-map made of it.
+
 #include <memory>
 #include <string>
 
@@ -9,6 +10,7 @@
 namespace aisle::cli {
 namespace {
 
+/// The flags with their defaults.
 struct EditOptions {
   TypedShape shape;
   std::string edit_id;
@@ -16,15 +18,18 @@ struct EditOptions {
   double timeout_s{10.0};
 };
 
+/// The typed shape as an edit, sent to the map.
 int edit_map(const Cli& cli, const EditOptions& options, fleet::MapEdit::Action action) {
   fleet::MapEdit edit;
   edit.edit_id = options.edit_id.empty() ? unique_id("aisle") : options.edit_id;
   edit.action = action;
   set_shape(options.shape, edit);
+
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-map-edit");
   return print_result(cli, EditTalk(*bus).apply(edit, options.map_id, options.timeout_s));
 }
 
+/// Block and unblock differ in their action only.
 void add_edit_verb(CLI::App& parent, Cli& cli, const char* name, const char* purpose, fleet::MapEdit::Action action) {
   auto options = std::make_shared<EditOptions>();
   Verb(parent, cli, name, purpose)

@@ -1,4 +1,5 @@
 // aisle map save: writes the site's map, with its edits, as a ROS map file.
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -23,31 +24,39 @@ struct SaveOptions {
   double timeout_s{10.0};
 };
 
+/// Before waiting for a map: a name that cannot be written is told at once.
 void check_name(const std::filesystem::path& file) {
   if (file.extension() != ".yaml")
     throw config::BadInput(file.string() + ": the name must end in .yaml; the cells go to a .pgm beside it");
+
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   if (!std::filesystem::is_directory(folder))
     throw config::BadInput(folder.string() + ": no such folder; make it first");
 }
 
+/// Waits for the whole map and writes it.
 int save(const Cli& cli, const SaveOptions& options) {
   check_name(options.file);
+
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-map-save");
   service::MapClient::Options client_options;
+
   client_options.map_id = options.map_id;
   client_options.with_clearance = false;
+
   service::MapClient map(*bus, unique_id("aisle-map-save"), client_options);
   if (!run_until(*bus, Seconds(options.timeout_s), [&] { return map.has_map() && map.is_complete(); })) {
     throw config::BadEnvironment(
         fmt::format("no whole map within {:g} s in {}; is aisle-map running? aisle doctor looks for the cause",
                     options.timeout_s, place_of(cli.settings)));
   }
+
   try {
     grid::write_ros_map(map.grid(), options.file);
   } catch (const std::system_error& error) {
     throw config::BadEnvironment(std::string(error.what()) + "; check free space and permissions");
   }
+
   if (cli.json) {
     std::printf(
         "%s\n",
@@ -56,6 +65,7 @@ int save(const Cli& cli, const SaveOptions& options) {
     std::printf("%s: map '%s' at revision %llu\n", options.file.c_str(), map.map_id().c_str(),
                 static_cast<unsigned long long>(map.revision()));
   }
+
   return process::kDone;
 }
 

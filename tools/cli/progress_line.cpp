@@ -19,6 +19,7 @@ ProgressLine::~ProgressLine() { clear(); }
 void ProgressLine::tell(const std::string& text) {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return;
+
   next_ = now + (is_terminal_ ? kRewrite : kPause);
   std::fprintf(stderr, is_terminal_ ? "\r\033[K%s" : "%s\n", text.c_str());
   std::fflush(stderr);

@@ -1,11 +1,12 @@
 #pragma once
+
 #include <chrono>
 #include <string>
 
 namespace aisle::cli {
 
-/// What a person sees on stderr of what takes longer than kPatience: a line that is written anew on a terminal, one
-/// every kPause elsewhere.
+/// Shows on stderr that something takes longer than kPatience: a line that is rewritten in a terminal,
+/// a new line every kPause elsewhere.
 class ProgressLine {
  public:
   ProgressLine();
@@ -13,8 +14,10 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
+  /// Shows `text`, unless a line was shown just before.
   void tell(const std::string& text);
-  /// Before anything else is printed.
+
+  /// Removes the line; to be called before anything else is printed.
   void clear();
 
   static constexpr std::chrono::milliseconds kPatience{2000};

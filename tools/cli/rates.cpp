@@ -10,6 +10,7 @@ void Rate::add(time::Stamp arrived, std::size_t bytes) {
   } else {
     longest_gap_ = std::max(longest_gap_, arrived - last_);
   }
+
   last_ = arrived;
   bytes_ += bytes;
   ++samples_;

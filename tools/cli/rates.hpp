@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -8,19 +9,23 @@
 
 namespace aisle::cli {
 
-/// Rates and gaps of one instance's samples. Times are of arrival, on one monotonic clock.
+/// Rate and gaps of one instance's samples. Times are those of arrival, on one monotonic clock.
 class Rate {
  public:
+  /// One sample, in order of arrival; `bytes`: its payload.
   void add(time::Stamp arrived, std::size_t bytes);
 
   std::uint64_t samples() const { return samples_; }
-  /// Gaps per second between first and last sample; 0 with fewer than two.
+
+  /// Gaps a second between first and last sample; 0 with fewer than two.
   double hz() const;
   double mean_gap_ms() const;
   double longest_gap_ms() const { return time::seconds(longest_gap_) * 1e3; }
+
   double mean_bytes() const {
     return samples_ == 0 ? 0.0 : static_cast<double>(bytes_) / static_cast<double>(samples_);
   }
+
   double bytes_per_s() const { return hz() * mean_bytes(); }
 
  private:

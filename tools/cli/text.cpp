@@ -21,29 +21,37 @@ std::string scalar(const Json& value) {
     const std::string text = printable(value.get_ref<const std::string&>());
     return text.empty() ? "\"\"" : text;
   }
+
   if (value.is_number_float()) return fmt::format("{:.7g}", value.get<double>());
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
   if (value.is_number_unsigned()) return std::to_string(value.get<std::uint64_t>());
   if (value.is_number_integer()) return std::to_string(value.get<std::int64_t>());
+
   return "null";
 }
 
 std::string on_one_line(const Json& value, Length length);
 
+/// Cut after kShownElements unless kFull.
 std::string list_on_one_line(const Json& list, Length length) {
   const std::size_t shown = length == Length::kFull ? list.size() : std::min(list.size(), kShownElements);
   std::string text = "[";
+
   for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + on_one_line(list[i], length);
   if (shown < list.size()) text += fmt::format(", ... {} in all", list.size());
+
   return text + "]";
 }
 
+/// Structures as {a: 1, b: 2}.
 std::string on_one_line(const Json& value, Length length) {
   if (value.is_array()) return list_on_one_line(value, length);
   if (!value.is_object()) return scalar(value);
+
   std::string text = "{";
   for (const auto& [key, member] : value.items())
     text += (text.size() == 1 ? "" : ", ") + printable(key) + ": " + on_one_line(member, length);
+
   return text + "}";
 }
 
@@ -61,17 +69,22 @@ void add_lines(const Json& object, Length length, const std::string& indent, std
         out += indent + "  |" + (row.is_string() ? printable(row.get<std::string>()) : "") + "|\n";
       continue;
     }
+
     const std::string line = indent + printable(key) + ": " + on_one_line(value, length);
     const bool is_list_of_structures = value.is_array() && !value.empty() && value.front().is_object();
+
     if (line.size() <= kWidestLine || !(value.is_object() || is_list_of_structures)) {
       out += line + "\n";
       continue;
     }
+
     out += indent + printable(key) + ":\n";
+
     if (value.is_object()) {
       add_lines(value, length, indent + "  ", out);
       continue;
     }
+
     const std::size_t shown = length == Length::kFull ? value.size() : std::min(value.size(), kShownElements);
     for (std::size_t i = 0; i < shown; ++i) out += indent + "  - " + on_one_line(value[i], length) + "\n";
     if (shown < value.size()) out += indent + fmt::format("  ... {} in all\n", value.size());
@@ -86,6 +99,7 @@ std::string printable(const std::string& text) {
     const auto byte = static_cast<unsigned char>(c);
     out += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
   }
+
   return out;
 }
 
@@ -107,14 +121,17 @@ std::string text_of_table(const std::vector<std::vector<std::string>>& rows) {
     for (std::size_t column = 0; column < row.size(); ++column)
       widths[column] = std::max(widths[column], printable(row[column]).size());
   }
+
   std::string out;
   for (const std::vector<std::string>& row : rows) {
     std::string line;
     for (std::size_t column = 0; column < row.size(); ++column)
       line += fmt::format("{:<{}}  ", printable(row[column]), widths[column]);
+
     line.erase(line.find_last_not_of(' ') + 1);
     out += line + "\n";
   }
+
   return out;
 }
 

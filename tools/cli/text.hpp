@@ -1,4 +1,5 @@
 #pragma once
+
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>

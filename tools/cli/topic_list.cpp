@@ -1,4 +1,5 @@
 // aisle topic list: the table of topics, with the writers and readers seen.
+
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -13,16 +14,19 @@
 namespace aisle::cli {
 namespace {
 
+/// How many write and read a topic.
 struct Ends {
   int writers{0};
   int readers{0};
 };
 
+/// Aisle's topics in the order of the table, then foreign ones.
 Json rows_as_json(const std::map<std::string, Ends>& ends, const std::set<std::string>& foreign) {
   Json rows = Json::array();
   for (const TopicRow& topic : topic_table()) {
     const auto seen = ends.find(topic.name);
     const Ends counts = seen == ends.end() ? Ends{} : seen->second;
+
     rows.push_back({{"topic", topic.name},
                     {"type", topic.type},
                     {"key", topic.key},
@@ -30,6 +34,7 @@ Json rows_as_json(const std::map<std::string, Ends>& ends, const std::set<std::s
                     {"writers", counts.writers},
                     {"readers", counts.readers}});
   }
+
   for (const std::string& name : foreign) {
     rows.push_back({{"topic", name},
                     {"type", ""},
@@ -38,32 +43,41 @@ Json rows_as_json(const std::map<std::string, Ends>& ends, const std::set<std::s
                     {"writers", ends.at(name).writers},
                     {"readers", ends.at(name).readers}});
   }
+
   return rows;
 }
 
 int list(const Cli& cli, double wait_s) {
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-topic-list");
   run_until(*bus, Seconds(wait_s), [] { return false; });
+
   std::map<std::string, Ends> ends;
   std::set<std::string> foreign;
+
   for (const bus::Endpoint& endpoint : bus->endpoints()) {
     Ends& counts = ends[endpoint.topic];
     (endpoint.is_writer ? counts.writers : counts.readers) += 1;
     foreign.insert(endpoint.topic);
   }
+
   for (const TopicRow& topic : topic_table()) foreign.erase(topic.name);
+
   const Json rows = rows_as_json(ends, foreign);
   if (cli.json) {
     std::printf("%s\n", write_json(rows).c_str());
     return process::kDone;
   }
+
   std::vector<std::vector<std::string>> table{{"TOPIC", "WRITERS", "READERS", "TYPE", "KEY", "QOS"}};
   for (const Json& row : rows) {
     table.push_back({row["topic"], row["writers"].dump(), row["readers"].dump(), row["type"], row["key"], row["qos"]});
   }
+
   std::printf("%s", text_of_table(table).c_str());
+
   if (ends.empty())
     std::fprintf(stderr, "nobody seen in %s; aisle doctor looks for the cause\n", place_of(cli.settings).c_str());
+
   return process::kDone;
 }
 

@@ -1,4 +1,5 @@
 // aisle topic hz, aisle topic bw: how often and how much is said on a topic, by instance.
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -15,33 +16,41 @@
 namespace aisle::cli {
 namespace {
 
+/// The flags with their defaults.
 struct RateOptions {
   std::string topic;
   std::string key;
   double seconds{5.0};
 };
 
+/// Listens for that long.
 Rates measure(const Cli& cli, const RateOptions& options) {
   const TopicRow& topic = find_topic(options.topic);
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-topic-rate");
   Rates rates;
+
   // What a late joiner gets first was written before, and says nothing about the rate.
   const bool begins_with_history = topic.qos.durability == bus::Durability::kTransientLocal;
   std::set<std::string> begun;
+
   topic.subscribe(*bus, [&](const Received& received) {
     const bool is_wanted = options.key.empty() || received.key == options.key;
     if (!is_wanted || received.info.kind != bus::SampleKind::kData) return;
     const bool is_history = begun.insert(received.key).second && begins_with_history;
     if (!is_history) rates[received.key].add(received.info.arrived, received.bytes);
   });
+
   run_until(*bus, Seconds(options.seconds), [] { return false; });
+
   if (rates.empty()) {
     std::fprintf(stderr, "no sample on '%s' in %g s; %d writers seen in %s\n", topic.name.c_str(), options.seconds,
                  bus->matched_writers(topic.name), place_of(cli.settings).c_str());
   }
+
   return rates;
 }
 
+/// `heading` and `cells`: the columns for a person; JSON has all figures.
 int print_rates(const Cli& cli, const RateOptions& options, const std::vector<std::string>& heading,
                 const std::function<std::vector<std::string>(const Rate&)>& cells) {
   const Rates rates = measure(cli, options);
@@ -64,8 +73,10 @@ int print_rates(const Cli& cli, const RateOptions& options, const std::vector<st
       for (std::string& cell : cells(rate)) row.push_back(std::move(cell));
       table.push_back(std::move(row));
     }
+
     std::printf("%s", text_of_table(table).c_str());
   }
+
   return rates.empty() ? process::kNegative : process::kDone;
 }
 

@@ -13,6 +13,7 @@
 namespace aisle::cli {
 namespace {
 
+/// The names of a list with ", " between them.
 std::vector<std::string> names_in(const std::string& list) {
   std::vector<std::string> names;
   for (std::size_t begin = 0; begin < list.size();) {
@@ -20,32 +21,40 @@ std::vector<std::string> names_in(const std::string& list) {
     names.push_back(list.substr(begin, end - begin));
     begin = end + 2;
   }
+
   return names;
 }
 
 std::string text_of_key(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
 
+/// The key fields of a sample.
 Json only_key(const Json& sample, const std::string& key_fields) {
   Json key = Json::object();
   for (const std::string& field : names_in(key_fields)) key[field] = sample.at(field);
   return key;
 }
 
+/// The one place where a sample's type is known.
 template <class Topic>
 void subscribe(bus::Bus& bus, std::function<void(const Received&)> handler) {
   bus.on<Topic>([handler = std::move(handler)](const typename Topic::Sample& sample, const bus::SampleInfo& info) {
     const Json key = only_key(to_json(sample), Topic::kKey);
     Received received;
+
     received.info = info;
+
     for (const auto& member : key.items())
       received.key += (received.key.empty() ? "" : "/") + text_of_key(member.value());
+
     received.bytes = bus::serialized_bytes(Topic::kName, &sample);
+
     const bool is_data = info.kind == bus::SampleKind::kData;
     received.to_json = [&] { return is_data ? to_json(sample) : key; };
     handler(received);
   });
 }
 
+/// Of one topic of topics.hpp.
 template <class Topic>
 TopicRow row() {
   return {Topic::kName, bus::type_name(Topic::kName), Topic::kKey, Topic::kQos, Topic::kWhy, &subscribe<Topic>};
@@ -59,6 +68,7 @@ const std::vector<TopicRow>& topic_table() {
     topics::for_each(topics::All{}, [&rows](auto topic) { rows.push_back(row<decltype(topic)>()); });
     return rows;
   }();
+
   return table;
 }
 
@@ -68,6 +78,7 @@ const TopicRow& find_topic(const std::string& name) {
     if (topic.name == name) return topic;
     names.push_back(topic.name);
   }
+
   const std::string nearest = config::nearest_name(name, names);
   throw config::BadInput("unknown topic '" + name + "'; " +
                          (nearest.empty() ? "see aisle topic list" : "did you mean '" + nearest + "'?"));
@@ -80,6 +91,7 @@ std::string text_of(const bus::Qos& qos, History history) {
   if (qos.deadline.count() > 0) text += fmt::format(", deadline {} ms", qos.deadline.count());
   if (qos.ownership == bus::Ownership::kExclusive) text += ", exclusive";
   if (qos.liveliness_lease.count() > 0) text += fmt::format(", lease {} ms", qos.liveliness_lease.count());
+
   return text;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,12 +24,14 @@ struct TopicRow {
   std::string key;   // names of the key fields
   bus::Qos qos;
   std::string why;
+
   void (*subscribe)(bus::Bus& bus, std::function<void(const Received&)> handler);
 };
 
+/// All topics in the order of topics.hpp.
 const std::vector<TopicRow>& topic_table();
 
-/// @throws config::BadInput with the nearest name
+/// The row with this name. @throws config::BadInput with the nearest name
 const TopicRow& find_topic(const std::string& name);
 
 /// Other processes do not announce how much history they keep.

@@ -1,5 +1,6 @@
 // aisle track: the tracker's core and a baseline on simulated scans of recorded or scripted people, judged against the
 // truth.
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -18,6 +19,7 @@
 namespace aisle::cli {
 namespace {
 
+/// The flags with their defaults.
 struct Options {
   std::string pedestrians;
   std::string scenario;
@@ -37,17 +39,21 @@ constexpr int kUsualVehicles = 2;
 constexpr double kDrawn_s = 60.0;
 const std::string kAll = "all";
 
+/// Recorded people, or a driven scenario. @throws config::BadInput for flags that do not go together
 std::unique_ptr<tracking::Scene> scene_of(const Options& options) {
   if (options.pedestrians.empty() == options.scenario.empty()) {
     throw config::BadInput("either --pedestrians FILE (rows of 'frame id x y') or --scenario FILE is needed");
   }
+
   if (!options.scenario.empty()) {
     if (options.drive) throw config::BadInput("--drive is for --pedestrians: a scenario's vehicles drive anyway");
     return tracking::driven_scenario(options.scenario, options.vehicles, static_cast<std::uint64_t>(options.seed),
                                      options.empty ? tracking::Cast::kVehiclesOnly : tracking::Cast::kAll);
   }
+
   if (options.empty)
     throw config::BadInput("--empty is for --scenario: recorded people are all there is to see in --pedestrians");
+
   return tracking::recorded_people(options.pedestrians, options.vehicles > 0 ? options.vehicles : kUsualVehicles,
                                    options.drive, options.frames_per_s);
 }
@@ -67,6 +73,7 @@ Json json_of(const tracking::Row& row) {
               {"scan_ms_p99", row.scan_ms_p99}};
 }
 
+/// One JSON array, or a table.
 void print(const Cli& cli, const std::vector<tracking::Row>& rows) {
   if (cli.json) {
     Json all = Json::array();
@@ -74,8 +81,10 @@ void print(const Cli& cli, const std::vector<tracking::Row>& rows) {
     std::printf("%s\n", write_json(all).c_str());
     return;
   }
+
   std::printf("%-18s %6s %7s %6s %9s %10s %10s %9s %9s %11s %11s %11s\n", "tracker", "MOTA", "MOTP m", "IDF1",
               "switches", "fragments", "speed m/s", "latency", "coverage", "false/min", "scan ms p50", "scan ms p99");
+
   for (const tracking::Row& row : rows) {
     const tracking::Score& score = row.score;
     std::printf("%-18s %6.3f %7.3f %6.3f %9d %10d %10.3f %9.2f %9.3f %11.2f %11.3f %11.3f\n", row.tracker.c_str(),
@@ -90,26 +99,34 @@ std::vector<std::unique_ptr<tracking::Contestant>> contestants_of(const std::str
   for (const obstacle_tracker::Filter& filter : obstacle_tracker::all_filters()) {
     if (name == kAll || name == filter.name) contestants.push_back(tracking::make_aisle(filter.name));
   }
+
   if (contestants.empty()) {
     throw config::BadInput("--tracker: '" + name + "' is unknown; there are " + obstacle_tracker::filter_names() +
                            ", and " + kAll);
   }
+
   contestants.push_back(tracking::make_nearest_neighbour());
   return contestants;
 }
 
+/// Simulates the scans, runs all contestants on them and prints their scores.
 int track(const Cli& cli, const Options& options) {
   if (!options.svg.empty()) process::check_writable(options.svg);
+
   const std::unique_ptr<tracking::Scene> scene = scene_of(options);
   const std::vector<std::unique_ptr<tracking::Contestant>> contestants = contestants_of(options.tracker);
   tracking::Sensing sensing = options.sensing;
+
   sensing.yaw_noise_rad = options.yaw_noise_deg * geometry::kPi / 180.0;
+
   tracking::Picture picture(scene->walls(), 0, 0.0, kDrawn_s);
   const std::vector<tracking::Row> rows =
       tracking::run_trial(*scene, sensing, static_cast<std::uint64_t>(options.seed), contestants, options.seconds,
                           [&](const tracking::Glance& now) { picture.look(now); });
+
   if (!options.svg.empty()) process::write_output_file(options.svg, picture.svg());
   print(cli, rows);
+
   return process::kDone;
 }
 
