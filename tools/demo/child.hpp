@@ -1,4 +1,5 @@
 #pragma once
+
 #include <sys/types.h>
 
 #include <chrono>
@@ -14,12 +15,13 @@ namespace aisle::demo {
 struct Ending {
   bool by_signal{false};
   int code{0};  // exit code or signal
+
   bool clean() const { return !by_signal && code == 0; }
   std::string text() const;  // "exit code 2", "signal 9"
 };
 
-/// A process that we started, and end by its id. It dies with us, and does not hear our terminal's Ctrl-C: we stop it
-/// in order.
+/// A process that we started and end by its id. It dies with us. It does not get our terminal's Ctrl-C:
+/// we stop it in order.
 class Child {
  public:
   /// stderr (and stdout, unless it is piped to us) goes to `log`, appended. @throws std::system_error when it cannot be
@@ -31,10 +33,14 @@ class Child {
   Child& operator=(const Child&) = delete;
 
   pid_t pid() const { return pid_; }
+
   /// Read end of its stdout, or -1. Does not block.
   int stdout_fd() const { return stdout_fd_; }
+
+  /// Does nothing when it has ended.
   void send(int signal) const;
-  /// Its ending, once it has ended.
+
+  /// How it ended; none while it runs. Does not wait.
   std::optional<Ending> poll();
 
  private:

@@ -22,6 +22,7 @@ int DomainLock::try_lock(int domain) {
   const int descriptor = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (descriptor < 0) return -1;
   if (flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+
   close(descriptor);
   return -1;
 }
@@ -41,6 +42,7 @@ DomainLock DomainLock::take_any(int process_id) {
     const int descriptor = try_lock(domain);
     if (descriptor >= 0) return {descriptor, domain};
   }
+
   throw config::BadEnvironment(
       fmt::format("all domains from {} to {} are in use by other runs on this host", kFirst, kLast));
 }

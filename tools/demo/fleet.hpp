@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -17,6 +18,7 @@ struct Process {
   bool is_referee{false};
 };
 
+/// What the command line decides of a run.
 struct RunSettings {
   std::filesystem::path scenario_file;
   std::filesystem::path out;            // made if missing

@@ -15,13 +15,16 @@ namespace {
 
 constexpr double kLongest_s = 86400.0;
 
+/// 0 to a day. `form`: how the whole text should look, for the error.
 double seconds_of(std::string_view digits, const std::string& text, const char* form) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+
   if (error != std::errc() || end != digits.data() + digits.size() || !(value >= 0.0 && value <= kLongest_s)) {
     throw config::BadInput(fmt::format("'{}' in '{}' is no number of seconds from 0 to {:.0f}; the form is {}", digits,
                                        text, kLongest_s, form));
   }
+
   return value;
 }
 
@@ -31,11 +34,14 @@ KillOrder parse_kill(const std::string& text) {
   constexpr const char* kForm = "SERVICE@SECONDS[:RESTART_AFTER_S]";
   const std::size_t at = text.find('@');
   if (at == std::string::npos || at == 0) throw config::BadInput(fmt::format("--kill {}: the form is {}", text, kForm));
+
   const std::size_t colon = text.find(':', at);
   const std::string_view view(text);
   KillOrder order{text.substr(0, at), 0.0, 1.0};
+
   order.at_s = seconds_of(view.substr(at + 1, colon == std::string::npos ? colon : colon - at - 1), text, kForm);
   if (colon != std::string::npos) order.restart_after_s = seconds_of(view.substr(colon + 1), text, kForm);
+
   return order;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
 namespace aisle::demo {
 
-/// Kill (SIGKILL) a service at a second of the run, and start it again after a while.
+/// Kill a service (SIGKILL) at a second of the run, and start it again after a while.
 struct KillOrder {
   std::string service;  // an instance ("local-planner-agv-1"), or all of a service ("local-planner")
   double at_s{0.0};
@@ -23,8 +24,8 @@ struct DelayOrder {
 /// "SERVICE@SECONDS". @throws config::BadInput
 DelayOrder parse_delay(const std::string& text);
 
-/// Whether `instance` is meant by `service`: itself, or one of that service ("local-planner" means
-/// "local-planner-agv-1").
+/// Does `service` mean this instance: the instance itself, or all of a service ("local-planner" means
+/// "local-planner-agv-1")?
 bool means(const std::string& service, const std::string& instance);
 
 /// @throws config::BadInput when no instance is meant, with the nearest name

@@ -25,8 +25,10 @@ void Progress::referee_line(const std::string& line) {
     say(line);
     return;
   }
+
   const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (json.is_discarded()) return;
+
   const std::string text =
       fmt::format("{:6.0f} s  {} of {} goals reached, {} given, {} vehicles, {} contacts", json.value("t_s", 0.0),
                   json.value("goals_reached", 0), json.value("goals_expected", 0), json.value("goals_assigned", 0),
@@ -38,6 +40,7 @@ void Progress::referee_line(const std::string& line) {
   } else if (count_++ % kEvery == 0) {
     fmt::print("{}\n", text);
   }
+
   std::fflush(stdout);
 }
 

@@ -1,21 +1,26 @@
 #pragma once
+
 #include <string>
 
 namespace aisle::demo {
 
-/// What a person sees while a run goes on: one line that is rewritten on a terminal, one every kEvery lines of the
-/// referee elsewhere; and events on lines of their own.
+/// What a person sees while a run goes on: in a terminal one line that is rewritten, elsewhere every
+/// kEvery-th line of the referee; events on lines of their own.
 class Progress {
  public:
   explicit Progress(bool is_terminal);
-  /// A JSON line is progress; others are shown as they are.
+
+  /// A line of the referee: JSON is progress; everything else is shown as it is.
   void referee_line(const std::string& line);
+
+  /// An event, on a line of its own.
   void say(const std::string& text);
 
   static constexpr int kEvery = 5;
 
  private:
   void clear_line();
+
   bool is_terminal_;
   bool line_is_open_{false};
   int count_{0};

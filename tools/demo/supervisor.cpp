@@ -31,6 +31,7 @@ Supervisor::Supervisor(std::vector<Process> processes, std::vector<KillOrder> ki
     slot.process = std::move(process);
     slots_.push_back(std::move(slot));
   }
+
   outcome_.processes = static_cast<int>(slots_.size());
 }
 
@@ -42,6 +43,8 @@ std::filesystem::path Supervisor::log_of(const Process& process) const {
   return log_folder_ / (process.instance + ".log");
 }
 
+/// A loop of short ticks. The referee decides the end: asked to stop, it has kRefereeStop_s for its
+/// report.
 RunOutcome Supervisor::run(const std::atomic<bool>& stop, double limit_s) {
   double asked_referee_s = -1.0;
   while (!referee_ended()) {
@@ -50,22 +53,27 @@ RunOutcome Supervisor::run(const std::atomic<bool>& stop, double limit_s) {
     wait_for_output();
     drain();
     reap();
+
     if ((stop || now_s() > limit_s) && asked_referee_s < 0.0) {
       asked_referee_s = now_s();
       for (Slot& slot : slots_) {
         if (slot.process.is_referee && slot.child) slot.child->send(SIGTERM);
       }
     }
+
     if (asked_referee_s >= 0.0 && now_s() - asked_referee_s > kRefereeStop_s) break;
   }
+
   drain();
   stop_all();
+
   return outcome_;
 }
 
 void Supervisor::start_due() {
   for (Slot& slot : slots_) {
     if (slot.child || slot.start_at_s < 0.0 || now_s() < slot.start_at_s) continue;
+
     slot.start_at_s = -1.0;
     slot.killed_by_us = false;
     slot.child = std::make_unique<Child>(slot.process, program_folder_ / slot.process.program, log_of(slot.process),
@@ -79,8 +87,10 @@ void Supervisor::kill_due() {
       ++order;
       continue;
     }
+
     for (Slot& slot : slots_) {
       if (!means(order->service, slot.process.instance) || !slot.child) continue;
+
       progress_.say(fmt::format("{:.1f} s: kill -9 {}, back in {:.1f} s", now_s(), slot.process.instance,
                                 order->restart_after_s));
       slot.killed_by_us = true;
@@ -89,6 +99,7 @@ void Supervisor::kill_due() {
       slot.start_at_s = now_s() + order->restart_after_s;
       ++outcome_.kills;
     }
+
     order = kills_.erase(order);
   }
 }
@@ -104,16 +115,21 @@ void Supervisor::died(Slot& slot, const Ending& ending) {
   if (slot.process.is_referee) {
     drain();
     outcome_.referee_code = ending.by_signal ? 1 : ending.code;
+
     if (ending.by_signal || ending.code > 1) {
       progress_.say(fmt::format("referee ended with {}: {}", ending.text(), last_line(log_of(slot.process))));
     }
+
     slot.child.reset();
     return;
   }
+
   ++outcome_.unexpected_deaths;
   ++slot.own_deaths;
+
   const bool again = slot.own_deaths == 1 && !referee_ended();
   const std::string last_words = last_line(log_of(slot.process));
+
   outcome_.deaths.push_back({slot.process.instance, ending.text(), last_words, false});
   progress_.say(fmt::format("{:.1f} s: {} ended by itself with {}{}: {}", now_s(), slot.process.instance, ending.text(),
                             again ? ", is restarted" : ", and stays down", last_words));
@@ -131,7 +147,9 @@ void Supervisor::wait_for_output() {
   for (const Slot& slot : slots_) {
     if (slot.process.is_referee && slot.child) watched.fd = slot.child->stdout_fd();
   }
+
   poll(&watched, watched.fd >= 0 ? 1 : 0, kTick_ms);
+
   if ((watched.revents & POLLHUP) != 0 && (watched.revents & POLLIN) == 0)
     usleep(kTick_ms * 1000);  // closed, not reaped yet
 }
@@ -140,11 +158,13 @@ void Supervisor::wait_for_output() {
 void Supervisor::drain() {
   for (Slot& slot : slots_) {
     if (!slot.process.is_referee || !slot.child) continue;
+
     char buffer[4096];
     for (ssize_t n = 0; (n = read(slot.child->stdout_fd(), buffer, sizeof buffer)) > 0;) {
       partial_line_.append(buffer, static_cast<std::size_t>(n));
     }
   }
+
   for (std::size_t end = 0; (end = partial_line_.find('\n')) != std::string::npos;) {
     progress_.referee_line(partial_line_.substr(0, end));
     partial_line_.erase(0, end + 1);
@@ -157,16 +177,21 @@ void Supervisor::stop_all() {
   for (Slot& slot : slots_) {
     if (slot.child) slot.child->send(SIGTERM);
   }
+
   for (bool any = true; any && now_s() - asked_s < kStop_s;) {
     any = false;
+
     for (Slot& slot : slots_) {
       if (!slot.child) continue;
+
       const std::optional<Ending> ending = slot.child->poll();
       if (!ending) {
         any = true;
         continue;
       }
+
       outcome_.slowest_stop_s = std::max(outcome_.slowest_stop_s, now_s() - asked_s);
+
       if (ending->clean()) {
         ++outcome_.stopped_cleanly;
       } else {
@@ -175,12 +200,16 @@ void Supervisor::stop_all() {
         progress_.say(fmt::format("{} stopped with {}: {}", slot.process.instance, ending->text(),
                                   outcome_.deaths.back().last_words));
       }
+
       slot.child.reset();
     }
+
     if (any) poll(nullptr, 0, kTick_ms);
   }
+
   for (Slot& slot : slots_) {
     if (!slot.child) continue;
+
     ++outcome_.stopped_uncleanly;
     outcome_.deaths.push_back(
         {slot.process.instance, fmt::format("killed after {:.0f} s", kStop_s), last_line(log_of(slot.process)), true});

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <atomic>
 #include <chrono>
 #include <filesystem>
@@ -12,7 +13,7 @@
 
 namespace aisle::demo {
 
-/// A process that ended otherwise than asked.
+/// A process that ended without being asked, or not as it was asked.
 struct Death {
   std::string instance;
   std::string ending;      // "signal 6", "exit code 3", "killed after 2 s"
@@ -20,7 +21,7 @@ struct Death {
   bool while_stopping{false};
 };
 
-/// What became of a run, beside what the referee says.
+/// What became of a run's processes; the referee's report tells the rest.
 struct RunOutcome {
   int referee_code{1};
   int processes{0};
@@ -32,19 +33,21 @@ struct RunOutcome {
   std::vector<Death> deaths;
 };
 
-/// Runs the processes of one fleet: starts them in order, kills and restarts as ordered, restarts once what dies by
-/// itself, and stops all when the referee has ended.
+/// Runs the processes of one fleet: starts them in order, kills and restarts as ordered, restarts once
+/// a process that dies by itself, and stops all when the referee has ended.
 class Supervisor {
  public:
   Supervisor(std::vector<Process> processes, std::vector<KillOrder> kills, std::filesystem::path program_folder,
              std::filesystem::path log_folder, Progress& progress);
 
-  /// Until the referee ends, `stop` becomes true (then the referee is asked to end), or `limit_s` have passed.
+  /// Runs until the referee ends, `stop` becomes true (then the referee is asked to end), or `limit_s`
+  /// seconds have passed.
   RunOutcome run(const std::atomic<bool>& stop, double limit_s);
 
   static constexpr double kStop_s = 2.0;
 
  private:
+  /// A process of the run, running or not.
   struct Slot {
     Process process;
     std::unique_ptr<Child> child;  // null: not running
@@ -52,13 +55,20 @@ class Supervisor {
     int own_deaths{0};
     bool killed_by_us{false};
   };
+
   double now_s() const;
   std::filesystem::path log_of(const Process& process) const;
+
+  /// Starts, kills, and looks after what is due now.
   void start_due();
   void kill_due();
   void reap();
+
+  /// A process ended by itself: notes its last words and restarts it once.
   void died(Slot& slot, const Ending& ending);
   bool referee_ended() const;
+
+  /// Until the referee writes a line, at most one tick.
   void wait_for_output();
   void drain();
   void stop_all();
