@@ -1,4 +1,5 @@
 // Every planner variant, and a textbook A* beside them, on the same 100 queries of the shipped warehouse.
+
 #include <benchmark/benchmark.h>
 
 #include <random>
@@ -26,6 +27,7 @@ struct Queries {
     std::mt19937 random(11);
     std::uniform_int_distribution<int> x(0, geometry.width - 1);
     std::uniform_int_distribution<int> y(0, geometry.height - 1);
+
     while (list.size() < 100) {
       const Query query{{x(random), y(random)}, {x(random), y(random)}};
       if (!grid.is_free(query.start) || !grid.is_free(query.goal)) continue;
@@ -46,6 +48,7 @@ void textbook(benchmark::State& state) {
     benchmark::DoNotOptimize(bench::textbook_astar(queries().grid, query.start, query.goal));
   }
 }
+
 BENCHMARK(textbook)->Unit(benchmark::kMicrosecond);
 
 void search(benchmark::State& state, const global_planner::Variant& variant) {
@@ -54,14 +57,17 @@ void search(benchmark::State& state, const global_planner::Variant& variant) {
   const global_planner::OutOfTime never = [] { return false; };
   std::size_t next = 0;
   double expanded = 0.0;
+
   for (auto _ : state) {
     const Query& query = queries().list[next++ % queries().list.size()];
     const global_planner::PlannedPath plan = planner->plan(
         {queries().clearance, geometry.center_in_map(query.start), geometry.center_in_map(query.goal), 0.0}, never);
     if (plan.outcome != global_planner::Outcome::kFound)
       throw std::runtime_error(variant.name + ": no path where the textbook finds one");
+
     expanded += static_cast<double>(plan.expanded);
   }
+
   state.counters["expanded"] = benchmark::Counter(expanded, benchmark::Counter::kAvgIterations);
 }
 
@@ -71,6 +77,7 @@ const bool registered = [] {
       search(state, variant);
     })->Unit(benchmark::kMicrosecond);
   }
+
   return true;
 }();
 

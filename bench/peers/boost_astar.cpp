@@ -17,8 +17,10 @@ namespace {
 
 using Vertex = std::size_t;
 using Edge = std::pair<Vertex, Vertex>;
+
 constexpr std::array<grid::Cell, 8> kSteps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
 
+/// The implicit graph: a vertex is a cell's index.
 struct Grid {
   const grid::OccupancyGrid* cells;
 
@@ -26,6 +28,7 @@ struct Grid {
     const auto width = static_cast<Vertex>(cells->geometry().width);
     return {static_cast<int>(v % width), static_cast<int>(v / width)};
   }
+
   bool is_edge(grid::Cell at, grid::Cell step) const {
     if (!cells->is_free({at.x + step.x, at.y + step.y})) return false;
     return step.x == 0 || step.y == 0 ||
@@ -33,9 +36,11 @@ struct Grid {
   }
 };
 
+/// Walks over the edges of a vertex that exist, in the order of kSteps.
 class OutEdges : public boost::iterator_facade<OutEdges, Edge, boost::forward_traversal_tag, Edge> {
  public:
   OutEdges() = default;
+
   OutEdges(const Grid& grid, Vertex from, std::size_t step)
       : grid_(&grid), from_(from), at_(grid.cell(from)), step_(step) {
     skip();
@@ -43,42 +48,52 @@ class OutEdges : public boost::iterator_facade<OutEdges, Edge, boost::forward_tr
 
  private:
   friend class boost::iterator_core_access;
+
   void skip() {
     while (step_ < kSteps.size() && !grid_->is_edge(at_, kSteps[step_])) ++step_;
   }
+
   void increment() {
     ++step_;
     skip();
   }
+
   bool equal(const OutEdges& other) const { return step_ == other.step_; }
+
   Edge dereference() const {
     const grid::Cell step = kSteps[step_];
     return {from_, grid_->cells->geometry().index({at_.x + step.x, at_.y + step.y})};
   }
 
   const Grid* grid_{nullptr};
+
   Vertex from_{0};
   grid::Cell at_{};
   std::size_t step_{kSteps.size()};
 };
 
+/// What Boost.Graph's concepts are told of the graph.
 struct Traversal : public virtual boost::vertex_list_graph_tag, public virtual boost::incidence_graph_tag {};
 
 std::pair<OutEdges, OutEdges> out_edges(Vertex v, const Grid& grid) {
   return {OutEdges(grid, v, 0), OutEdges(grid, v, kSteps.size())};
 }
+
 std::size_t out_degree(Vertex v, const Grid& grid) {
   const auto [begin, end] = out_edges(v, grid);
   return static_cast<std::size_t>(std::distance(begin, end));
 }
+
 Vertex source(const Edge& edge, const Grid&) { return edge.first; }
 Vertex target(const Edge& edge, const Grid&) { return edge.second; }
 Vertex num_vertices(const Grid& grid) { return grid.cells->geometry().cells(); }
+
 auto vertices(const Grid& grid) {
   const auto range = boost::irange<Vertex>(0, num_vertices(grid));
   return std::make_pair(range.begin(), range.end());
 }
 
+/// Thrown to end the search: Boost's visitors have no other way.
 struct Found {};
 
 }  // namespace
@@ -95,15 +110,18 @@ struct boost::graph_traits<aisle::bench::Grid> {
   using degree_size_type = std::size_t;
   using vertices_size_type = std::size_t;
   using vertex_iterator = boost::range_iterator<boost::integer_range<std::size_t>>::type;
+
   static vertex_descriptor null_vertex() { return static_cast<vertex_descriptor>(-1); }
 };
 
 namespace aisle::bench {
 namespace {
 
+/// The exact distance on an empty grid with diagonal steps.
 class Octile : public boost::astar_heuristic<Grid, double> {
  public:
   Octile(const Grid& grid, grid::Cell goal) : grid_(grid), goal_(goal) {}
+
   double operator()(Vertex v) const {
     const grid::Cell c = grid_.cell(v);
     const double dx = std::abs(c.x - goal_.x);
@@ -116,9 +134,11 @@ class Octile : public boost::astar_heuristic<Grid, double> {
   grid::Cell goal_;
 };
 
+/// Counts expansions and throws Found at the goal.
 class StopAtGoal : public boost::default_astar_visitor {
  public:
   StopAtGoal(Vertex goal, std::size_t& expanded) : goal_(goal), expanded_(expanded) {}
+
   void examine_vertex(Vertex v, const Grid&) const {
     if (v == goal_) throw Found{};
     ++expanded_;
@@ -140,12 +160,14 @@ struct BoostAstar::State {
 
 BoostAstar::BoostAstar(const grid::OccupancyGrid& grid) : state_(std::make_unique<State>()) {
   state_->grid = {&grid};
+
   const std::size_t cells = grid.geometry().cells();
   state_->parents.resize(cells);
   state_->distances.resize(cells);
   state_->ranks.resize(cells);
   state_->colors.resize(cells);
 }
+
 BoostAstar::~BoostAstar() = default;
 
 PeerAnswer BoostAstar::plan(grid::Cell start, grid::Cell goal) {
@@ -153,13 +175,16 @@ PeerAnswer BoostAstar::plan(grid::Cell start, grid::Cell goal) {
   const Grid& grid = s.grid;
   const Vertex from = grid.cells->geometry().index(start);
   const Vertex to = grid.cells->geometry().index(goal);
+
   const auto weight = boost::make_function_property_map<Edge, double>([&grid](const Edge& e) {
     const grid::Cell a = grid.cell(e.first);
     const grid::Cell b = grid.cell(e.second);
     return a.x != b.x && a.y != b.y ? std::sqrt(2.0) : 1.0;
   });
+
   const boost::typed_identity_property_map<Vertex> index;
   PeerAnswer answer;
+
   try {
     boost::astar_search(grid, from, Octile(grid, goal),
                         boost::visitor(StopAtGoal(to, answer.expanded))
@@ -175,6 +200,7 @@ PeerAnswer BoostAstar::plan(grid::Cell start, grid::Cell goal) {
     answer.is_found = !path.empty() || from == to;
     answer.length_cells = s.distances[to];
   }
+
   return answer;
 }
 

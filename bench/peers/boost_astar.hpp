@@ -1,4 +1,5 @@
 #pragma once
+
 #include <memory>
 
 #include "bench/peers/peer.hpp"

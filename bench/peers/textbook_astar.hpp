@@ -1,4 +1,5 @@
 #pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -15,27 +16,36 @@ inline PeerAnswer textbook_astar(const grid::OccupancyGrid& grid, grid::Cell sta
   struct Open {
     double f;
     std::size_t index;
+
     bool operator<(const Open& other) const { return f > other.f; }
   };
+
   const grid::Geometry& geometry = grid.geometry();
   const double diagonal = std::sqrt(2.0);
+
   const auto h = [&](grid::Cell c) {
     const double dx = std::abs(c.x - goal.x);
     const double dy = std::abs(c.y - goal.y);
     return std::max(dx, dy) + (diagonal - 1.0) * std::min(dx, dy);
   };
+
   PeerAnswer answer;
   std::vector<double> g(geometry.cells(), INFINITY);
   std::vector<bool> closed(geometry.cells(), false);
   std::vector<std::size_t> parent(geometry.cells());
   std::priority_queue<Open> open;
+
   g[geometry.index(start)] = 0.0;
   open.push({h(start), geometry.index(start)});
+
   while (!open.empty()) {
     const std::size_t index = open.top().index;
     open.pop();
+
     if (closed[index]) continue;
+
     closed[index] = true;
+
     const grid::Cell at{static_cast<int>(index % static_cast<std::size_t>(geometry.width)),
                         static_cast<int>(index / static_cast<std::size_t>(geometry.width))};
     if (at == goal) {
@@ -43,23 +53,29 @@ inline PeerAnswer textbook_astar(const grid::OccupancyGrid& grid, grid::Cell sta
       for (std::size_t cell = index; cell != geometry.index(start); cell = parent[cell]) path.push_back(cell);
       answer.is_found = !path.empty() || start == goal;
       answer.length_cells = g[index];
+
       return answer;
     }
+
     ++answer.expanded;
+
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
         const grid::Cell to{at.x + dx, at.y + dy};
         if ((dx == 0 && dy == 0) || !grid.is_free(to)) continue;
         if (dx != 0 && dy != 0 && (!grid.is_free({at.x + dx, at.y}) || !grid.is_free({at.x, at.y + dy}))) continue;
+
         const double through = g[index] + (dx != 0 && dy != 0 ? diagonal : 1.0);
         const std::size_t next = geometry.index(to);
         if (through >= g[next]) continue;
+
         g[next] = through;
         parent[next] = index;
         open.push({through + h(to), next});
       }
     }
   }
+
   return answer;
 }
 

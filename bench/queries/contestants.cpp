@@ -17,30 +17,38 @@ namespace aisle::bench {
 namespace {
 
 namespace planning = global_planner;
+
 using Pass = void (*)(const planning::Drivable&, std::vector<geometry::Point2>&);
 
+/// Kept from query to query.
 struct Ours {
   std::unique_ptr<planning::Planner> planner;
   planning::PlannedPath plan;
 };
 
+/// A variant, with passes over its path.
 Contestant ours(const Site& site, const planning::Variant& variant, const std::string& name, std::vector<Pass> then) {
   auto state = std::make_shared<Ours>();
   state->planner = variant.make();
+
   const auto answer = [&site, state, then = std::move(then)](const lab::Query& query) {
     const planning::Problem problem{site.clearance, query.start_in_map, query.goal_in_map};
     state->planner->plan(problem, nullptr, state->plan);
+
     if (!then.empty() && state->plan.outcome == planning::Outcome::kFound) {
       const planning::Drivable drivable(problem);
       for (const Pass pass : then) pass(drivable, state->plan.waypoints_in_map);
       state->plan.length_m = planning::path_length_m(state->plan.waypoints_in_map);
     }
+
     return Reply{state->plan.outcome == planning::Outcome::kFound, state->plan.length_m, state->plan.expanded,
                  &state->plan.waypoints_in_map};
   };
+
   return {name, true, true, answer};
 }
 
+/// Cells to metres.
 Reply reply_of(const PeerAnswer& answer, const Site& site) {
   return {answer.is_found, answer.length_cells * site.grid.geometry().resolution_m, answer.expanded, nullptr};
 }
@@ -61,6 +69,7 @@ std::vector<Contestant> contestants(const Site& site) {
 #endif
   for (const planning::Variant& variant : planning::all_variants()) {
     all.push_back(ours(site, variant, variant.name, {}));
+
     if (variant.name == "astar") {
       all.push_back(
           ours(site, variant, "astar+removal", {planning::passes::collinear, planning::passes::greedy_line_of_sight}));

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -9,16 +10,18 @@
 
 namespace aisle::bench {
 
-/// What came of one query.
+/// The answer to one query.
 struct Reply {
   bool is_found{false};
   double length_m{0.0};
   std::size_t expanded{0};
+
   const std::vector<geometry::Point2>* waypoints_in_map{
       nullptr};  // to be checked; null for peers that answer with a length only
 };
 
-/// Somebody who answers queries on one map, ours or not. Its arrays are kept between queries as far as it keeps them.
+/// A planner that answers queries on one map, ours or not. Arrays that it keeps between queries are
+/// kept.
 struct Contestant {
   std::string name;
   bool is_ours{false};

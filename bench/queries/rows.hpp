@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 #include <iosfwd>
 #include <string>
@@ -35,6 +36,7 @@ struct Bound {
   std::string map;
   double any_angle;
 };
+
 void print_goals(std::ostream& out, const std::vector<Row>& rows, const std::vector<Bound>& ros_maps);
 
 }  // namespace aisle::bench
