@@ -215,6 +215,7 @@ void run_row(const Row& row, int cycles) {
   local_planner::Choice choice;
 
   for (int i = 0; i < cycles; ++i) choice = choose(scene, aim, variant, bench_settings());
+
   std::printf("%s, %d boxes, %d tracks: %a m/s, %a rad/s, walls %a m, tracks %a m, %d rejected\n", row.vehicle.name,
               row.boxes, row.tracks, choice.twist.linear_mps, choice.twist.angular_radps, choice.wall_gap_m,
               choice.mover_gap_m, choice.rejected_in_all());

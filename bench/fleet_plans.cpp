@@ -141,6 +141,7 @@ class Fleet {
       const double along = 0.001 * static_cast<double>(random_() % 1000);
       const geometry::Point2 a = plan.waypoints_in_map[piece];
       const grid::Cell middle = geometry.cell_at(a + along * (plan.waypoints_in_map[piece + 1] - a));
+
       const Box box{
           geometry.center_in_map(middle), {middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}};
       if (!geometry.contains(box.low) || !geometry.contains(box.high) || is_near_an_end(box)) continue;
@@ -202,6 +203,7 @@ void run(const std::string& planner, const grid::OccupancyGrid& map, int edits) 
               first_ms.empty() ? 0.0 : first_ms.back(), count,
               count == 0 ? 0.0 : static_cast<double>(all_ms.size()) / static_cast<double>(count),
               quantile(tenth_ms, 0.5), quantile(tenth_ms, 0.99), quantile(all_ms, 0.5), quantile(all_ms, 0.99));
+
   std::fflush(stdout);
 }
 

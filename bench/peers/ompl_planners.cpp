@@ -104,6 +104,7 @@ PeerAnswer ompl_plan(const std::string& planner, const grid::ClearanceField& cle
   setup.setPlanner(made(planner, setup.getSpaceInformation()));
 
   PeerAnswer answer;
+
   const auto solved = setup.solve(
       ob::plannerOrTerminationCondition(ob::timedPlannerTerminationCondition(limit_s),
                                         ob::exactSolnPlannerTerminationCondition(setup.getProblemDefinition())));

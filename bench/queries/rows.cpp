@@ -76,6 +76,7 @@ void goal(std::ostream& out, const std::string& what, std::optional<double> figu
 
 void write_csv(std::ostream& out, const std::vector<std::string>& about, const std::vector<Row>& rows) {
   for (const std::string& line : about) fmt::print(out, "# {}\n", line);
+
   fmt::print(out,
              "map,planner,round,queries,asked,solved,undrivable,mean_us,p50_us,p99_us,expanded_mean,length_ratio_mean,"
              "length_ratio_max,bytes_a_cell\n");

@@ -62,6 +62,7 @@ std::optional<Incident> mismatch(const Announced& ours, const Announced& theirs,
 
   const Announced& writer = ours.is_writer ? ours : theirs;
   const Announced& reader = ours.is_writer ? theirs : ours;
+
   const std::string conflict = qos_conflict(writer.qos, writer.manual_liveliness, reader.qos, reader.manual_liveliness);
   if (conflict.empty()) return std::nullopt;
 

@@ -54,6 +54,7 @@ double gap_on_axes_of_m(const Body& box, const Corners& other) {
 double between_boxes_m(const Body& a, const Body& b) {
   const Corners of_a = corners_of(a);
   const Corners of_b = corners_of(b);
+
   const double gap_m = std::max(gap_on_axes_of_m(a, of_b), gap_on_axes_of_m(b, of_a));
   if (gap_m <= 0.0) return gap_m;
 

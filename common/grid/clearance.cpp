@@ -268,6 +268,7 @@ double ClearanceField::clearance_m(geometry::Point2 in_map) const {
   const double u = BetweenCenters::snapped(x - 0.5);
   const double v = BetweenCenters::snapped(y - 0.5);
   const auto below = [](double cells) { return cells < 0.0 ? -1 : static_cast<int>(cells); };  // -1/2 and more
+
   const Cell lower_left{below(u), below(v)};
   if (u == lower_left.x && v == lower_left.y) return clearance_m(lower_left);
 

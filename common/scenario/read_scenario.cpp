@@ -83,6 +83,7 @@ struct VehicleEntry {
 
   void describe(YamlReader& r) {
     read_id(r, "id", value.id);
+
     r.field("model", value.model)
         .field("radius_m", value.radius_m, 0.05, 5.0)
         .field("length_m", value.length_m, 0.1, 10.0)
@@ -90,6 +91,7 @@ struct VehicleEntry {
         .field("ahead_m", value.ahead_m, -5.0, 5.0)
         .field("max_speed_mps", value.max_speed_mps, 0.05, 10.0)
         .section("axle", value.axle);
+
     r.require({"start"});
     read_pose(r, "start", value.start_in_map);
 
@@ -116,6 +118,7 @@ struct MissionEntry {
         .field("heading_matters", value.heading_matters)
         .field("loops", value.loops, 1, 100000)
         .require({"vehicle", "goals"});
+
     if (r.has("goals") && (rows.empty() || rows.size() > kMostGoals)) r.reject("goals", "takes 1 to 1000 goals");
     for (const std::vector<double>& row : rows) value.goals_in_map.push_back(pose_of(r, "goals", row));
     where = r.where("vehicle");
@@ -128,6 +131,7 @@ struct MoverEntry {
   void describe(YamlReader& r) {
     std::vector<std::vector<double>> rows;
     read_id(r, "id", value.id);
+
     r.field("radius_m", value.radius_m, 0.05, 5.0)
         .field("speed_mps", value.speed_mps, 0.01, 5.0)
         .field("start_s", value.start_s, 0.0, kLongestS)
@@ -135,6 +139,7 @@ struct MoverEntry {
         .field("courteous", value.courteous)
         .field("waypoints", rows, -kFarthestM, kFarthestM)
         .require({"waypoints"});
+
     if (r.has("waypoints") && rows.size() < 2) r.reject("waypoints", "takes two or more points [x, y]");
 
     for (const std::vector<double>& row : rows) {
@@ -155,6 +160,7 @@ struct RecordingEntry {
         .field("begin_s", value.begin_s, 0.0, 1e9)
         .field("end_s", value.end_s, 0.0, 1e9)
         .require({"file"});
+
     read_pose(r, "frame", value.frame_in_map);
     if (value.end_s <= value.begin_s) r.reject("end_s", "must be later than begin_s");
   }
@@ -216,6 +222,7 @@ struct ScenarioFile {
         .field("start_jitter_m", value.start_jitter_m, 0.0, 1.0)
         .field("person_clearance_m", value.person_clearance_m, 0.0, 10.0)
         .require({"map", "vehicles"});
+
     read_list<VehicleEntry>(r, "vehicles", value.vehicles);
     missions = read_list<MissionEntry>(r, "missions", value.missions);
     read_list<MoverEntry>(r, "movers", value.movers);

@@ -92,6 +92,7 @@ void add_site_options(CLI::App& app, bus::Settings& settings) {
                  "ADDRESS:PORT of a discovery server, instead of multicast")
       ->envname("AISLE_DISCOVERY_SERVER")
       ->group(group);
+
   app.add_flag("--shared-memory", settings.shared_memory, "use shared memory between processes of this host too")
       ->envname("AISLE_SHARED_MEMORY")
       ->group(group);

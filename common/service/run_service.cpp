@@ -68,6 +68,7 @@ void add_common_options(CLI::App& app, const About& about, Common& common) {
   app.set_version_flag("--version", "aisle-" + about.service + " " + process::software_version() + " (IDL " +
                                         std::to_string(kIdlVersion) + ", Fast DDS " +
                                         std::to_string(AISLE_FASTDDS_MAJOR) + ")");
+
   app.add_option("--config", common.config_file, "YAML file; flags and environment win over it")
       ->envname("AISLE_CONFIG");
   app.add_option("--instance", common.instance_id, "name of this process, unique on the site")

@@ -125,6 +125,7 @@ struct Shell::State {
     health.waits_for.clear();
     health.is_degraded = false;
     fill(health);
+
     health.state = health.is_degraded         ? fleet::ServiceState::kDegraded
                    : health.waits_for.empty() ? fleet::ServiceState::kReady
                                               : fleet::ServiceState::kWaiting;

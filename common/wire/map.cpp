@@ -178,6 +178,7 @@ Decoded<grid::Tile> decode(const aisle::MapTile& sample) {
   grid::Tile tile;
 
   tile.map_id = sample.map_id().to_string();
+
   checks.id("map_id", tile.map_id)
       .within("tile_x", sample.tile_x(), 0.0, kMaxTiles - 1.0)
       .within("tile_y", sample.tile_y(), 0.0, kMaxTiles - 1.0)
@@ -251,10 +252,12 @@ Decoded<fleet::MapEdit> decode(const aisle::MapEdit& sample) {
   edit.action = checks.known("action", sample.action(), from_wire(sample.action()));
   edit.shape = checks.known("shape", sample.shape(), from_wire(sample.shape()));
   edit.radius_m = sample.radius_m();
+
   checks.id("edit_id", edit.edit_id)
       .id("map_id", edit.map_id)
       .count("points", sample.points().size(), 1, 64)
       .within("radius_m", edit.radius_m, -kFarthestM, kFarthestM);
+
   for (const aisle::Point& point : sample.points()) edit.points_in_map.push_back(decode(point, checks, "points"));
 
   return checks.decoded(std::move(edit));

@@ -247,6 +247,7 @@ Decoded<fleet::Goal> decode(const aisle::Goal& sample) {
   goal.position_tolerance_m = sample.position_tolerance_m();
   goal.yaw_tolerance_rad = sample.yaw_tolerance_rad();
   goal.is_cancelled = sample.cancelled();
+
   checks.id("agv_id", goal.agv_id)
       .id("goal_id", goal.id)
       .within("position_tolerance_m", goal.position_tolerance_m, 0.0, kWidestToleranceM)
@@ -295,6 +296,7 @@ Decoded<fleet::Plan> decode(const aisle::Plan& sample) {
   plan.yaw_tolerance_rad = sample.yaw_tolerance_rad();
   plan.length_m = sample.length_m();
   plan.planning_ms = sample.planning_ms();
+
   checks.id("agv_id", plan.agv_id)
       .optional_id("goal_id", plan.goal_id)
       .optional_id("map_id", plan.map_id)
@@ -356,6 +358,7 @@ Decoded<fleet::NavigationStatus> decode(const aisle::NavigationStatus& sample) {
   status.blocked_at_in_map = decode(sample.blocked_at_in_map(), checks, "blocked_at_in_map");
   status.blocked_radius_m = sample.blocked_radius_m();
   status.control_ms = sample.control_ms();
+
   checks.id("agv_id", status.agv_id)
       .optional_id("goal_id", status.goal_id)
       .finite("distance_left_m", status.distance_left_m)

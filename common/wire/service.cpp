@@ -95,6 +95,7 @@ Decoded<fleet::ServiceHealth> decode(const aisle::ServiceHealth& sample) {
   health.wall_clock_ns = sample.wall_clock_ns();
   health.cpu_percent = sample.cpu_percent();
   health.resident_mb = sample.resident_mb();
+
   checks.id("instance_id", health.instance_id)
       .optional_id("service", health.service)
       .optional_id("software_version", health.software_version)
@@ -104,6 +105,7 @@ Decoded<fleet::ServiceHealth> decode(const aisle::ServiceHealth& sample) {
       .finite("cpu_percent", health.cpu_percent)
       .finite("resident_mb", health.resident_mb)
       .count("counters", sample.counters().size(), 0, kMostCounters);
+
   for (const aisle::Counter& counter : sample.counters()) health.counters[counter.name().to_string()] = counter.value();
 
   return checks.decoded(std::move(health));

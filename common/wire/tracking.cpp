@@ -48,6 +48,7 @@ Decoded<fleet::Track> decode(const aisle::Track& sample) {
   track.unseen_s = sample.unseen_s();
   track.is_static = sample.is_static();
   track.scan_stamp_ns = sample.scan_stamp_ns();
+
   checks.within("velocity_x_mps", sample.velocity_x_mps(), -kFastestMps, kFastestMps)
       .within("velocity_y_mps", sample.velocity_y_mps(), -kFastestMps, kFastestMps)
       .within("radius_m", sample.radius_m(), 0.0, kLargestRadiusM)
@@ -90,6 +91,7 @@ Decoded<fleet::TrackingStatus> decode(const aisle::TrackingStatus& sample) {
   status.scans_used = sample.scans_used();
   status.scans_dropped = sample.scans_dropped();
   status.processing_ms = sample.processing_ms();
+
   checks.id("source_id", status.source_id)
       .finite("processing_ms", status.processing_ms)
       .count("newest_scans", sample.newest_scans().size(), 0, kMostScans)
@@ -133,6 +135,7 @@ Decoded<fleet::CoverageTile> decode(const aisle::Coverage& sample) {
   tile.low_in_map = decode(sample.low_in_map(), checks, "low_in_map");
   tile.cell_m = sample.cell_m();
   tile.age_step_s = sample.age_step_s();
+
   checks.id("source_id", tile.source_id)
       .optional_id("map_id", tile.map_id)
       .within("cell_m", tile.cell_m, kSmallestCellM, kLargestCellM)

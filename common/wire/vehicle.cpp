@@ -211,6 +211,7 @@ Decoded<fleet::Vehicle> decode(const aisle::VehicleInfo& sample) {
   vehicle.id = sample.agv_id().to_string();
   vehicle.sensor_range_m = sample.sensor_range_m();
   vehicle.command_timeout_s = sample.command_timeout_s();
+
   checks.id("agv_id", vehicle.id)
       .within("sensor_range_m", vehicle.sensor_range_m, 0.0, 1000.0)
       .within("command_timeout_s", vehicle.command_timeout_s, 0.0, 60.0);
@@ -357,6 +358,7 @@ Decoded<fleet::Obstacle> decode(const aisle::WorldObstacle& sample) {
   obstacle.footprint.ahead_m = sample.ahead_m();
   obstacle.velocity_in_map = {sample.velocity_x_mps(), sample.velocity_y_mps()};
   obstacle.base_in_map = decode(sample.base_in_map(), checks, "base_in_map");
+
   checks.id("obstacle_id", obstacle.id)
       .within("radius_m", sample.radius_m(), 0.0, kLargestThingM)
       .within("length_m", sample.length_m(), 0.0, kLargestThingM)

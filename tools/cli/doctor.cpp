@@ -39,6 +39,7 @@ class Examination {
         *bus_, {[this](const fleet::ServiceHealth& health, const Sender& from) { take(health, from); },
                 [this](const std::string& id, service::End) { lose(id); },
                 {}});
+
     service::hear<topics::VehicleState>(
         *bus_,
         {[this](const fleet::VehicleState& state, const Sender& from) { vehicles_.take(state, from.by); }, {}, {}});

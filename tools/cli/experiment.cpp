@@ -111,6 +111,7 @@ void add_experiment_local(CLI::App& parent, Cli& cli) {
 
 void add_experiment_tracking(CLI::App& parent, Cli& cli) {
   auto orders = std::make_shared<ExperimentOrders>();
+
   Verb verb(parent, cli, "tracking",
             "the obstacle tracker and a baseline on recorded people; what several vehicles see; ghosts in an empty "
             "place");

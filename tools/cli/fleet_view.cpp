@@ -32,10 +32,13 @@ void FleetView::watch(bus::Bus& bus) {
   hear<topics::VehicleState>(
       bus, {[this](const fleet::VehicleState& state, const Sender& from) { take(state, from.arrived); }, {}, {}});
   hear<topics::VehicleInfo>(bus, {[this](const fleet::Vehicle& vehicle, const Sender&) { take(vehicle); }, {}, {}});
+
   hear<topics::NavigationStatus>(bus, {[this](const fleet::NavigationStatus& status, const Sender&) { take(status); },
                                        [this](const std::string& agv_id, End) { lose_navigation(agv_id); },
                                        {}});
+
   hear<topics::Goal>(bus, {[this](const fleet::Goal& goal, const Sender&) { take(goal); }, {}, {}});
+
   hear<topics::ServiceHealth>(
       bus, {[this](const fleet::ServiceHealth& health, const Sender& from) { take(health, from.by); },
             [this](const std::string& instance_id, End) { lose_service(instance_id); },

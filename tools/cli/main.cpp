@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_DFL);  // end quietly when the reader of a pipe does
 
     aisle::cli::Cli cli;
+
     CLI::App app(
         "Looks at a fleet of AGVs and gives it orders.\nExit codes: 0 done, 1 the answer is no, 2 bad input, 3 "
         "environment.",

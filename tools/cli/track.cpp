@@ -120,6 +120,7 @@ int track(const Cli& cli, const Options& options) {
   sensing.yaw_noise_rad = options.yaw_noise_deg * geometry::kPi / 180.0;
 
   tracking::Picture picture(scene->walls(), 0, 0.0, kDrawn_s);
+
   const std::vector<tracking::Row> rows =
       tracking::run_trial(*scene, sensing, static_cast<std::uint64_t>(options.seed), contestants, options.seconds,
                           [&](const tracking::Glance& now) { picture.look(now); });

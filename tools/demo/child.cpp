@@ -92,6 +92,7 @@ std::optional<Ending> Child::poll() {
 std::string last_line(const std::filesystem::path& log) {
   constexpr std::streamoff kTail = 4096;
   constexpr std::size_t kLongest = 300;
+
   std::ifstream in(log, std::ios::binary | std::ios::ate);
   if (!in) return {};
 

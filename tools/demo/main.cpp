@@ -158,6 +158,7 @@ int drive(const Options& options) {
   const demo::RunOutcome outcome = supervisor.run(process::stop_on_signals(), settings.timeout_s + 15.0);
 
   write_outcome(outcome, settings.out);
+
   progress.say(
       fmt::format("\n  {} of {} services stopped cleanly (slowest {:.2f} s), {} killed and {} died during the run",
                   outcome.stopped_cleanly, outcome.stopped_cleanly + outcome.stopped_uncleanly, outcome.slowest_stop_s,

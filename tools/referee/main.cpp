@@ -58,6 +58,7 @@ void print_progress(const referee::RefereeService& service, int goals_expected) 
       "}}}\n",
       service.now_s(), judge.goals().count(referee::GoalOutcome::kReached), judge.goals().assigned_count(),
       goals_expected, judge.contacts().contacts().size(), judge.vehicles_seen());
+
   std::fflush(stdout);
 }
 

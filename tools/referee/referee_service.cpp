@@ -202,6 +202,7 @@ void RefereeService::take(const fleet::MapEdit& edit, const Sender& from) {
 void RefereeService::take(const fleet::MapEditResult& answer, const Sender& from) {
   using Outcome = fleet::MapEditResult::Outcome;
   const bool applied = answer.outcome == Outcome::kApplied;
+
   const std::string outcome = applied                               ? "applied"
                               : answer.outcome == Outcome::kRefused ? "refused: " + answer.detail
                                                                     : "already applied";

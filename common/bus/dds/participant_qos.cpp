@@ -74,6 +74,7 @@ void use_transports(const Settings& settings, fast::dds::DomainParticipantQos& q
   const auto bytes = settings.max_message_bytes > 0 ? static_cast<std::uint32_t>(settings.max_message_bytes)
                      : loopback_only(settings)      ? kLoopbackMessageBytes
                                                     : kNetworkMessageBytes;
+
   auto udp = std::make_shared<fast::UdpTransport>();
 
   udp->maxMessageSize = bytes;

@@ -134,6 +134,7 @@ void Process::report(const Incident& incident) const {
 
 Announced Process::announce(const SampleCodec& codec, bool is_writer) const {
   const auto other = announced_as.find(codec.topic());
+
   Announced announced = other == announced_as.end()
                             ? Announced{codec.topic(), codec.type_name(), is_writer, codec.qos(), false}
                             : other->second;
@@ -159,6 +160,7 @@ ReaderEnd& Process::reader(const char* topic_name) {
   if (found != readers.end()) return *found->second;
 
   Topic& topic = core.topic(topic_name);
+
   ReaderEnd& made =
       *readers.emplace(topic_name, std::make_unique<ReaderEnd>(core, *this, topic, announce(topic.codec, false)))
            .first->second;

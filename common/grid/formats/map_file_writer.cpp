@@ -120,9 +120,11 @@ void write_ros_map(const OccupancyGrid& grid, const fs::path& yaml_file) {
 
   write_whole(yaml_file.parent_path() / image, pgm_of(grid));
   synchronise_folder(yaml_file);
+
   write_whole(yaml_file, "image: " + image + "\nmode: trinary\nresolution: " + shortest(g.resolution_m) +
                              "\norigin: [" + shortest(g.origin_in_map.x) + ", " + shortest(g.origin_in_map.y) +
                              ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+
   synchronise_folder(yaml_file);
   if (!before.empty() && before != image) ::unlink((yaml_file.parent_path() / before).c_str());
 }

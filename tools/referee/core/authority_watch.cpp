@@ -55,6 +55,7 @@ void AuthorityWatch::check_order(Followed& vehicle, const VehicleReport& report)
   judge(vehicle, report, Kind::kEpochWentBack, report.command_epoch < vehicle.highest_epoch,
         fmt::format("obeys epoch {} of {} after epoch {}", report.command_epoch, report.command_source,
                     vehicle.highest_epoch));
+
   vehicle.highest_epoch = std::max(vehicle.highest_epoch, report.command_epoch);
 
   const bool same_sender = vehicle.source == report.command_source && vehicle.source_boot == report.command_boot &&
@@ -62,6 +63,7 @@ void AuthorityWatch::check_order(Followed& vehicle, const VehicleReport& report)
   judge(vehicle, report, Kind::kSequenceWentBack, same_sender && report.command_sequence < vehicle.sequence,
         fmt::format("obeys command {} of {} after command {}", report.command_sequence, report.command_source,
                     vehicle.sequence));
+
   vehicle.sequence = same_sender ? std::max(vehicle.sequence, report.command_sequence) : report.command_sequence;
   vehicle.source = report.command_source;
   vehicle.source_boot = report.command_boot;

@@ -104,6 +104,7 @@ void consider(Approach& best, double distance_m, double at) {
 double share_crossing(Point2 from, Point2 to, Point2 a, Point2 b) {
   const Point2 way = to - from;
   const Point2 edge = b - a;
+
   const double area = geometry::cross(way, edge);
   if (area == 0.0) return -1.0;
 

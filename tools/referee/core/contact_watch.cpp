@@ -143,6 +143,7 @@ ContactWatch::Knot ContactWatch::knot_at(const Body& body, double t_s) {
 
   const Knot& from = *std::prev(after);
   const double share = (t_s - from.t_s) / (after->t_s - from.t_s);
+
   const Pose2 pose{from.pose.x + share * (after->pose.x - from.pose.x),
                    from.pose.y + share * (after->pose.y - from.pose.y),
                    geometry::wrap(from.pose.yaw + share * geometry::wrap(after->pose.yaw - from.pose.yaw))};

@@ -183,6 +183,7 @@ std::string way_layer(const MapFrame& f, const VehicleRow& vehicle, const char* 
       "fill=\"none\" stroke=\"{}\" stroke-width=\"3.6\" stroke-opacity=\"0.8\" stroke-linejoin=\"round\" "
       "stroke-linecap=\"round\"",
       colour);
+
   std::string svg;
   std::vector<Point2> piece;
 
@@ -345,6 +346,7 @@ std::vector<Tile> tiles_of(const RunReport& report) {
 /// Name and verdict, with the figures below.
 std::string header(const RunReport& report) {
   const auto margin_px = static_cast<int>(kMarginPx), width_px = static_cast<int>(kWidthPx);
+
   std::string svg =
       draw::text(margin_px, 38, fmt::format("font-size=\"23\" font-weight=\"bold\" fill=\"{}\"", draw::kInk),
                  report.scenario) +
@@ -354,6 +356,7 @@ std::string header(const RunReport& report) {
           "\xC2\xB7 <tspan font-weight=\"bold\" fill=\"{}\">{}</tspan></text>\n",
           width_px - margin_px, draw::kFaint, report.vehicles.size(), report.seed,
           report.passed() ? kGood : draw::kAlarm, report.passed() ? "passed" : "failed");
+
   const std::vector<Tile> tiles = tiles_of(report);
   const double step_px = (kWidthPx - 2.0 * kMarginPx) / static_cast<double>(tiles.size());
 
@@ -443,6 +446,7 @@ Rows vehicle_rows(double y_px, const RunReport& report) {
                     "font-weight=\"bold\">{}</tspan> {:.0f} m, {} stops, {} replans</text>\n",
                     x_px + 20.0, rows.bottom_px, draw::kInk, draw::escaped(id), vehicle.drive.distance_m(),
                     vehicle.drive.stops(), vehicle.replans);
+
     x_px += kEntryPx;
   }
 
