@@ -11,6 +11,7 @@
 int main(int argc, char** argv) {
   using namespace aisle;
   map::MapConfig config;
+
   const auto options = [&](CLI::App& app) {
     service::bind_config(config);
     app.add_option("--map", config.map, "map file: ROS .yaml, Moving AI .map, or a text grid .txt");
@@ -24,6 +25,7 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1e-3, 1e3));
     app.add_option("--subdivide", config.subdivide, "cut each cell of the file into N x N")->check(CLI::Range(1, 64));
   };
+
   return service::run_service(argc, argv, {"map", "Serves the site's map and its edits", ""}, options,
                               [&](service::Shell& shell) {
                                 map::MapStore store = map::open_map(config, shell.wall_clock_ns());

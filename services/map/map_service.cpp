@@ -29,15 +29,19 @@ MapService::MapService(service::Shell& shell, MapStore store)
       .on_refused([this](const std::string& edit_id, const std::string& reason) {
         answer(publication_.refuse(edit_id, reason));
       });
+
   shell.inbox<topics::MapRequest>([this](const fleet::MapRequest& request) { take(request); });
+
   shell.every(kRequestPeriod, [this] { write(publication_.requested(kTilesPerPeriod)); });
   shell.every(std::chrono::seconds(1), [this] { lines_left_ = kLogLinesPerSecond; });
+
   shell.report([](service::Health&) {});  // ready from the start
   write(publication_.whole());
 }
 
 void MapService::take(const fleet::MapRequest& request) {
   shell_.count("map_requests");
+
   for (const std::string& reason : publication_.ask(request)) {
     shell_.count("bad_map_request." + first_word(reason));
     shell_.warn("map_request", "map_request of " + request.requester_id + ": " + reason);
@@ -47,8 +51,10 @@ void MapService::take(const fleet::MapRequest& request) {
 void MapService::answer(const fleet::MapEditResult& result) {
   shell_.count(counter_of(result.outcome));
   const bool is_refused = result.outcome == fleet::MapEditResult::Outcome::kRefused;
+
   if (is_refused) shell_.health().last_error = "edit " + result.edit_id + " refused: " + result.detail;
   if (--lines_left_ >= 0) shell_.log().log(is_refused ? spdlog::level::err : spdlog::level::info, log_text(result));
+
   publish_soon_();
 }
 
@@ -56,10 +62,12 @@ void MapService::write(const Batch& batch) {
   const SiteMap& map = store().map();
   for (const int tile : batch.tiles) tiles_.write(map.tile(tile));
   shell_.count("tiles_written", batch.tiles.size());
+
   if (batch.has_summary) {
     info_.write(map.summary());
     shell_.health().tell_map(map.map_id(), map.revision(), map.summary().hash);
   }
+
   for (const fleet::MapEditResult& result : batch.results) results_.write(result);
 }
 

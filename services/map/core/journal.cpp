@@ -14,13 +14,16 @@ namespace aisle::map {
 namespace {
 
 using fleet::MapEdit;
-constexpr int kSchema = 1;
+
+constexpr int kSchema = 1;  // of the tables below; a file with another number is not read
 constexpr int kBusyMs = 1000;
 
+/// What SQLite says of its last call, with its result code.
 class SqlError : public std::runtime_error {
  public:
   explicit SqlError(sqlite3* database)
       : std::runtime_error(sqlite3_errmsg(database)), code(sqlite3_errcode(database)) {}
+
   int code;
 };
 
@@ -30,7 +33,9 @@ class Statement {
   Statement(sqlite3* database, const char* sql) : database_(database) {
     if (sqlite3_prepare_v2(database, sql, -1, &statement_, nullptr) != SQLITE_OK) throw SqlError(database);
   }
+
   ~Statement() { sqlite3_finalize(statement_); }
+
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
@@ -40,52 +45,64 @@ class Statement {
     return check(
         sqlite3_bind_text(statement_, ++bound_, value.data(), static_cast<int>(value.size()), SQLITE_TRANSIENT));
   }
+
   Statement& bind(const std::vector<double>& values) {
     return check(sqlite3_bind_blob(statement_, ++bound_, values.data(),
                                    static_cast<int>(values.size() * sizeof(double)), SQLITE_TRANSIENT));
   }
+
   /// False when there is no further row.
   bool step() {
     const int code = sqlite3_step(statement_);
     if (code != SQLITE_ROW && code != SQLITE_DONE) throw SqlError(database_);
     return code == SQLITE_ROW;
   }
+
   std::int64_t integer(int column) const { return sqlite3_column_int64(statement_, column); }
   double real(int column) const { return sqlite3_column_double(statement_, column); }
+
   std::string text(int column) const {
     const auto* bytes = static_cast<const char*>(sqlite3_column_blob(statement_, column));
     return bytes == nullptr ? std::string()
                             : std::string(bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)));
   }
+
+  /// The doubles of a blob, as bind() wrote them.
   std::vector<double> reals(int column) const {
     const std::string bytes = text(column);
     std::vector<double> values(bytes.size() / sizeof(double));
     if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(double));
+
     return values;
   }
 
  private:
+  /// @throws SqlError unless `code` says success
   Statement& check(int code) {
     if (code != SQLITE_OK) throw SqlError(database_);
     return *this;
   }
+
   sqlite3* database_;
   sqlite3_stmt* statement_{nullptr};
   int bound_{0};
 };
 
+/// Runs one statement without values and ignores its rows.
 void execute(sqlite3* database, const std::string& sql) {
   Statement statement(database, sql.c_str());
   while (statement.step()) {
   }
 }
 
+/// 16 digits: SQLite's integers are signed, hashes are not.
 std::string hexadecimal(std::uint64_t value) {
   char text[20];
   std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(value));
   return text;
 }
 
+/// A value of the table `about`; empty when it is not there.
 std::string stored(sqlite3* database, const std::string& name) {
   Statement statement(database, "SELECT value FROM about WHERE name = ?");
   statement.bind(name);
@@ -112,6 +129,7 @@ Journal::Journal(const std::filesystem::path& file, const std::string& map_id, s
       throw config::BadInput(name + ": is not a journal of aisle-map (" + error.what() +
                              "): name another file, or move this one away");
     }
+
     if (error.code == SQLITE_BUSY)
       throw config::BadEnvironment(name + ": another process has it open: stop that, or name another file");
     throw config::BadEnvironment(name + ": cannot be used: " + error.what() + ": check folder, permissions and space");
@@ -124,11 +142,16 @@ void Journal::open(const Options& options) {
   sqlite3* handle = nullptr;
   const int code = sqlite3_open_v2(file_.c_str(), &handle, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE, nullptr);
   database_.reset(handle);
+
   if (code != SQLITE_OK) throw SqlError(handle);
   sqlite3_busy_timeout(handle, kBusyMs);
+
+  // Exclusive: one process at a time. Write-ahead log with full synchronisation: what is committed is on the disk.
   execute(handle, "PRAGMA locking_mode = EXCLUSIVE");
   execute(handle, "PRAGMA journal_mode = WAL");
   execute(handle, "PRAGMA synchronous = FULL");
+
+  // SQLite limits a file by pages; at least 16, so that the tables themselves fit.
   Statement page_size(handle, "PRAGMA page_size");
   page_size.step();
   execute(handle, "PRAGMA max_page_count = " +
@@ -144,25 +167,31 @@ void Journal::bind_to_map(const std::string& map_id, std::uint64_t base_hash) {
           "NOT NULL, "
           "shape INTEGER NOT NULL, points BLOB NOT NULL, radius_m REAL NOT NULL, changed_cells INTEGER NOT NULL, "
           "source_id TEXT NOT NULL, stamp_ns INTEGER NOT NULL)");
+
+  // A new file takes the identity of this map; an old one must have it.
   const std::string schema = stored(database, "schema");
   if (schema.empty()) {
     store(database, "schema", std::to_string(kSchema));
     store(database, "map_id", map_id);
     store(database, "base_hash", hexadecimal(base_hash));
   }
+
   const std::string remedy = ": name another journal, or move this one away to drop its edits";
   const std::string name = "journal " + file_.string();
   if (!schema.empty() && schema != std::to_string(kSchema)) {
     throw config::BadInput(name + ": schema " + schema + " is not " + std::to_string(kSchema) + remedy);
   }
+
   if (stored(database, "map_id") != map_id) {
     throw config::BadInput(name + ": belongs to map '" + stored(database, "map_id") + "', not to '" + map_id + "'" +
                            remedy);
   }
+
   if (stored(database, "base_hash") != hexadecimal(base_hash)) {
     throw config::BadInput(name + ": was written over another content of the map file (hash " +
                            stored(database, "base_hash") + ", now " + hexadecimal(base_hash) + ")" + remedy);
   }
+
   execute(database, "COMMIT");
 }
 
@@ -171,6 +200,7 @@ std::vector<JournalEntry> Journal::entries() const {
     return config::BadInput("journal " + file_.string() + ": entry of revision " + std::to_string(revision) + " " +
                             why + ": restore the file from a copy, or move it away to drop its edits");
   };
+
   std::vector<JournalEntry> entries;
   const std::string map_id = stored(database_.get(), "map_id");
   Statement statement(database_.get(),
@@ -181,23 +211,31 @@ std::vector<JournalEntry> Journal::entries() const {
     entry.revision = static_cast<std::uint64_t>(statement.integer(0));
     entry.edit.edit_id = statement.text(1);
     entry.edit.map_id = map_id;
+
+    // Numbers of enumerations come from a file: check them before they become enumerators.
     const std::int64_t action = statement.integer(2);
     const std::int64_t shape = statement.integer(3);
     if (action < 0 || action > 1 || shape < 0 || shape > 2)
       throw broken(entry.revision, "has an unknown action or shape");
     if (!entries.empty() && entry.revision != entries.back().revision + 1)
       throw broken(entry.revision, "does not follow on the one before");
+
     entry.edit.action = static_cast<MapEdit::Action>(action);
     entry.edit.shape = static_cast<MapEdit::Shape>(shape);
+
+    // Points are stored as x, y, x, y, ...
     const std::vector<double> points = statement.reals(4);
     for (std::size_t i = 0; i + 1 < points.size(); i += 2)
       entry.edit.points_in_map.push_back({points[i], points[i + 1]});
+
     entry.edit.radius_m = statement.real(5);
     entry.changed_cells = static_cast<std::uint32_t>(statement.integer(6));
     entry.source_id = statement.text(7);
     entry.stamp_ns = statement.integer(8);
+
     entries.push_back(std::move(entry));
   }
+
   return entries;
 }
 
@@ -207,6 +245,8 @@ void Journal::append(const JournalEntry& entry) {
     points.push_back(point.x);
     points.push_back(point.y);
   }
+
+  // One statement is one transaction: the entry is kept whole or not at all.
   try {
     Statement(database_.get(), "INSERT INTO edits VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)")
         .bind(static_cast<std::int64_t>(entry.revision))

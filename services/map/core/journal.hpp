@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -23,14 +24,15 @@ struct JournalEntry {
   std::uint64_t revision{0};
   fleet::MapEdit edit;
   std::uint32_t changed_cells{0};
-  std::string source_id;     // who asked for it
-  std::int64_t stamp_ns{0};  // when it was accepted; for people
+  std::string source_id;     // the client that asked for it
+  std::int64_t stamp_ns{0};  // when it was accepted, since the Unix epoch; for people, nothing is computed from it
 };
 
 /// The accepted edits of one map, in SQLite: an entry is on the disk when append() returns, or not at all (write-ahead
 /// log, synchronous=FULL). Belongs to one map id and to one content of the map file, and to one process at a time.
 class Journal {
  public:
+  /// `max_bytes`: the file grows no further; then append() throws.
   struct Options {
     std::int64_t max_bytes{256LL << 20};
   };
@@ -47,16 +49,22 @@ class Journal {
   /// In order of revision. @throws config::BadInput when an entry does not make sense
   std::vector<JournalEntry> entries() const;
 
+  /// Writes one entry to the disk before it returns. @pre its revision follows on the last one's
   /// @throws JournalError
   void append(const JournalEntry& entry);
 
   const std::filesystem::path& file() const { return file_; }
 
  private:
+  /// Closes the database when its owner goes.
   struct Close {
     void operator()(sqlite3* handle) const;
   };
+
+  /// Opens the file, takes it for this process alone and makes each commit durable.
   void open(const Options& options);
+
+  /// Makes the tables in a new file; in an old one checks schema, map id and hash. @throws config::BadInput
   void bind_to_map(const std::string& map_id, std::uint64_t base_hash);
 
   std::filesystem::path file_;

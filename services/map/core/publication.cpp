@@ -19,6 +19,7 @@ const char* counter_of(MapEditResult::Outcome outcome) {
     case MapEditResult::Outcome::kRefused:
       break;
   }
+
   return "edits_refused";
 }
 
@@ -35,6 +36,7 @@ Batch Publication::whole() const {
   Batch batch;
   batch.tiles.resize(static_cast<std::size_t>(store_.map().tiles()));
   std::iota(batch.tiles.begin(), batch.tiles.end(), 0);
+
   batch.has_summary = true;
   return batch;
 }
@@ -45,6 +47,7 @@ MapEditResult Publication::take(const fleet::MapEdit& edit, const std::string& s
   changed_tiles_.insert(answer.changed_tiles.begin(), answer.changed_tiles.end());
   has_new_revision_ |= store_.map().revision() != revision_before;
   results_.push_back(answer.result);
+
   return answer.result;
 }
 
@@ -60,6 +63,7 @@ Batch Publication::changes() {
   changed_tiles_.clear();
   batch.has_summary = std::exchange(has_new_revision_, false);
   batch.results = std::exchange(results_, {});
+
   return batch;
 }
 
@@ -75,16 +79,20 @@ std::vector<std::string> Publication::ask(const fleet::MapRequest& request) {
       wrong.push_back("tiles beyond the map");
     }
   }
+
   return wrong;
 }
 
 Batch Publication::requested(int most_tiles) {
   Batch batch;
+  // The lowest indices first; the rest waits for the next call.
   const auto count = std::min<std::size_t>(static_cast<std::size_t>(most_tiles), requested_tiles_.size());
+
   const auto end = std::next(requested_tiles_.begin(), static_cast<std::ptrdiff_t>(count));
   batch.tiles.assign(requested_tiles_.begin(), end);
   requested_tiles_.erase(requested_tiles_.begin(), end);
   if (requested_tiles_.empty()) batch.has_summary = std::exchange(is_summary_requested_, false);
+
   return batch;
 }
 
