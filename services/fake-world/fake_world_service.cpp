@@ -16,12 +16,15 @@ constexpr milliseconds kKeepPeriod{100};
 
 std::vector<std::string> vehicle_ids(const scenario::Scenario& scenario) {
   std::vector<std::string> ids;
+
   for (const scenario::Vehicle& vehicle : scenario.vehicles) ids.push_back(vehicle.id);
   return ids;
 }
 
+/// The people of each recording, in the scenario's order.
 std::vector<std::vector<RecordedPerson>> read_recordings(const scenario::Scenario& scenario) {
   std::vector<std::vector<RecordedPerson>> people;
+
   for (const scenario::Recording& recording : scenario.recordings) people.push_back(read_recording(recording));
   return people;
 }
@@ -30,10 +33,13 @@ std::vector<std::vector<RecordedPerson>> read_recordings(const scenario::Scenari
 std::optional<std::int64_t> second_zero(const service::Shell& shell, const ServiceConfig& config,
                                         const std::optional<Memory>& memory) {
   if (!memory) return config.start_at_ns;
+
   shell.log().info("goes on at second {:.1f} of the scenario", memory->seconds);
+
   return shell.wall_clock_ns() - time::from_seconds(memory->seconds).count();
 }
 
+/// A thing as it is written to `world_obstacle`.
 fleet::Obstacle obstacle_of(const Thing& thing) {
   fleet::Obstacle obstacle;
   obstacle.id = thing.id;
@@ -41,6 +47,7 @@ fleet::Obstacle obstacle_of(const Thing& thing) {
   obstacle.base_in_map = thing.body.base_in_map;
   obstacle.footprint = {thing.body.shape, thing.body.radius_m, thing.body.length_m, thing.body.width_m, 0.0};
   obstacle.velocity_in_map = thing.velocity_in_map;
+
   return obstacle;
 }
 
@@ -62,16 +69,22 @@ FakeWorldService::FakeWorldService(service::Shell& shell, const ServiceConfig& c
 
 void FakeWorldService::take(const fleet::Obstacle& obstacle) {
   if (obstacle.kind != fleet::Obstacle::Kind::kVehicle) return;  // our own things
+
+  // Bounded, so that a sender of ever new ids cannot fill the memory.
   constexpr std::size_t kMostVehicles = 1000;
+
   if (vehicles_.size() < kMostVehicles || vehicles_.count(obstacle.id) > 0) vehicles_[obstacle.id] = obstacle.body();
+
   clock_.vehicle_heard(obstacle.id, shell_.now(), shell_.wall_clock_ns());
 }
 
 void FakeWorldService::tick() {
   const std::optional<double> seconds = clock_.seconds(shell_.now(), shell_.wall_clock_ns());
   if (!seconds || *seconds < 0.0) return;
+
   std::vector<geometry::Body> vehicles;
   for (const auto& [id, body] : vehicles_) vehicles.push_back(body);
+
   world_.advance_to(*seconds, vehicles);
   publish();
 }
@@ -83,13 +96,17 @@ void FakeWorldService::publish() {
 
 void FakeWorldService::keep_memory() {
   if (!clock_.started_at_ns() || keep(config_.state_file, run_, world_.memory())) return;
+
   shell_.health().last_error = "cannot write " + config_.state_file.string() + "; a restart will begin anew";
   shell_.warn("state_file", shell_.health().last_error);
 }
 
 void FakeWorldService::report(service::Health& health) const {
   health.counters["things"] = world_.things().size();
+
+  // Until second zero is known: which vehicles are missing.
   if (clock_.started_at_ns()) return;
+
   for (const std::string& id : clock_.missing()) health.wait_for(health.waits_for.empty() ? "vehicles " + id : id);
   if (health.waits_for.empty()) health.wait_for("vehicles");  // the scenario names none, and no start was given
 }

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -13,15 +14,19 @@
 
 namespace aisle::fake_world {
 
+/// What the process takes from its command line.
 struct ServiceConfig {
   scenario::Scenario scenario;
   std::uint64_t seed{1};
-  std::optional<std::int64_t>
-      start_at_ns;                   // second zero of the scenario, Unix epoch; none: when all vehicles are heard
+
+  /// Second zero of the scenario, nanoseconds since the Unix epoch; none: when all vehicles are heard.
+  std::optional<std::int64_t> start_at_ns;
+
   std::filesystem::path state_file;  // empty: nothing is kept
 };
 
-/// Shows the things of a scenario on `world_obstacle`, 50 times a second, from second zero on.
+/// Shows the things of a scenario on `world_obstacle`, 50 times a second, from second zero on, and reads there where
+/// the vehicles are: courteous people stop for them. A restarted process goes on where its state file was written.
 class FakeWorldService {
  public:
   /// @throws config::BadInput for a recording that cannot be read
@@ -30,16 +35,26 @@ class FakeWorldService {
   FakeWorldService& operator=(const FakeWorldService&) = delete;
 
  private:
+  /// Remembers the body of a vehicle; things of this service are ignored.
   void take(const fleet::Obstacle& obstacle);
+
+  /// Moves the world on to this second and writes what is there.
   void tick();
+
+  /// Writes all things, and disposes of the instances of things that went.
   void publish();
+
+  /// Writes the state file, ten times a second.
   void keep_memory();
+
+  /// Counters, and the vehicles without which second zero is unknown.
   void report(service::Health& health) const;
 
   service::Shell& shell_;
   ServiceConfig config_;
   std::string run_;
   std::optional<Memory> memory_;
+
   scenario::ScenarioClock clock_;
   World world_;
   std::map<std::string, geometry::Body> vehicles_;

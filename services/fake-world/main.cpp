@@ -14,6 +14,7 @@ int main(int argc, char** argv) {
   std::string scenario_file;
   std::optional<std::uint64_t> seed;
   fake_world::ServiceConfig config;
+
   const auto options = [&](CLI::App& app) {
     app.add_option("--scenario", scenario_file, "what moves and stands in the world")->envname("AISLE_SCENARIO");
     app.add_option("--seed", seed, "of speeds and phases; default: the scenario's")->envname("AISLE_SEED");
@@ -22,12 +23,14 @@ int main(int argc, char** argv) {
         "second zero of the scenario, nanoseconds since the Unix epoch; default: when all vehicles are heard");
     app.add_option("--state-file", config.state_file, "keeps the world's progress over a restart");
   };
+
   return service::run_service(argc, argv, {"fake-world", "Simulates what moves and stands beside the vehicles", ""},
                               options, [&](service::Shell& shell) {
                                 if (scenario_file.empty())
                                   throw config::BadInput("--scenario FILE is missing (or AISLE_SCENARIO)");
                                 config.scenario = scenario::read_scenario(scenario_file);
                                 config.seed = seed.value_or(config.scenario.seed);
+
                                 return std::make_unique<fake_world::FakeWorldService>(shell, config);
                               });
 }

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -7,10 +8,12 @@
 
 namespace aisle::fake_world {
 
-/// False when it could not be written. `run` names the scenario and the seed.
+/// Writes the world's progress to `file`, as JSON, whole or not at all.
+/// @param run names the scenario and the seed; recall() finds the file under the same name only
+/// @return false when it could not be written
 bool keep(const std::filesystem::path& file, const std::string& run, const Memory& memory);
 
-/// None when there is no file, it belongs to another run, or it is not what keep() writes.
+/// Reads what keep() wrote. None when there is no file, when it belongs to another run, and when it is broken.
 std::optional<Memory> recall(const std::filesystem::path& file, const std::string& run);
 
 }  // namespace aisle::fake_world

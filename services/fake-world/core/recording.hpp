@@ -1,4 +1,5 @@
 #pragma once
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace aisle::fake_world {
 
-/// Where somebody is and how they move, in map.
+/// Where a person is and how they move, in map.
 struct Motion {
   geometry::Point2 position_in_map;
   geometry::Point2 velocity_in_map;  // m/s
@@ -19,16 +20,21 @@ struct Motion {
 /// last.
 class RecordedPerson {
  public:
+  /// One observation: seconds since the file's first row, and the place.
   struct Row {
     double t_s;
     geometry::Point2 in_map;
   };
+
   /// @pre rows in order of time, at least one
   RecordedPerson(std::string id, std::vector<Row> rows);
 
   const std::string& id() const { return id_; }
-  /// Straight between rows; none before the first and after the last.
+
+  /// Place and velocity at `t_s`, straight and at constant speed between rows; none before the first row and after the
+  /// last.
   std::optional<Motion> at(double t_s) const;
+
   const std::vector<Row>& rows() const { return rows_; }
 
  private:

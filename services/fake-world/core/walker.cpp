@@ -8,24 +8,33 @@ namespace aisle::fake_world {
 using geometry::Point2;
 
 Walker::Walker(const scenario::Mover& mover, const Progress& progress) : mover_(mover), progress_(progress) {
+  // Length along the way from the first waypoint to each one.
   lengths_m_.push_back(0.0);
+
   for (std::size_t i = 1; i < mover_.waypoints_in_map.size(); ++i) {
     lengths_m_.push_back(lengths_m_.back() +
                          geometry::distance(mover_.waypoints_in_map[i - 1], mover_.waypoints_in_map[i]));
   }
+
   progress_.along_m = std::clamp(progress_.along_m, 0.0, length_m());
 }
 
 void Walker::step(double dt_s, const std::vector<geometry::Body>& vehicles) {
   const bool at_the_end = !mover_.loop && progress_.along_m >= length_m();
+
   walks_ = !at_the_end && length_m() > 0.0 && !(mover_.courteous && must_wait(vehicles));
+
+  // Walking resets the patience; one who loops and has waited too long turns back.
   if (walks_) {
     progress_.waited_s = 0.0;
     walk(mover_.speed_mps * dt_s);
     return;
   }
+
   if (at_the_end) return;
+
   progress_.waited_s += dt_s;
+
   if (mover_.loop && progress_.waited_s > kPatienceS) {
     progress_.back = !progress_.back;
     progress_.waited_s = 0.0;
@@ -34,10 +43,13 @@ void Walker::step(double dt_s, const std::vector<geometry::Body>& vehicles) {
 
 void Walker::walk(double distance_m) {
   progress_.along_m += progress_.back ? -distance_m : distance_m;
+
   if (!mover_.loop) {
     progress_.along_m = std::min(progress_.along_m, length_m());
     return;
   }
+
+  // To and fro: what leads beyond an end is walked back from it.
   if (progress_.along_m > length_m()) {
     progress_.along_m = std::max(0.0, 2.0 * length_m() - progress_.along_m);
     progress_.back = true;
@@ -54,10 +66,13 @@ std::size_t Walker::segment() const {
 }
 
 Point2 Walker::position_in_map() const {
+  // p = a + share (b - a), share: the part of the segment that is walked.
   const std::size_t i = segment();
   const double segment_m = lengths_m_[i + 1] - lengths_m_[i];
   const double share = segment_m > 0.0 ? (progress_.along_m - lengths_m_[i]) / segment_m : 0.0;
+
   const Point2 a = mover_.waypoints_in_map[i];
+
   return a + share * (mover_.waypoints_in_map[i + 1] - a);
 }
 
@@ -66,12 +81,15 @@ Point2 Walker::direction_in_map() const {
   const Point2 way = mover_.waypoints_in_map[i + 1] - mover_.waypoints_in_map[i];
   const double length = geometry::norm(way);
   if (length <= 0.0) return {};
+
   return (progress_.back ? -1.0 : 1.0) / length * way;
 }
 
 bool Walker::must_wait(const std::vector<geometry::Body>& vehicles) const {
   const Point2 here = position_in_map();
   const Point2 ahead = direction_in_map();
+
+  // A vehicle is in the way when it is near and ahead: (vehicle - here) . direction > 0.
   return std::any_of(vehicles.begin(), vehicles.end(), [&](const geometry::Body& vehicle) {
     const bool is_near = geometry::distance_m(vehicle, here) < mover_.radius_m + kCourtesyM;
     return is_near && geometry::dot(ahead, vehicle.base_in_map.position() - here) > 0.0;

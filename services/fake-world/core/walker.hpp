@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 #include "common/geometry/body.hpp"
@@ -19,23 +20,32 @@ class Walker {
     double waited_s{0.0};
   };
 
-  /// `mover.speed_mps` is taken as it is: whoever makes the walker varies it. @pre two or more waypoints
+  /// `mover.speed_mps` is taken as it is; varying it is the caller's part. @pre two or more waypoints
   Walker(const scenario::Mover& mover, const Progress& progress);
 
+  /// Walks on by dt_s seconds, or waits. `vehicles`: bodies in map. @pre dt_s >= 0
   void step(double dt_s, const std::vector<geometry::Body>& vehicles);
 
+  /// Place and velocity now; velocity 0 while waiting and at the end.
   Motion motion() const;
+
   const scenario::Mover& mover() const { return mover_; }
   const Progress& progress() const { return progress_; }
+
+  /// Of the whole way, from the first waypoint to the last.
   double length_m() const { return lengths_m_.back(); }
 
   static constexpr double kCourtesyM = 0.6;  // free space that they leave to a vehicle
-  static constexpr double kPatienceS = 6.0;
+
+  static constexpr double kPatienceS = 6.0;  // then one who loops turns back
 
  private:
+  /// Unit vector of the walk; 0 on a segment without length.
   geometry::Point2 direction_in_map() const;
   geometry::Point2 position_in_map() const;
+  /// Index of the waypoint at which the present segment begins.
   std::size_t segment() const;
+  /// Is a vehicle ahead, nearer than kCourtesyM?
   bool must_wait(const std::vector<geometry::Body>& vehicles) const;
   void walk(double distance_m);
 

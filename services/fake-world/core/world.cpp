@@ -11,42 +11,50 @@ namespace aisle::fake_world {
 namespace {
 
 constexpr double kLongestStepS = 0.05;
-constexpr double kSpeedSpread = 0.1;
+constexpr double kSpeedSpread = 0.1;  // of a walker's speed, each way
 
-/// Speed and place on the way, by seed.
+/// The walker with its own speed and its own place on the way, drawn by seed and id; after a restart it is where
+/// `memory` has it.
 Walker varied(const scenario::Mover& mover, std::uint64_t seed, const Memory* memory) {
   std::mt19937_64 random = scenario::random_for(seed, mover.id);
   scenario::Mover own = mover;
   own.speed_mps *= std::uniform_real_distribution<double>(1.0 - kSpeedSpread, 1.0 + kSpeedSpread)(random);
+
   Walker::Progress progress;
   if (mover.loop) {
     const double span_m = 0.25 * Walker(own, {}).length_m();
     progress.along_m = std::uniform_real_distribution<double>(0.0, span_m)(random);
   }
+
   if (memory != nullptr) {
     const auto kept = memory->walkers.find(mover.id);
     if (kept != memory->walkers.end()) progress = kept->second;
   }
+
   return Walker(own, progress);
 }
 
+/// A person's body.
 geometry::Body disc(geometry::Point2 in_map, double radius_m) {
   geometry::Body body;
   body.base_in_map = {in_map.x, in_map.y, 0.0};
   body.radius_m = radius_m;
+
   return body;
 }
 
+/// A hidden block of the scenario.
 Thing thing_of(const scenario::Block& block) {
   Thing thing{block.id, Kind::kBlock, {}, {}};
   thing.body.shape = geometry::Body::Shape::kRectangle;
   thing.body.base_in_map = block.center_in_map;
   thing.body.length_m = block.length_m;
   thing.body.width_m = block.width_m;
+
   return thing;
 }
 
-/// Least free space between a vehicle (its outline or the circle around it) and the thing.
+/// Is there at least `gap_m` between the thing and each vehicle, taken as the circle around its outline?
 bool is_clear_of(const std::vector<geometry::Body>& vehicles, const geometry::Body& body, double gap_m) {
   return std::all_of(vehicles.begin(), vehicles.end(), [&](const geometry::Body& vehicle) {
     return geometry::distance_m(body, vehicle.base_in_map.position()) - geometry::reach_m(vehicle) >= gap_m;
@@ -63,21 +71,28 @@ World::World(const scenario::Scenario& scenario, std::vector<std::vector<Recorde
 }
 
 void World::advance_to(double seconds, const std::vector<geometry::Body>& vehicles) {
+  // Short steps, so that walkers see a vehicle in time whatever the caller's period is.
   while (seconds_ < seconds) {
     const double dt_s = std::min(kLongestStepS, seconds - seconds_);
     seconds_ += dt_s;
+
     for (Walker& walker : walkers_) {
       if (seconds_ >= walker.mover().start_s) walker.step(dt_s, vehicles);
     }
   }
+
+  // What is there now.
   things_.clear();
   show_walkers(vehicles);
   show_people(vehicles);
   for (const scenario::Block& block : scenario_.blocks) {
     if (seconds_ >= block.appear_s) show(thing_of(block), vehicles);
   }
+
+  // What went: ids of the last call that are not among today's.
   const std::set<std::string> before = std::exchange(present_, {});
   for (const Thing& thing : things_) present_.insert(thing.id);
+
   gone_.clear();
   std::set_difference(before.begin(), before.end(), present_.begin(), present_.end(), std::back_inserter(gone_));
 }
@@ -96,6 +111,7 @@ void World::show_people(const std::vector<geometry::Body>& vehicles) {
     const scenario::Recording& recording = scenario_.recordings[i];
     const double t_s = recording.begin_s + seconds_;
     if (t_s > recording.end_s) continue;
+
     for (const RecordedPerson& person : people_[i]) {
       if (const std::optional<Motion> motion = person.at(t_s)) {
         show({person.id(), Kind::kPerson, disc(motion->position_in_map, recording.radius_m), motion->velocity_in_map},
@@ -115,6 +131,7 @@ Memory World::memory() const {
   memory.seconds = seconds_;
   memory.present = present_;
   for (const Walker& walker : walkers_) memory.walkers[walker.mover().id] = walker.progress();
+
   return memory;
 }
 

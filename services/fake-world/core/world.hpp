@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <set>
@@ -12,6 +13,7 @@
 
 namespace aisle::fake_world {
 
+/// A person moves; a block stands.
 enum class Kind { kPerson, kBlock };
 
 /// Something that is there now.
@@ -30,27 +32,35 @@ struct Memory {
 };
 
 /// All that moves or stands in a scenario beside its vehicles: walkers, recorded people and hidden blocks. By seed,
-/// walkers vary in speed (10 % each way) and in where on their way they begin. Nobody appears on top of a vehicle: who
-/// would, appears when it has left.
+/// walkers vary in speed (10 % each way) and in where on their way they begin. Nothing appears on top of a vehicle: it
+/// waits until the vehicle has left.
 class World {
  public:
-  /// `people`: those of each recording, in the scenario's order. `memory`: of before a restart, or null.
+  /// @param people those of each recording, in the scenario's order
+  /// @param seed of the walkers' speeds and places
+  /// @param memory what memory() gave before a restart, or null
   World(const scenario::Scenario& scenario, std::vector<std::vector<RecordedPerson>> people, std::uint64_t seed,
         const Memory* memory);
 
-  /// Moves on to `seconds` of the scenario; things move from then on and not before 0. Long steps are cut into short
-  /// ones. `vehicles`: where they truly are.
+  /// Moves on to `seconds` since the scenario's second zero, in steps of at most 50 ms; a time in the past moves
+  /// nothing. `vehicles`: their true bodies in map.
   void advance_to(double seconds, const std::vector<geometry::Body>& vehicles);
 
+  /// All things that are there now, in map.
   const std::vector<Thing>& things() const { return things_; }
+
   /// Ids that were there before the last call of advance_to, and are not any more.
   const std::vector<std::string>& gone() const { return gone_; }
+
+  /// What a new process needs to go on from here.
   Memory memory() const;
 
-  static constexpr double kBirthGapM = 0.5;
+  static constexpr double kBirthGapM = 0.5;  // free space to each vehicle that a new thing needs
 
  private:
+  /// Adds the thing unless it is new and too near to a vehicle.
   void show(Thing thing, const std::vector<geometry::Body>& vehicles);
+
   void show_walkers(const std::vector<geometry::Body>& vehicles);
   void show_people(const std::vector<geometry::Body>& vehicles);
 
@@ -58,7 +68,8 @@ class World {
   std::vector<std::vector<RecordedPerson>> people_;
   std::vector<Walker> walkers_;
   double seconds_;
-  std::set<std::string> present_;
+
+  std::set<std::string> present_;  // ids of things_
   std::vector<Thing> things_;
   std::vector<std::string> gone_;
 };
