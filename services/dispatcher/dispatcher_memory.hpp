@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -9,17 +10,17 @@
 
 namespace aisle::dispatcher {
 
-/// What survives a kill -9.
+/// What the state file keeps, so that the missions go on after the process was killed.
 struct DispatcherMemory {
   Memory missions;
   std::vector<std::string> edits_done;
   std::optional<std::int64_t> started_at_ns;  // second zero of the scenario
 };
 
-/// The text of the file; `run` names the scenario.
+/// The text of the state file, JSON in one line. `run` names the scenario.
 std::string to_text(const std::string& run, const DispatcherMemory& memory);
 
-/// None when there is no file, it belongs to another run, or it is not what to_text() writes.
+/// Reads what to_text() wrote. None when there is no file, when it belongs to another run, and when it is broken.
 std::optional<DispatcherMemory> recall(const std::filesystem::path& file, const std::string& run);
 
 }  // namespace aisle::dispatcher

@@ -15,14 +15,18 @@ constexpr milliseconds kTick{50};
 
 std::vector<std::string> vehicle_ids(const scenario::Scenario& scenario) {
   std::vector<std::string> ids;
+
   for (const scenario::Vehicle& vehicle : scenario.vehicles) ids.push_back(vehicle.id);
   return ids;
 }
 
+/// What a vehicle's status means for its mission. Any phase between its start and its end counts as on the way; without
+/// goal or plan the vehicle is idle, whatever its phase is, so that the goal is given again.
 Status status_of(const fleet::NavigationStatus& navigation) {
   Status status;
   status.goal_id = navigation.goal_id;
   status.reason = navigation.detail;
+
   if (navigation.phase == fleet::Phase::kArrived) {
     status.phase = Status::Phase::kArrived;
   } else if (navigation.phase == fleet::Phase::kFailed) {
@@ -30,6 +34,7 @@ Status status_of(const fleet::NavigationStatus& navigation) {
   } else {
     status.phase = status.goal_id.empty() ? Status::Phase::kIdle : Status::Phase::kOnTheWay;
   }
+
   if (navigation.reason == fleet::Reason::kNoGoal || navigation.reason == fleet::Reason::kNoPlan)
     status.phase = Status::Phase::kIdle;
   return status;
@@ -57,25 +62,32 @@ void DispatcherService::listen() {
     clock_.vehicle_heard(vehicle.id, shell_.now(), shell_.wall_clock_ns());
     dispatcher_.vehicle_heard(vehicle.id, shell_.now());
   });
+
   shell_.inbox<topics::NavigationStatus>([this](const fleet::NavigationStatus& status) {
     dispatcher_.status_heard(status.agv_id, status_of(status), shell_.now());
   });
+
   shell_.inbox<topics::Goal>([this](const fleet::Goal& goal, const service::Sender& from) {
+    // Goals of this process come back to it; only those of people and other programs matter.
     const bool by_another = from.by.source_id != shell_.instance_id();
     if (by_another && goal.is_cancelled) dispatcher_.cancelled(goal.agv_id, goal.id);
   });
+
   shell_.inbox<topics::MapInfo>([this](const grid::MapSummary& summary) { map_id_ = summary.map_id; });
   shell_.inbox<topics::MapEditResult>([this](const fleet::MapEditResult& result) { take(result); });
 }
 
 void DispatcherService::take(const fleet::MapEditResult& result) {
   if (!edits_.answered(result.edit_id)) return;
+
   if (result.outcome == fleet::MapEditResult::Outcome::kRefused) {
     shell_.health().last_error = "map edit " + result.edit_id + " refused: " + result.detail;
     shell_.count("edits_refused");
     shell_.log().error("{}", shell_.health().last_error);
+
     return;
   }
+
   shell_.count("edits_applied");
   shell_.log().info("map edit {} is in revision {}", result.edit_id, result.revision);
 }
@@ -83,11 +95,15 @@ void DispatcherService::take(const fleet::MapEditResult& result) {
 void DispatcherService::tick() {
   const time::Stamp now = shell_.now();
   const std::vector<Order> orders = dispatcher_.step(now);
+
   for (const Event& event : dispatcher_.take_events()) log(event);
   for (const Order& order : orders) write(order);
+
+  // Map edits of the scenario, once its second zero is known.
   if (const auto seconds = clock_.seconds(now, shell_.wall_clock_ns())) {
     for (const fleet::MapEdit& edit : edits_.due(*seconds, map_id_, now)) map_edits_.write(edit);
   }
+
   keep_memory();
 }
 
@@ -98,7 +114,9 @@ void DispatcherService::write(const Order& order) {
   goal.pose_in_map = order.goal_in_map;
   goal.position_tolerance_m = order.position_tolerance_m;
   goal.yaw_tolerance_rad = order.yaw_tolerance_rad;
+
   goals_.write(goal);
+
   shell_.log().info("goal {} for {}: x={:.2f} y={:.2f}", order.goal_id, order.agv_id, order.goal_in_map.x,
                     order.goal_in_map.y);
 }
@@ -109,19 +127,24 @@ void DispatcherService::log(const Event& event) {
     case Event::Kind::kReached:
       shell_.log().info("{} reached {}", event.agv_id, event.goal_id);
       break;
+
     case Event::Kind::kFailed:
       shell_.health().last_error = event.agv_id + " did not reach " + event.goal_id + why;
       shell_.log().error("{}", shell_.health().last_error);
       break;
+
     case Event::Kind::kRetried:
       shell_.log().warn("{} gets {} again{}", event.agv_id, event.goal_id, why);
       break;
+
     case Event::Kind::kCancelled:
       shell_.log().warn("{} {}{}", event.agv_id, event.goal_id, why);
       break;
+
     case Event::Kind::kMissionDone:
       shell_.log().info("{} has done its mission", event.agv_id);
       break;
+
     case Event::Kind::kResumed:
       shell_.log().info("{} was on {}; its mission goes on from there", event.agv_id, event.goal_id);
       break;
@@ -130,8 +153,11 @@ void DispatcherService::log(const Event& event) {
 
 void DispatcherService::keep_memory() {
   if (config_.state_file.empty()) return;
+
+  // Written only when something changed: this is called twenty times a second.
   std::string text = to_text(config_.scenario.name, {dispatcher_.memory(), edits_.done(), clock_.started_at_ns()});
   if (text == kept_text_) return;
+
   if (process::keep_in_file(config_.state_file, text)) {
     kept_text_ = std::move(text);
   } else {
@@ -143,10 +169,12 @@ void DispatcherService::keep_memory() {
 
 void DispatcherService::report(service::Health& health) const {
   health.map_id = map_id_;
+
   health.counters["goals_assigned"] = dispatcher_.assigned();
   health.counters["goals_reached"] = dispatcher_.reached();
   health.counters["goals_failed"] = dispatcher_.failed();
   health.counters["missions_done"] = dispatcher_.all_done() ? 1 : 0;
+
   for (const std::string& id : dispatcher_.missing())
     health.wait_for(health.waits_for.empty() ? "vehicle_state of " + id : id);
 }

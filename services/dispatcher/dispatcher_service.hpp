@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -13,11 +14,14 @@
 
 namespace aisle::dispatcher {
 
+/// What the process takes from its config file and its command line.
 struct ServiceConfig {
   Settings settings;
   scenario::Scenario scenario;
-  std::optional<std::int64_t>
-      start_at_ns;                   // second zero of the scenario, Unix epoch; none: when all vehicles are heard
+
+  /// Second zero of the scenario, nanoseconds since the Unix epoch; none: when all vehicles are heard.
+  std::optional<std::int64_t> start_at_ns;
+
   std::filesystem::path state_file;  // empty: nothing is kept
 
   template <class Reader>
@@ -35,22 +39,34 @@ class DispatcherService {
   DispatcherService& operator=(const DispatcherService&) = delete;
 
  private:
+  /// Registers what is read with the shell.
   void listen();
+
+  /// Logs the answer to one of this process's map edits; answers to others are ignored.
   void take(const fleet::MapEditResult& result);
+
+  /// One step of the dispatcher; writes its orders and the map edits that are due.
   void tick();
+
   void write(const Order& order);
   void log(const Event& event);
+
+  /// Writes the state file when its text changed.
   void keep_memory();
+
+  /// Counters, and the vehicles that were not heard yet.
   void report(service::Health& health) const;
 
   service::Shell& shell_;
   ServiceConfig config_;
   std::optional<DispatcherMemory> memory_;
+
   scenario::ScenarioClock clock_;
   Dispatcher dispatcher_;
   EditSchedule edits_;
   std::string map_id_;
-  std::string kept_text_;
+  std::string kept_text_;  // of the state file
+
   service::Outbox<topics::Goal> goals_;
   service::Outbox<topics::MapEdit> map_edits_;
 };

@@ -11,6 +11,7 @@ int main(int argc, char** argv) {
   using namespace aisle;
   std::string scenario_file;
   dispatcher::ServiceConfig config;
+
   const auto options = [&](CLI::App& app) {
     service::bind_config(config);
     app.add_option("--scenario", scenario_file, "missions and map edits")->envname("AISLE_SCENARIO");
@@ -19,6 +20,7 @@ int main(int argc, char** argv) {
         "second zero of the scenario, nanoseconds since the Unix epoch; default: when all vehicles are heard");
     app.add_option("--state-file", config.state_file, "keeps the missions' progress over a restart");
   };
+
   return service::run_service(argc, argv, {"dispatcher", "Gives each vehicle the goals of its mission", ""}, options,
                               [&](service::Shell& shell) {
                                 if (scenario_file.empty())

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,6 +12,7 @@
 
 namespace aisle::dispatcher {
 
+/// Tolerances of the goals and the times of a mission's course.
 struct Settings {
   double position_tolerance_m{0.15};
   double yaw_tolerance_rad{0.15};  // where the heading matters
@@ -41,9 +43,10 @@ struct Order {
   double yaw_tolerance_rad{0.0};  // 0: any heading
 };
 
-/// What a vehicle says of its goal.
+/// What a vehicle tells about its goal.
 struct Status {
   enum class Phase { kIdle, kOnTheWay, kArrived, kFailed };  // idle: has no goal
+
   std::string goal_id;
   Phase phase{Phase::kIdle};
   std::string reason;
@@ -52,6 +55,7 @@ struct Status {
 /// What was decided, for the log.
 struct Event {
   enum class Kind { kReached, kFailed, kRetried, kCancelled, kMissionDone, kResumed };
+
   Kind kind;
   std::string agv_id;
   std::string goal_id;
@@ -60,11 +64,13 @@ struct Event {
 
 /// How far a vehicle's mission is; what a restart needs.
 struct Progress {
-  std::uint64_t next{0};  // number of the goal that is, or will be, on
+  std::uint64_t next{0};  // number, from 0, of the goal that was given last or is given next
   std::uint64_t reached{0};
   std::uint64_t failed{0};
   bool stopped{false};  // a person cancelled a goal
 };
+
+/// The progress of each mission, by the vehicle's id.
 using Memory = std::map<std::string, Progress>;
 
 /// Gives each vehicle the goals of its mission, one after the other.
@@ -73,32 +79,47 @@ using Memory = std::map<std::string, Progress>;
 ///                                        failed ──retry_s──► given again, attempts times, then goal n+1
 ///                                        cancelled by a person ──► stopped
 ///
-/// Time is what the caller says.
+/// Reads no clock: each call says what time it is. Not for use from several threads.
 class Dispatcher {
  public:
-  /// `memory`: of before a restart, or null; then a vehicle's own status tells which goal it was on.
+  /// @param missions one a vehicle
+  /// @param memory what memory() gave before a restart, or null; without it a vehicle's own status tells the goal that
+  /// it was on
   Dispatcher(const std::vector<scenario::Mission>& missions, const Settings& settings, const Memory* memory);
 
+  /// A vehicle is there; its mission may begin. Vehicles without a mission are ignored.
   void vehicle_heard(const std::string& agv_id, time::Stamp now);
+
+  /// What the vehicle tells about its goal: decides whether the goal is reached or has failed.
   void status_heard(const std::string& agv_id, const Status& status, time::Stamp now);
-  /// A person cancelled this goal.
+
+  /// A person cancelled this goal: the mission of its vehicle ends. Other goals are ignored.
   void cancelled(const std::string& agv_id, const std::string& goal_id);
 
-  /// Goals to write now.
+  /// The goals to write now: next ones, and those to be given again.
   std::vector<Order> step(time::Stamp now);
-  /// Since the last call.
+
+  /// What was decided since the last call, oldest first.
   std::vector<Event> take_events();
 
+  /// No mission has a goal left.
   bool all_done() const;
+
+  /// Goals of all missions: given (the decided ones included), reached, and failed for good.
   std::uint64_t assigned() const;
   std::uint64_t reached() const;
   std::uint64_t failed() const;
+
   /// Vehicles with a mission that were not heard yet.
   std::vector<std::string> missing() const;
+
+  /// What a new process needs to go on from here.
   Memory memory() const;
 
  private:
   enum class Stage { kUnseen, kGreeting, kGiving, kOnTheWay, kFailing, kEnded };
+
+  /// One mission and how far it is.
   struct Book {
     scenario::Mission mission;
     Progress progress;
@@ -110,12 +131,21 @@ class Dispatcher {
     bool remembered{false};
     std::string reason;
   };
+
   std::uint64_t goal_count(const Book& book) const;
   std::string goal_id(const Book& book) const;
   Order order_of(const Book& book) const;
+
+  /// The first status of a vehicle.
   void greet(Book& book, time::Stamp now);
+
+  /// A status while the vehicle has a goal.
   void follow(Book& book, time::Stamp now);
+
+  /// The goal is reached, or has failed for good: the next one is due after a pause.
   void decided(Book& book, bool reached, const std::string& reason, time::Stamp now);
+
+  /// Adds an event for take_events().
   void tell(Event::Kind kind, const Book& book, const std::string& reason);
 
   Settings settings_;

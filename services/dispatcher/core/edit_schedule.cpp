@@ -12,6 +12,7 @@ EditSchedule::EditSchedule(const scenario::Scenario& scenario, const std::vector
     entry.edit.action = planned.block ? fleet::MapEdit::Action::kBlock : fleet::MapEdit::Action::kUnblock;
     entry.edit.shape = fleet::MapEdit::Shape::kRectangle;
     entry.edit.points_in_map = {planned.low_in_map, planned.high_in_map};
+
     entry.done = std::find(done.begin(), done.end(), entry.edit.edit_id) != done.end();
     entries_.push_back(std::move(entry));
   }
@@ -20,13 +21,17 @@ EditSchedule::EditSchedule(const scenario::Scenario& scenario, const std::vector
 std::vector<fleet::MapEdit> EditSchedule::due(double seconds, const std::string& map_id, time::Stamp now) {
   std::vector<fleet::MapEdit> edits;
   if (map_id.empty()) return edits;
+
+  // Due and not yet answered: written at once, and again after each kRepeat.
   for (Entry& entry : entries_) {
     if (entry.done || seconds < entry.at_s || (entry.sent && now - entry.sent_at < kRepeat)) continue;
+
     entry.sent = true;
     entry.sent_at = now;
     entry.edit.map_id = map_id;
     edits.push_back(entry.edit);
   }
+
   return edits;
 }
 
@@ -34,6 +39,7 @@ bool EditSchedule::answered(const std::string& edit_id) {
   for (Entry& entry : entries_) {
     if (entry.edit.edit_id == edit_id && !entry.done) return entry.done = true;
   }
+
   return false;
 }
 
@@ -46,6 +52,7 @@ std::vector<std::string> EditSchedule::done() const {
   for (const Entry& entry : entries_) {
     if (entry.done) ids.push_back(entry.edit.edit_id);
   }
+
   return ids;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
@@ -12,21 +13,26 @@ namespace aisle::dispatcher {
 /// it is applied once however often it is sent.
 class EditSchedule {
  public:
-  /// `done`: ids that were answered before a restart.
+  /// `done`: ids of edits that were answered before a restart, as done() gave them; they are not sent again.
   EditSchedule(const scenario::Scenario& scenario, const std::vector<std::string>& done);
 
-  /// Edits to write at this second of the scenario. Nothing before the id of the map is known.
+  /// The edits to write now. None while `map_id` is empty, as the map is not known yet.
+  /// @param seconds since the scenario's second zero
+  /// @param now of the clock by which edits are repeated
   std::vector<fleet::MapEdit> due(double seconds, const std::string& map_id, time::Stamp now);
 
-  /// True when the answer is to an edit of ours that was open.
+  /// Notes the answer to an edit, whatever it says. True when it was an edit of this schedule and still open.
   bool answered(const std::string& edit_id);
 
   bool all_done() const;
+
+  /// Ids of the answered edits, for a restart.
   std::vector<std::string> done() const;
 
   static constexpr std::chrono::milliseconds kRepeat{500};
 
  private:
+  /// An edit, the second at which it is due, and what became of it.
   struct Entry {
     double at_s;
     fleet::MapEdit edit;
@@ -34,6 +40,7 @@ class EditSchedule {
     bool sent{false};
     time::Stamp sent_at{};
   };
+
   std::vector<Entry> entries_;
 };
 
