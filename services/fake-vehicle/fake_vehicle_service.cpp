@@ -16,6 +16,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kTick{20};
 constexpr milliseconds kKeepPeriod{100};
 
+/// What the state file holds of this run; without it the start.
 VehicleMemory memory_of(const service::Shell& shell, const ServiceConfig& config) {
   if (!config.state_file.empty()) {
     if (const auto memory = recall(config.state_file, config.run)) {
@@ -24,6 +25,7 @@ VehicleMemory memory_of(const service::Shell& shell, const ServiceConfig& config
       return *memory;
     }
   }
+
   return {config.run, config.start_in_map, 0};
 }
 
@@ -58,14 +60,17 @@ void FakeVehicleService::listen() {
       .on_refused([this](const std::string& agv_id, const std::string&) {
         if (agv_id == agv_id_ && !yields_) shell_.count(std::string("refused_") + name(authority_.refuse_unread()));
       });
+  // What cannot be decoded still counts as a refused command when it names this vehicle.
   shell_
       .inbox<topics::WorldObstacle>([this](const fleet::Obstacle& obstacle, const service::Sender& from) {
         bodies_.seen(obstacle.id, obstacle.body(), obstacle.kind == fleet::Obstacle::Kind::kVehicle, from.by.boot_id,
+
                      shell_.now());
       })
       .on_gone([this](const std::string& id, service::End how) {
         if (how == service::End::kDisposed) bodies_.gone(id);  // what falls silent still stands there
       });
+
   shell_.inbox<topics::ServiceHealth>([this](const fleet::ServiceHealth& health, const service::Sender& from) {
     if (is_this_vehicle(health)) duplicates_.heard(from.by.boot_id, shell_.now());
   });
@@ -77,15 +82,20 @@ bool FakeVehicleService::is_this_vehicle(const fleet::ServiceHealth& health) con
 
 void FakeVehicleService::take(const fleet::VelocityCommand& command, const service::Sender& from) {
   if (command.agv_id != agv_id_ || yields_) return;
+
+  // May this source command the vehicle? The answer raises the accepted epoch or counts a refusal.
   const fleet::Origin& by = from.by;
   const fleet::CommandVerdict verdict = authority_.judge(command, by);
+
   if (verdict != fleet::CommandVerdict::kAccepted) {
     shell_.count(std::string("refused_") + name(verdict));
     shell_.warn(name(verdict), fmt::format("velocity_command refused: {} (source {}, epoch {}, accepted epoch {})",
                                            name(verdict), by.source_id, by.epoch, authority_.accepted_epoch()));
     return;
   }
+
   if (!map_.has_map()) return;  // cannot tell where its walls are
+
   command_ = fleet::CommandInForce{command.agv_id, by, command.plan_id};
   vehicle_.command(command.twist, from.arrived);
 }
@@ -102,6 +112,8 @@ bool FakeVehicleService::may_act(time::Stamp now) {
       shell_.log().info("{} is free again", agv_id_);
     }
   }
+
+  // A newcomer keeps silent while it listens, and after one word from an earlier process of the same name.
   yields_ = yields;
   if (!introduced_ && duplicates_.is_taken(now)) return false;
   return !yields_ && now - started_ >= kListen;
@@ -114,44 +126,56 @@ void FakeVehicleService::tick() {
       vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});  // brakes: nobody commands it any more
     return;
   }
+
   if (!introduced_) {
     const Parameters& vehicle = config_.vehicle;
     introduced_ = infos_.write(
         {agv_id_, vehicle.footprint(), vehicle.limits, vehicle.lidar.range_max_m, vehicle.command_timeout_s});
   }
+
   bodies_.forget_old_world(now);
   if (map_.has_map()) vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});
+
   publish();
+
+  // Scans keep their period on the clock; after a gap longer than one period they begin anew.
   if (now < next_scan_ || !map_.has_map()) return;
   const time::Stamp period = time::from_seconds(config_.vehicle.lidar.period_s);
+
   next_scan_ = now - next_scan_ > period ? now + period - kTick / 2 : next_scan_ + period;
+
   publish_scan();
 }
 
-/// As the vehicle believes it: each call draws a new error of its pose.
+/// The vehicle's state as it is published: each call draws a new error of the pose.
 fleet::VehicleState FakeVehicleService::state() {
   fleet::VehicleState state;
   state.agv_id = agv_id_;
   state.motion = {with_noise(vehicle_.base_in_map(), config_.vehicle, random_), vehicle_.twist(),
                   vehicle_.steering_rad()};
+
   state.hold = vehicle_.hold();
   state.command = command_;
   state.accepted_epoch = authority_.accepted_epoch();
   state.refused_commands = authority_.refused();
+
   return state;
 }
 
 void FakeVehicleService::publish() {
   states_.write(state());
 
+  // The truth goes to the simulators only: the others' bodies for collisions and scans.
   const geometry::Pose2& base = vehicle_.base_in_map();
   const geometry::Twist2& twist = vehicle_.twist();
+
   fleet::Obstacle truth;
   truth.id = agv_id_;
   truth.kind = fleet::Obstacle::Kind::kVehicle;
   truth.base_in_map = base;
   truth.footprint = config_.vehicle.footprint();
   truth.velocity_in_map = geometry::to_map({0.0, 0.0, base.yaw}, {twist.linear_mps, twist.sideways_mps});
+
   truths_.write(truth);
 }
 
@@ -159,20 +183,25 @@ void FakeVehicleService::publish_scan() {
   const LidarParameters& lidar = config_.vehicle.lidar;
   fleet::Scan turn;
   turn.ranges_m = scan({map_.grid(), bodies_.bodies()}, vehicle_.base_in_map(), lidar, random_);
+
+  // Ranges are true to where the vehicle is; the pose that goes with them is what it believes.
   const fleet::Motion motion = state().motion;
   turn.agv_id = agv_id_;
   turn.base_in_map = motion.base_in_map;
   turn.position_sigma_m = config_.vehicle.pose_noise_m;
   turn.yaw_sigma_rad = config_.vehicle.yaw_noise_rad;
   turn.twist = motion.twist;
+
   turn.angle_step_rad = 2.0 * geometry::kPi / static_cast<double>(turn.ranges_m.size());
   turn.range_min_m = lidar.range_min_m;
   turn.range_max_m = lidar.range_max_m;
+
   scans_.write(turn);
 }
 
 void FakeVehicleService::keep_memory() {
   if (yields_ || !introduced_) return;
+
   if (!keep(config_.state_file, {config_.run, vehicle_.base_in_map(), authority_.accepted_epoch()})) {
     shell_.health().last_error = "cannot write " + config_.state_file.string() + "; a restart will begin at the start";
     shell_.warn("state_file", shell_.health().last_error);
@@ -181,10 +210,12 @@ void FakeVehicleService::keep_memory() {
 
 void FakeVehicleService::report(service::Health& health) const {
   health.counters["contacts"] = vehicle_.contacts();
+
   if (!duplicates_.is_duplicate(shell_.now())) {
     if (!map_.has_map()) health.wait_for("map_info");
     return;
   }
+
   health.is_degraded = true;
   health.last_error =
       fmt::format("two processes are {}: boot {} and this one, which {}", agv_id_, duplicates_.other_boot_id(),

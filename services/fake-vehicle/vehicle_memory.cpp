@@ -18,14 +18,19 @@ bool keep(const std::filesystem::path& file, const VehicleMemory& memory) {
 std::optional<VehicleMemory> recall(const std::filesystem::path& file, const std::string& run) {
   const std::optional<std::string> text = process::read_kept_file(file);
   if (!text) return std::nullopt;
+
   try {
     const json kept = json::parse(*text);
+
     VehicleMemory memory;
     memory.run = kept.at("run").get<std::string>();
+
     const json& base = kept.at("base_in_map");
     memory.base_in_map = {base.at(0).get<double>(), base.at(1).get<double>(), base.at(2).get<double>()};
+
     memory.accepted_epoch = kept.at("accepted_epoch").get<std::uint32_t>();
     if (memory.run != run || !geometry::is_finite(memory.base_in_map)) return std::nullopt;
+
     return memory;
   } catch (const json::exception&) {
     return std::nullopt;

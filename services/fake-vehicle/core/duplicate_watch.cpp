@@ -4,8 +4,11 @@ namespace aisle::fake_vehicle {
 
 void DuplicateWatch::heard(std::uint64_t boot_id, time::Stamp now) {
   if (boot_id == own_boot_id_) return;
+
+  // A span of being heard begins with a new process, and after a silence.
   const bool is_new = !first_heard_ || boot_id != other_boot_id_ || now - last_heard_ > kSilence;
   if (is_new) first_heard_ = now;
+
   other_boot_id_ = boot_id;
   last_heard_ = now;
 }

@@ -15,12 +15,16 @@ void cast_on(const geometry::Body& body, const geometry::Pose2& base_in_map, dou
   const double away_m = geometry::distance(from, body.base_in_map.position());
   const double reach_m = geometry::reach_m(body);
   if (away_m - reach_m >= range_max_m) return;
+
+  // Seen from the scanner the body lies within middle +- asin(reach / away); inside of its circle it is all around.
   const int rays = static_cast<int>(ranges_m.size());
   const double step_rad = 2.0 * geometry::kPi / rays;
   const double half_rad = away_m > reach_m ? std::asin(reach_m / away_m) : geometry::kPi;
   const double middle_rad = geometry::bearing(from, body.base_in_map.position()) - base_in_map.yaw;
+
   const int first = static_cast<int>(std::floor((middle_rad - half_rad) / step_rad));
   const int count = std::min(rays, static_cast<int>(std::ceil(2.0 * half_rad / step_rad)) + 2);
+
   for (int i = 0; i < count; ++i) {
     const int ray = ((first + i) % rays + rays) % rays;
     double& range = ranges_m[static_cast<std::size_t>(ray)];
@@ -34,15 +38,20 @@ std::vector<float> scan(const Surroundings& around, const geometry::Pose2& base_
                         std::mt19937_64& random) {
   const double step_rad = 2.0 * geometry::kPi / lidar.rays;
   std::vector<double> ranges_m(static_cast<std::size_t>(lidar.rays), lidar.range_max_m);
+
+  // Walls first, then each body shortens the rays that meet it.
   for (int ray = 0; ray < lidar.rays; ++ray) {
     ranges_m[static_cast<std::size_t>(ray)] =
         grid::cast_ray(around.walls, base_in_map.position(), base_in_map.yaw + ray * step_rad, lidar.range_max_m);
   }
+
   for (const geometry::Body& body : around.bodies) cast_on(body, base_in_map, lidar.range_max_m, ranges_m);
 
   std::normal_distribution<double> noise_m(0.0, lidar.range_noise_m > 0.0 ? lidar.range_noise_m : 1.0);
   std::vector<float> readings;
   readings.reserve(ranges_m.size());
+
+  // Noise only on hits, and only within what a hit may read.
   const double farthest_hit_m = lidar.range_max_m - 1e-3;
   for (const double range : ranges_m) {
     const bool hit = range < farthest_hit_m;
@@ -50,6 +59,7 @@ std::vector<float> scan(const Surroundings& around, const geometry::Pose2& base_
     readings.push_back(
         static_cast<float>(hit ? std::clamp(noisy, lidar.range_min_m, farthest_hit_m) : lidar.range_max_m));
   }
+
   return readings;
 }
 

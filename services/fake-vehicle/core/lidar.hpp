@@ -1,4 +1,5 @@
 #pragma once
+
 #include <random>
 #include <vector>
 
@@ -7,8 +8,10 @@
 
 namespace aisle::fake_vehicle {
 
-/// Ranges in metres, counter-clockwise, the first ray straight ahead, all at one moment. A ray that meets nothing
-/// within range_max_m reads range_max_m; noise never turns a hit into nothing, nor a reading below range_min_m.
+/// One turn of the scanner, all rays at one moment: `lidar.rays` ranges in metres, counter-clockwise from straight
+/// ahead. A ray that meets nothing within range_max_m reads range_max_m. Noise is normal, with the standard deviation
+/// range_noise_m; it never turns a hit into nothing, nor a reading below range_min_m.
+/// @param base_in_map true pose of the vehicle, in whose centre the scanner stands
 std::vector<float> scan(const Surroundings& around, const geometry::Pose2& base_in_map, const LidarParameters& lidar,
                         std::mt19937_64& random);
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include "common/geometry/footprint.hpp"
 #include "common/kinematics/limits.hpp"
 
@@ -22,6 +23,7 @@ struct LidarParameters {
   }
 };
 
+/// One vehicle: what it is, how its drives answer, and how well it knows where it is.
 struct Parameters {
   kinematics::Limits limits;
   double radius_m{0.35};  // of a disc
@@ -49,6 +51,7 @@ struct Parameters {
         .field("yaw_noise_rad", yaw_noise_rad, 0.0, 0.5)
         .section("lidar", lidar);
   }
+
   geometry::Footprint footprint() const { return geometry::footprint_of(radius_m, length_m, width_m, ahead_m); }
 };
 

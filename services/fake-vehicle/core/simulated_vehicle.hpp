@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <deque>
 #include <random>
@@ -21,43 +22,61 @@ using fleet::Hold;
 ///   no command ──command──► driving ──silence──► late ──command──► driving
 ///                              └─would overlap─► contact ──a motion that does not──┘
 ///
-/// Time is what the caller says; commands and steps come in order of time.
+/// Reads no clock: each call says what time it is, and the times of calls never go back.
 class SimulatedVehicle {
  public:
+  /// Stands at `start_in_map` and waits for its first command.
   SimulatedVehicle(const Parameters& parameters, const geometry::Pose2& start_in_map);
 
-  /// An accepted command.
+  /// Takes a command whose source may give it; in force after the dead time. `arrived`: also begins the time-out anew.
   void command(const geometry::Twist2& twist, time::Stamp arrived);
 
-  /// Moves on to `now` in steps of at most 5 ms. Time beyond kLongestGap since the last call is time in which the
-  /// simulation did not run, and the vehicle did not move.
+  /// Moves on to `now` in steps of at most 5 ms. A gap of more than kLongestGap since the last call means that the
+  /// simulation did not run: the vehicle moves for one step only.
   void advance_to(time::Stamp now, const Surroundings& around);
 
   const geometry::Pose2& base_in_map() const { return base_in_map_; }
+
+  /// In its own frame, m/s and rad/s.
   const geometry::Twist2& twist() const { return drive_.twist; }
+
+  /// Angle of a tricycle's steered wheel, counter-clockwise; 0 for other models.
   double steering_rad() const { return drive_.steering_rad; }
+
+  /// Why it does not do what it was told, if so.
   Hold hold() const { return hold_; }
+
   /// How often it was stopped by a wall or a body.
   std::uint64_t contacts() const { return contacts_; }
 
   static constexpr std::chrono::milliseconds kLongestGap{100};
 
  private:
+  /// A command on its way through the dead time.
   struct Queued {
     geometry::Twist2 twist;
     time::Stamp effective;
   };
+
+  /// One step of the drives, and of the body.
   void step(time::Stamp now, double dt_s, const Surroundings& around);
+
+  /// The drives after dt_s towards `wanted_`: first-order lag, then limits.
   kinematics::DriveState follow(double dt_s) const;
+
+  /// The drives after dt_s of full braking.
   kinematics::DriveState brake(double dt_s) const;
+
+  /// Moves the body by the present twist unless that would press it deeper into something.
   void move(double dt_s, const Surroundings& around);
 
   Parameters parameters_;
   geometry::Pose2 base_in_map_;
   kinematics::DriveState drive_;
-  geometry::Twist2 wanted_;
+  geometry::Twist2 wanted_;  // the command in force
   std::deque<Queued> queued_;
   bool commanded_{false};
+
   time::Stamp last_command_{};
   bool started_{false};
   time::Stamp time_{};
@@ -65,7 +84,7 @@ class SimulatedVehicle {
   std::uint64_t contacts_{0};
 };
 
-/// What the vehicle believes of its pose.
+/// The pose that the vehicle believes: `base_in_map` with normal errors of pose_noise_m an axis and yaw_noise_rad.
 geometry::Pose2 with_noise(const geometry::Pose2& base_in_map, const Parameters& parameters, std::mt19937_64& random);
 
 }  // namespace aisle::fake_vehicle
