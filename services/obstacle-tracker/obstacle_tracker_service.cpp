@@ -11,12 +11,13 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kTend{100};
 constexpr milliseconds kTellCoverage{1000};
-constexpr std::size_t kMostVehicles = 256;  // as many as tracking_status can tell of
+constexpr std::size_t kMostVehicles = 256;  // the bound of newest_scans in tracking_status
 constexpr std::size_t kMostTracks = 1024;
-constexpr double kWallsReach_m = 2.0;  // farther from a wall than this nothing depends on how far
+constexpr double kWallsReach_m = 2.0;  // the clearance field is exact up to here; the tracker asks for no more
 constexpr double kScansMissing_s = 1.0;
 
-/// Ids of a boot begin where those of an earlier one cannot be, and stay exact in JSON (below 2^53).
+/// The first track id of this process: made of its start in milliseconds, so that ids of an earlier process are never
+/// used again, and small enough to be exact in JSON (below 2^53).
 std::uint64_t first_id(std::uint64_t boot_id_us) { return boot_id_us / 1000 % 10'000'000'000ULL * 100'000 + 1; }
 
 }  // namespace
@@ -38,8 +39,10 @@ ObstacleTrackerService::ObstacleTrackerService(service::Shell& shell, const Serv
   shell.inbox<topics::VehicleState>(
       [this](const fleet::VehicleState& state, const service::Sender& from) { hear(state, from.arrived); });
   shell.inbox<topics::Scan>([this](const fleet::Scan& scan, const service::Sender& from) { hear(scan, from); });
+
   shell.every(kTend, [this] { tend(); });
   shell.every(kTellCoverage, [this] { write_coverage(); });
+
   shell.report([this](service::Health& health) { report(health); });
 }
 
@@ -49,8 +52,10 @@ void ObstacleTrackerService::hear(const fleet::Vehicle& vehicle) {
                                 std::to_string(kMostVehicles) + " vehicles already");
     return;
   }
+
   KnownVehicle& known = vehicles_[vehicle.id].known;
   known.agv_id = vehicle.id;
+
   known.is_rectangle = !vehicle.footprint.is_disc();
   known.radius_m = vehicle.reach_m();
   known.length_m = vehicle.footprint.length_m;
@@ -61,6 +66,7 @@ void ObstacleTrackerService::hear(const fleet::Vehicle& vehicle) {
 void ObstacleTrackerService::hear(const fleet::VehicleState& state, time::Stamp arrived) {
   const auto found = vehicles_.find(state.agv_id);
   if (found == vehicles_.end()) return;
+
   found->second.known.base_in_map = state.motion.base_in_map;
   found->second.known.twist = state.motion.twist;
   found->second.known.stamp = arrived;
@@ -69,14 +75,21 @@ void ObstacleTrackerService::hear(const fleet::VehicleState& state, time::Stamp 
 
 void ObstacleTrackerService::hear(const fleet::Scan& heard, const service::Sender& from) {
   if (!only_scans_of_.empty() && heard.agv_id != only_scans_of_) return;
+
+  // Place the scan in time, by its own clock; what comes late or twice is dropped.
   const time::Stamp begun = shell_.now();
   Scan scan{heard, {}};
+
   const auto found = vehicles_.find(scan.agv_id);
   if (found == vehicles_.end()) return refuse(DropReason::kUnknownVehicle, scan.agv_id);
+
   VehicleEntry& vehicle = found->second;
   const auto placed = vehicle.scan_clock.place(from.by.stamp_ns, from.arrived);
   if (const auto* reason = std::get_if<DropReason>(&placed)) return refuse(*reason, scan.agv_id);
+
   scan.stamp = std::get<time::Stamp>(placed);
+
+  // The tracks of this moment.
   const TakeResult result = tracker_.take(scan, known_vehicles(), map_.has_map() ? &map_.clearance() : nullptr, begun);
   if (result.dropped) return tell_dropped(*result.dropped, scan.agv_id);
 
@@ -84,6 +97,8 @@ void ObstacleTrackerService::hear(const fleet::Scan& heard, const service::Sende
   vehicle.scan_stamp_ns = from.by.stamp_ns;
   newest_scan_stamp_ns_ = from.by.stamp_ns;
   newest_scan_used_ = begun;
+
+  // What the scan saw is free, then the tracks that went, then those that changed, then the status that names the scan.
   coverage_.take(scan);
   dispose(result.lost);
   write_tracks(result.seen, begun);
@@ -97,6 +112,7 @@ void ObstacleTrackerService::refuse(DropReason reason, const std::string& agv_id
 
 void ObstacleTrackerService::tell_dropped(DropReason reason, const std::string& agv_id) {
   shell_.count(std::string("scans_") + name_of(reason));
+
   if (reason == DropReason::kNoMap) return;  // service_health says what is waited for
   shell_.warn(name_of(reason), "a scan of " + agv_id + " was dropped: " + explain(reason));
 }
@@ -104,11 +120,13 @@ void ObstacleTrackerService::tell_dropped(DropReason reason, const std::string& 
 std::vector<KnownVehicle> ObstacleTrackerService::known_vehicles() const {
   std::vector<KnownVehicle> known;
   known.reserve(vehicles_.size());
+
   for (const auto& [id, vehicle] : vehicles_) {
     known.push_back(vehicle.known);
     if (!vehicle.has_state)
       known.back().stamp = time::Stamp::min() / 2;  // nobody knows where it is: it explains nothing
   }
+
   return known;
 }
 
@@ -130,16 +148,20 @@ void ObstacleTrackerService::dispose(const std::vector<std::uint64_t>& lost) {
 void ObstacleTrackerService::write_status(time::Stamp now, time::Stamp took) {
   fleet::TrackingStatus status;
   status.source_id = shell_.instance_id();
+
   for (const auto& [id, vehicle] : vehicles_) {
     if (vehicle.scan_sequence == 0) continue;
     status.newest_scans.push_back({id, vehicle.scan_sequence, vehicle.scan_stamp_ns});
   }
+
   for (const Track& track : tracker_.tracks(now)) {
     if (status.live_track_ids.size() < kMostTracks) status.live_track_ids.push_back(track.id);
   }
+
   status.scans_used = tracker_.scans_used();
   status.scans_dropped = tracker_.scans_dropped();
   status.processing_ms = 1e3 * time::seconds(took);
+
   statuses_.write(status);
 }
 
@@ -156,10 +178,12 @@ void ObstacleTrackerService::set_ground(const grid::Geometry& geometry) {
     coverages_.dispose({shell_.instance_id(), tile_x, tile_y});
 }
 
-/// When no scans come, what is overdue goes. No status then: who is blind must not be taken for one who sees nothing.
+/// When no scans come, tracks that are overdue are given up. No status is written then: a consumer must not take a
+/// tracker without scans for one that sees an empty floor.
 void ObstacleTrackerService::tend() {
   const time::Stamp now = shell_.now();
   if (now - newest_scan_used_ < kTend) return;
+
   dispose(tracker_.give_up_overdue(now));
   write_tracks({}, now);
 }
@@ -169,6 +193,7 @@ void ObstacleTrackerService::report(service::Health& health) const {
   health.counters["scans_used"] = tracker_.scans_used();
   health.counters["scans_dropped"] = tracker_.scans_dropped();
   health.counters["tracks"] = tracker_.tracks(now).size();
+
   if (!map_.has_map()) health.wait_for("map_info, map_tile");
   if (vehicles_.empty()) health.wait_for("vehicle_info");
   if (newest_scan_used_ == time::Stamp{} || time::seconds(now - newest_scan_used_) > kScansMissing_s)

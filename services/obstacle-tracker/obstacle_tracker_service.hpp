@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -15,7 +16,7 @@
 
 namespace aisle::obstacle_tracker {
 
-/// Everything that a site may set.
+/// What the process takes from its config file.
 struct ServiceParams {
   TrackerParams tracker;
   Coverage::Params coverage;
@@ -28,7 +29,9 @@ struct ServiceParams {
   }
 };
 
-/// Between the bus and the tracker: each scan is taken, and its tracks written, in the handler that gets it.
+/// Turns the scans of all vehicles into one set of tracks. Each scan is taken, and its tracks are written, in the
+/// handler that gets it; once a second it writes which part of the floor was seen (`coverage`). Scans of vehicles that
+/// `vehicle_info` has not introduced are dropped, as are all scans before the map is there. Runs in the shell's loop.
 class ObstacleTrackerService {
  public:
   ObstacleTrackerService(service::Shell& shell, const ServiceParams& params);
@@ -40,7 +43,7 @@ class ObstacleTrackerService {
   void tell_through(std::function<void(fleet::Track&)> change) { change_told_ = std::move(change); }
 
  private:
-  /// A vehicle that vehicle_info made known.
+  /// A vehicle which vehicle_info introduced, and the newest of its scans that was used.
   struct VehicleEntry {
     KnownVehicle known;
     bool has_state{false};
@@ -49,18 +52,40 @@ class ObstacleTrackerService {
     std::int64_t scan_stamp_ns{0};
   };
 
+  /// Outline of a vehicle; at most 256 vehicles are used.
   void hear(const fleet::Vehicle& vehicle);
+
+  /// Where the vehicle is, by its own word: its body explains echoes.
   void hear(const fleet::VehicleState& state, time::Stamp arrived);
+
+  /// Takes a scan and writes what follows from it, or drops it for one of the DropReasons.
   void hear(const fleet::Scan& scan, const service::Sender& from);
+
+  /// Counts a scan that did not get as far as the tracker, and tells it.
   void refuse(DropReason reason, const std::string& agv_id);
+
+  /// Counter and warning of a dropped scan.
   void tell_dropped(DropReason reason, const std::string& agv_id);
+
+  /// Writes those tracks of which the outbox says that it is time. `seen`: ids that this scan has confirmed.
   void write_tracks(const std::vector<std::uint64_t>& seen, time::Stamp now);
+
+  /// Ends the instances of lost tracks.
   void dispose(const std::vector<std::uint64_t>& lost);
+
+  /// Newest scan of each vehicle, live tracks and counters. `took`: time spent on the scan.
   void write_status(time::Stamp now, time::Stamp took);
+
   void write_coverage();
+
+  /// The map has another extent: coverage begins anew and its old tiles end.
   void set_ground(const grid::Geometry& geometry);
+
   void tend();
+
   void report(service::Health& health) const;
+
+  /// All vehicles for the tracker; one whose state was never heard gets a stamp so old that it explains nothing.
   std::vector<KnownVehicle> known_vehicles() const;
 
   service::Shell& shell_;
@@ -70,6 +95,7 @@ class ObstacleTrackerService {
   Outbox outbox_;
   Coverage coverage_;
   std::map<std::string, VehicleEntry> vehicles_;
+
   service::Outbox<topics::Track> tracks_;
   std::function<void(fleet::Track&)> change_told_;  // may be empty
   service::Outbox<topics::TrackingStatus> statuses_;

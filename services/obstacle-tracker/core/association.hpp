@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 namespace aisle::obstacle_tracker {
@@ -10,10 +11,14 @@ struct Candidate {
   double cost{0.0};  // less than the cost of leaving both unmatched
 };
 
-/// For each row its column, or -1: the matching with the least total cost, where an unmatched row costs `alone`.
+/// The matching of rows to columns with the least total cost, where an unmatched row costs `alone` and an unmatched
+/// column nothing.
 ///
 /// How: rows and columns are divided into components that no candidate links, and each is solved by shortest augmenting
-/// paths (Jonker, Volgenant 1987) in O(n^3): the time grows with the largest crowd, not with the site.
+/// paths (Jonker, Volgenant, "A Shortest Augmenting Path Algorithm for Dense and Sparse Linear Assignment Problems",
+/// Computing 38, 1987) in O(n^3): the time grows with the largest crowd, not with the site.
+/// @param candidates each with 0 <= row < rows and 0 <= column < columns
+/// @return for each row its column, or -1
 std::vector<int> assign(int rows, int columns, const std::vector<Candidate>& candidates, double alone);
 
 }  // namespace aisle::obstacle_tracker

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 #include "services/obstacle-tracker/core/hits.hpp"
@@ -8,13 +9,16 @@ namespace aisle::obstacle_tracker {
 /// Hits that lie together, by increasing bearing (seen from the sensor: from right to left).
 struct Cluster {
   std::vector<Hit> hits;
-  bool is_cut_right{
-      false};  // the thing may go on beyond the first hit: hidden there, removed as explained, or out of view
-  bool is_cut_left{false};  // the same beyond the last
+
+  /// The thing may go on beyond the first hit: it is hidden there, removed as explained, or out of view.
+  bool is_cut_right{false};
+
+  /// The same beyond the last hit.
+  bool is_cut_left{false};
 };
 
-/// Two hits belong together when they are nearer than base + per_gap x the distance between neighbouring rays at that
-/// range.
+/// Two hits belong together when they are nearer than base + per_gap x range x angle_step: the last product is the
+/// distance between neighbouring rays at that range.
 struct Clustering {
   double base_m{0.12};
   double per_gap{1.8};
@@ -30,7 +34,10 @@ struct Clustering {
   }
 };
 
-/// Single linkage (each hit joins every hit near enough), so that a post in front of a thing does not cut it in two.
+/// Divides the hits of a scan into clusters by single linkage (each hit joins every hit near enough), so that a post in
+/// front of a thing does not cut it in two. Then the few hits on a side which the rays graze join the front beside it.
+/// Linear in the hits times the rays within reach of one.
+/// @return clusters in the order of their first rays; each hit is in one of them
 std::vector<Cluster> find_clusters(const Scan& scan, const SortedScan& sorted, const Clustering& clustering);
 
 }  // namespace aisle::obstacle_tracker

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <Eigen/Core>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct Detection {
   bool is_partial{false};                                    // it may be larger than seen
 };
 
-/// A track's predicted disc; keeps the detections of obstacles that touch apart.
+/// A track's predicted disc, by which the detections of obstacles that touch are kept apart.
 struct Expected {
   geometry::Point2 position_in_map;
   double radius_m{0.25};
@@ -45,12 +46,17 @@ struct Shape {
   }
 };
 
-/// Makes discs of clusters. A scan shows the near side only, so the centre of a small thing, and of a flat front, lies
-/// half the seen width behind it; of a large thing that shows two sides or a bulge it is the middle of the least disc
+/// Makes discs of clusters.
+///
+/// Where the centre is: a scan shows the near side only. The centre of a small thing, and of a flat front, lies half
+/// the seen width behind it. That of a large thing which shows two sides or a bulge is the middle of the least disc
 /// around the hits: right for a person, for a square seen flat, and for one seen from a corner. A view cut at one side
-/// is measured from the other; the covariance grows across the view. A cluster too large for one disc is divided: first
-/// among the expected things that claim its hits (two people who touch stay two, the pieces of a long thing stay where
-/// they are), then by length.
+/// is measured from the other; then the covariance grows across the view.
+///
+/// How many discs: a cluster too large for one disc is divided, first among the expected things that claim its hits
+/// (two people who touch stay two, the pieces of a long thing stay where they are), then by length.
+/// @param expected predicted discs of confirmed tracks at the scan's stamp
+/// @param noise of this scan: SensorNoise::in()
 std::vector<Detection> find_detections(const Scan& scan, const SortedScan& sorted, const std::vector<Cluster>& clusters,
                                        const std::vector<Expected>& expected, const SensorNoise& noise,
                                        const Shape& shape);

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <vector>
 
@@ -8,15 +9,17 @@
 
 namespace aisle::obstacle_tracker {
 
-/// How wrong a hit may be (standard deviations).
+/// How wrong a hit may be: standard deviations of the scanner's ranges and of the vehicle's pose.
 struct SensorNoise {
   double range_m{0.02};
   double pose_m{0.02};    // of the vehicle's position, each axis
   double yaw_rad{0.009};  // of its heading: 0.5 degrees
 
-  /// This, but for a vehicle that says it is less sure of its pose.
+  /// The noise of one scan: at least this, and more where the vehicle says that it is less sure of its pose.
   SensorNoise in(const Scan& scan) const;
-  /// Of a hit's place in map, across the view, at this range.
+
+  /// Standard deviation of a hit's place in map, across the view, in metres: sqrt(range^2 + pose^2 + (yaw r)^2) for a
+  /// hit at the range r.
   double across_m(double range_m_of_hit) const;
 
   template <class Reader>
@@ -44,6 +47,7 @@ struct Explained {
   }
 };
 
+/// What the end of a ray is.
 enum class RayEnd : std::uint8_t {
   kNothing,  // up to the sensor's range
   kTooNear,  // the vehicle itself
@@ -69,12 +73,15 @@ struct SortedScan {
   std::vector<Hit> hits;                    // in the order of the rays
 };
 
-/// Turns the ranges into points in map, each with the pose the vehicle had at that ray, and sorts them by what explains
-/// them. `vehicles` may hold the scanning vehicle itself; it is left out.
+/// Turns the ranges into points in map, each with the pose that the vehicle had at that ray, and sorts them by what
+/// explains them. Hits are those which neither the map nor a vehicle explains.
+/// @param clearance distances to the nearest occupied or unknown cell, of the newest map
+/// @param vehicles may hold the scanning vehicle itself, which is left out
+/// @param noise of this scan: SensorNoise::in()
 SortedScan sort_rays(const Scan& scan, const grid::ClearanceField& clearance, const std::vector<KnownVehicle>& vehicles,
                      const SensorNoise& noise, const Explained& explained);
 
-/// Distance from a point to a vehicle's body standing at `base_in_map`; 0 inside.
+/// Distance in metres from a point to a vehicle's outline standing at `base_in_map`; 0 inside.
 double distance_to_body_m(const KnownVehicle& vehicle, const geometry::Pose2& base_in_map, geometry::Point2 in_map);
 
 }  // namespace aisle::obstacle_tracker

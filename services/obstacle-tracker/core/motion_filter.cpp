@@ -21,10 +21,12 @@ std::string filter_names() {
 Gaussian<4> first_belief(const MotionModel& motion, const Eigen::Vector2d& position,
                          const Eigen::Matrix2d& covariance) {
   Gaussian<4> first;
+  // Where it was measured, and standing: nothing is known of its velocity but how fast things are.
   first.mean.head<2>() = position;
   first.covariance.topLeftCorner<2, 2>() = covariance;
   first.covariance.bottomRightCorner<2, 2>() =
       Eigen::Matrix2d::Identity() * motion.first_speed_sigma_mps * motion.first_speed_sigma_mps;
+
   return first;
 }
 

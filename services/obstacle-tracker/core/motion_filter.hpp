@@ -1,4 +1,5 @@
 #pragma once
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,7 +8,7 @@
 
 namespace aisle::obstacle_tracker {
 
-/// How things are expected to move. What a filter has no use for it does not read.
+/// How things are expected to move. Each filter reads those fields that it has a use for.
 struct MotionModel {
   std::string filter{"constant-velocity"};  // one of all_filters()
   double acceleration_density{0.10};        // of the white noise, m^2/s^3 an axis
@@ -20,24 +21,39 @@ struct MotionModel {
   void describe(Reader& r);
 };
 
-/// One track's motion: what is believed of (x, y, vx, vy) in map, metres and seconds, at one moment. A filter is one
-/// file in core/filters/ and says there how things move; it overrides the private functions.
+/// One track's motion: a belief of (x, y, vx, vy) in map, metres and metres a second, at one moment. A filter is one
+/// file in core/filters/; it says there how things move, by overriding the private functions, and keeps what it needs
+/// beside the common belief. After each change the common belief is the filter's summary().
 class MotionFilter {
  public:
   virtual ~MotionFilter() = default;
 
-  /// Carries the belief on. @pre dt_s >= 0
-  void predict(double dt_s) { move(dt_s), belief_ = summary(); }
-  /// The same for a thing that stands: it stays, and little doubt is added.
-  void stand(double dt_s) { rest(dt_s), belief_ = summary(); }
-  /// Takes in a position measured `lag_s` before the belief's moment: compared with where the belief says the thing
-  /// then was.
-  void update(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance, double lag_s) {
-    observe(position, covariance, lag_s), belief_ = summary();
+  /// Carries the belief on by dt_s. @pre dt_s >= 0
+  void predict(double dt_s) {
+    move(dt_s);
+    belief_ = summary();
   }
+
+  /// The same for a thing that stands: it stays, and little doubt is added.
+  void stand(double dt_s) {
+    rest(dt_s);
+    belief_ = summary();
+  }
+
+  /// Takes in a position in map, measured `lag_s` before the belief's moment: it is compared with where the belief says
+  /// that the thing was then. `covariance`: of the position, m^2.
+  void update(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance, double lag_s) {
+    observe(position, covariance, lag_s);
+    belief_ = summary();
+  }
+
   /// The thing turned or started: adds doubt to the velocity, so that the next measurements set it.
-  void loosen(double speed_sigma_mps) { doubt(speed_sigma_mps), belief_ = summary(); }
-  /// What update() would change.
+  void loosen(double speed_sigma_mps) {
+    doubt(speed_sigma_mps);
+    belief_ = summary();
+  }
+
+  /// What update() would change, for gates and costs; changes nothing.
   Innovation innovation(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance, double lag_s) const {
     return innovation_of(belief_, position, covariance, lag_s);
   }
@@ -53,6 +69,7 @@ class MotionFilter {
   virtual void rest(double dt_s) = 0;
   virtual void observe(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance, double lag_s) = 0;
   virtual void doubt(double speed_sigma_mps) = 0;
+
   /// Mean and covariance of the whole belief.
   virtual Gaussian<4> summary() const = 0;
 
@@ -69,13 +86,16 @@ struct Filter {
 
 /// Every filter, by name.
 const std::vector<Filter>& all_filters();
+
 /// Null when there is none of this name.
 const Filter* find_filter(const std::string& name);
+
 /// "constant-turn, constant-velocity, ..."
 std::string filter_names();
 
 /// What is believed of a thing just found.
 Gaussian<4> first_belief(const MotionModel& motion, const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance);
+
 /// The filter that `motion` names, for a thing just found. @throws std::invalid_argument when there is none of this
 /// name
 std::unique_ptr<MotionFilter> make_filter(const MotionModel& motion, const Eigen::Vector2d& position,

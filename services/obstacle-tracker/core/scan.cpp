@@ -6,6 +6,7 @@
 namespace aisle::obstacle_tracker {
 namespace {
 
+// Bounds beyond which a scan makes no sense, whatever the site.
 constexpr double kMaxRangeM = 1000.0;
 constexpr double kMaxSweepS = 1.0;
 constexpr double kMaxCoordinateM = 1e6;
@@ -39,6 +40,7 @@ const char* name_of(DropReason reason) {
     case DropReason::kTooOld:
       return "too_old";
   }
+
   return "unknown";
 }
 
@@ -63,33 +65,43 @@ const char* explain(DropReason reason) {
     case DropReason::kTooOld:
       return "it was measured more than a second ago";
   }
+
   return "unknown reason";
 }
 
 std::optional<DropReason> find_fault(const Scan& scan) {
+  // Numbers that are none.
   if (!geometry::is_finite(scan.base_in_map) || !is_finite(scan.twist) || !std::isfinite(scan.position_sigma_m) ||
       !std::isfinite(scan.yaw_sigma_rad) || !std::isfinite(scan.first_angle_rad) ||
       !std::isfinite(scan.angle_step_rad) || !std::isfinite(scan.sweep_s) || !std::isfinite(scan.range_min_m) ||
       !std::isfinite(scan.range_max_m)) {
     return DropReason::kNotFinite;
   }
+
+  // Numbers that make no sense.
   if (scan.angle_step_rad <= 0.0 || scan.sweep_s < 0.0 || scan.sweep_s > kMaxSweepS || scan.range_min_m < 0.0 ||
       scan.range_max_m <= scan.range_min_m || scan.range_max_m > kMaxRangeM ||
       std::abs(scan.base_in_map.x) > kMaxCoordinateM || std::abs(scan.base_in_map.y) > kMaxCoordinateM ||
       std::abs(scan.first_angle_rad) > 4.0 * geometry::kPi) {
     return DropReason::kBadGeometry;
   }
+
   if (scan.position_sigma_m < 0.0 || scan.position_sigma_m > kMaxPositionSigmaM || scan.yaw_sigma_rad < 0.0 ||
       scan.yaw_sigma_rad > kMaxYawSigmaRad) {
     return DropReason::kBadGeometry;
   }
+
+  // The rays: as many as fit a full turn, and a range of each. A range of infinity is a ray without a hit.
   const double turn_rad = scan.angle_step_rad * static_cast<double>(scan.ranges_m.size());
   if (scan.ranges_m.empty() || turn_rad > 2.0 * geometry::kPi + 1.5 * scan.angle_step_rad)
     return DropReason::kWrongCount;
+
   if (std::any_of(scan.ranges_m.begin(), scan.ranges_m.end(), [](float r) { return std::isnan(r); }))
     return DropReason::kNotFinite;
+
   if (std::any_of(scan.ranges_m.begin(), scan.ranges_m.end(), [](float r) { return r < 0.0F; }))
     return DropReason::kNegativeRange;
+
   return std::nullopt;
 }
 

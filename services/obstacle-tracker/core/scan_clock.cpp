@@ -7,6 +7,7 @@ namespace aisle::obstacle_tracker {
 namespace {
 
 using namespace std::chrono_literals;
+
 constexpr time::Stamp kMaxAge = 1s;
 constexpr time::Stamp kMaxFuture = 200ms;  // earlier than the fastest scan so far by more than this: a wrong stamp
 constexpr time::Stamp kSameLine = 100ms;
@@ -17,6 +18,8 @@ constexpr int kRefusalsBeforeNewLine = 3;
 
 std::variant<time::Stamp, DropReason> ScanClock::place(std::int64_t stamp_ns, time::Stamp arrived) {
   const time::Stamp offset = arrived - time::Stamp{stamp_ns};
+
+  // How late it comes, against the fastest one: `late` is below 0 for one that is faster still.
   if (offset_) {
     const time::Stamp late = offset - *offset_;
     if (late > kMaxAge || late < -kMaxFuture) {
@@ -26,6 +29,7 @@ std::variant<time::Stamp, DropReason> ScanClock::place(std::int64_t stamp_ns, ti
       return DropReason::kNotNewer;
     }
   }
+
   take(offset, arrived);
   newest_stamp_ns_ = stamp_ns;
   refusals_ = 0;
@@ -36,6 +40,7 @@ bool ScanClock::is_new_line(time::Stamp offset) {
   const bool agrees = refusals_ > 0 && std::chrono::abs(offset - refused_offset_) < kSameLine;
   refusals_ = agrees ? refusals_ + 1 : 1;
   refused_offset_ = offset;
+
   return refusals_ >= kRefusalsBeforeNewLine;
 }
 
@@ -44,8 +49,10 @@ void ScanClock::take(time::Stamp offset, time::Stamp arrived) {
     offset_ = next_offset_ = offset;
     window_began_ = arrived;
   }
+
   offset_ = std::min(*offset_, offset);
   next_offset_ = std::min(next_offset_, offset);
+
   if (arrived - window_began_ > kWindow) {
     offset_ = next_offset_;
     next_offset_ = offset;

@@ -1,4 +1,5 @@
 #pragma once
+
 #include "services/obstacle-tracker/core/hits.hpp"
 
 namespace aisle::obstacle_tracker {
@@ -10,8 +11,8 @@ enum class Sight {
   kFree,       // rays go through: nothing is there
 };
 
-/// Looks at the disc of `radius_m` around `place_in_map`, made wider by `doubt_m`: kFree only if nearly every ray
-/// towards it comes out behind it.
+/// Looks at the disc of `radius_m` around `place_in_map`, made wider by `doubt_m`, the standard deviation of the place.
+/// kFree only if at least four fifths of the rays towards it end behind it.
 Sight look_for(const Scan& scan, const SortedScan& sorted, geometry::Point2 place_in_map, double radius_m,
                double doubt_m);
 

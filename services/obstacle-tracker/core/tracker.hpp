@@ -1,4 +1,5 @@
 #pragma once
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +17,7 @@ namespace aisle::obstacle_tracker {
 
 using fleet::Track;
 
+/// The settings of all steps of the tracker.
 struct TrackerParams {
   SensorNoise noise;
   Explained explained;
@@ -49,15 +51,18 @@ struct TakeResult {
 ///     │                  │  ▲ seen again                 │
 ///     └─ not seen        └──┴─ unseen: carried on ───────┴──► lost: looked through, merged, overdue, or inside a wall
 ///
-/// No clock, no threads: moments come with the scans and with `now`, all on one clock. Time only moves forward.
+/// Reads no clock and holds no threads: moments come with the scans and with `now`, all on one clock. Its own time only
+/// moves forward.
 class Tracker {
  public:
   /// Ids count from `first_id`: a restarted tracker starts from another one, so that its ids are not taken for those
   /// given before the restart.
   explicit Tracker(const TrackerParams& params = {}, std::uint64_t first_id = 1);
 
-  /// `vehicles`: those that vehicle_info made known, with their newest state; the scanning one must be among them.
-  /// `clearance`: of the newest complete map; nullptr: there is none yet, the scan is dropped.
+  /// Takes one scan whole, or drops it and changes nothing but a counter.
+  /// @param vehicles those that vehicle_info introduced, with their newest state; the scanning one must be among them
+  /// @param clearance of the newest complete map; nullptr: there is none yet, the scan is dropped
+  /// @param now for scans that are too old, or from the future
   [[nodiscard]] TakeResult take(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
                                 const grid::ClearanceField* clearance, time::Stamp now);
 
@@ -67,13 +72,15 @@ class Tracker {
   /// The published tracks, as of the newest scan, by id. `age_s` and `unseen_s` are as of `now`.
   std::vector<Track> tracks(time::Stamp now) const;
 
-  /// How many tracks there are, published or not, and of how many vehicles something is remembered.
+  /// How many tracks there are, published or not, and of how many vehicles a scan is remembered.
   std::size_t tracks_held() const { return live_.size(); }
   std::size_t vehicles_held() const { return sensors_.size(); }
 
+  /// Counters since the start; dropped ones of all reasons, or of one.
   std::uint64_t scans_used() const { return scans_used_; }
   std::uint64_t scans_dropped() const;
   std::uint64_t scans_dropped(DropReason reason) const { return dropped_[static_cast<std::size_t>(reason)]; }
+
   /// Counts a scan that was refused before it came here (by ScanClock).
   void count_dropped(DropReason reason) { ++dropped_[static_cast<std::size_t>(reason)]; }
 
@@ -85,25 +92,43 @@ class Tracker {
     std::size_t other_rays{0};
     int other_times{0};
   };
+
+  /// Which detection is of which track.
   struct Matching {
     std::vector<int> track_of;     // for each detection the index in live_, or -1
     std::vector<char> is_matched;  // one a track
   };
 
+  /// Checks a scan, and notes its stamp when it is usable.
   std::optional<DropReason> why_drop(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
                                      const grid::ClearanceField* clearance, time::Stamp now);
+
   void forget_who_left(const std::vector<KnownVehicle>& vehicles);
   bool has_usual_count(Sensor& sensor, std::size_t rays) const;
+
+  /// Predicts all tracks, to the moment of the scan's last ray; late scans move nothing.
   void move_on(time::Stamp to);
+
+  /// Where the confirmed tracks were, or will be, at that moment.
   std::vector<Expected> expected_at(time::Stamp moment) const;
-  void absorb_pieces(std::vector<Detection>& detections, const Scan& scan);
+
+  /// Assigns detections to tracks by least total cost.
   Matching match(const std::vector<Detection>& detections, const Scan& scan) const;
+
+  /// Aligns the detections with the confirmed tracks that they were matched with.
   void take_out_pose_error(std::vector<Detection>& detections, const Matching& matching, const Scan& scan,
                            const SortedScan& sorted) const;
+
+  /// Updates matched tracks; begins a track for each detection that is neither matched nor part of a known thing.
   void take_in(const std::vector<Detection>& detections, const Scan& scan, Matching& matching, TakeResult& result);
   bool is_part_of_known(const Detection& detection, time::Stamp measured, Matching& matching);
+
+  /// Tells the tracks that no detection was matched with whether the scan's rays went through them.
   void look_for_unmatched(const Scan& scan, const SortedScan& sorted, const Matching& matching);
+
   void merge_doubles(const std::vector<Detection>& detections, const Matching& matching);
+
+  /// Removes the tracks for which `is_gone` is true; adds the ids of the published ones to `lost`.
   template <class IsGone>
   void bury(IsGone is_gone, std::vector<std::uint64_t>& lost);
 

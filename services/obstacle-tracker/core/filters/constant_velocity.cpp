@@ -1,5 +1,6 @@
 // A Kalman filter for a point that keeps its velocity, but for white noise in its acceleration (Bar-Shalom, Li,
 // Kirubarajan 2001, 6.2.2).
+
 #include "services/obstacle-tracker/core/motion_filter.hpp"
 #include "services/obstacle-tracker/core/motions/standing.hpp"
 #include "services/obstacle-tracker/core/motions/straight.hpp"
@@ -14,11 +15,15 @@ class ConstantVelocity final : public MotionFilter {
 
  private:
   void move(double dt_s) override { move_straight(walk_, q_, dt_s); }
+
   void rest(double dt_s) override { stay(walk_, dt_s); }
+
   void observe(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance, double lag_s) override {
     take_in(walk_, position, covariance, lag_s);
   }
+
   void doubt(double speed_sigma_mps) override { doubt_velocity(walk_, speed_sigma_mps); }
+
   Gaussian<4> summary() const override { return walk_; }
 
   double q_;

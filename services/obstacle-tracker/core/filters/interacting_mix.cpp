@@ -2,6 +2,7 @@
 // multiple model estimator (Blom, Bar-Shalom 1988; Bar-Shalom, Li, Kirubarajan 2001, 11.6.6). The turn rate, which only
 // one of the motions knows, is that motion's own when the others are mixed into it (after Granstroem, Willett,
 // Bar-Shalom 2015), so that the motions without a turn rate do not pull it to zero.
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,19 +15,25 @@
 namespace aisle::obstacle_tracker {
 namespace {
 
+/// The motions that are mixed.
 enum Mode : std::size_t { kStands, kStraight, kTurns, kModes };
+
 using Weights = std::array<double, kModes>;
-/// Of every mode (x, y, vx, vy, w); only kTurns gives the last a meaning.
+
+/// The belief of each mode of (x, y, vx, vy, w); only in kTurns the last has a meaning.
 using Beliefs = std::array<Gaussian<5>, kModes>;
 
-/// Mean and covariance of a sum of Gaussians (11.6.6-8, 11.6.6-9).
+/// Mean and covariance of a weighted sum of Gaussians (11.6.6-8, 11.6.6-9):
+///   x = sum w_i x_i,  P = sum w_i (P_i + (x_i - x)(x_i - x)')
 Gaussian<4> moments_of(const Beliefs& beliefs, const Weights& weights) {
   Gaussian<4> mixed;
   for (std::size_t i = 0; i < kModes; ++i) mixed.mean += weights[i] * beliefs[i].mean.head<4>();
+
   for (std::size_t i = 0; i < kModes; ++i) {
     const Eigen::Vector4d off = beliefs[i].mean.head<4>() - mixed.mean;
     mixed.covariance += weights[i] * (beliefs[i].covariance.topLeftCorner<4, 4>() + off * off.transpose());
   }
+
   return mixed;
 }
 
@@ -38,6 +45,7 @@ class InteractingMix final : public MotionFilter {
       mode.covariance.topLeftCorner<4, 4>() = first.covariance;
       mode.covariance(kTurnRate, kTurnRate) = motion.first_turn_sigma_radps * motion.first_turn_sigma_radps;
     }
+
     probability_ = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
   }
 
@@ -46,33 +54,45 @@ class InteractingMix final : public MotionFilter {
   /// of the others.
   double change(double dt_s) const { return (1.0 - std::exp(-1.5 * dt_s / motion_.mode_s)) / 3.0; }
 
+  /// Mixing: before the modes move, each starts from the mixture of all of them, weighted by how probable it is that
+  /// the thing was in mode i if it is in mode j now (11.6.6).
   void interact(double dt_s) {
     const double other = change(dt_s);
     const Beliefs before = modes_;
+
     Weights later{};
     for (std::size_t j = 0; j < kModes; ++j) {
       Weights from{};
+      // p(i -> j) p_i, and their sum over i: the probability of mode j now.
       for (std::size_t i = 0; i < kModes; ++i) {
         from[i] = (i == j ? 1.0 - 2.0 * other : other) * probability_[i];
         later[j] += from[i];
       }
+
       for (double& part : from) part /= later[j];
+
+      // Only kTurns has a turn rate of its own; its correlation with the rest shrinks by the share of the others.
       const Gaussian<4> mixed = moments_of(before, from);
       modes_[j].mean.head<4>() = mixed.mean;
       modes_[j].covariance.topLeftCorner<4, 4>() = mixed.covariance;
-      modes_[j].covariance.block<4, 1>(0, kTurnRate) *= from[j];  // the others know nothing of the turn rate
+
+      modes_[j].covariance.block<4, 1>(0, kTurnRate) *= from[j];
       modes_[j].covariance.block<1, 4>(kTurnRate, 0) *= from[j];
     }
+
     probability_ = later;
   }
 
   void move(double dt_s) override {
     interact(dt_s);
     stay(modes_[kStands], dt_s);
+
+    // The straight motion knows no turn rate: it moves the first four numbers.
     Gaussian<4> straight{modes_[kStraight].mean.head<4>(), modes_[kStraight].covariance.topLeftCorner<4, 4>()};
     move_straight(straight, motion_.acceleration_density, dt_s);
     modes_[kStraight].mean.head<4>() = straight.mean;
     modes_[kStraight].covariance.topLeftCorner<4, 4>() = straight.covariance;
+
     move_turning(modes_[kTurns], motion_.acceleration_density, motion_.turn_density, dt_s);
   }
 
@@ -81,17 +101,21 @@ class InteractingMix final : public MotionFilter {
   }
 
   void observe(const Eigen::Vector2d& position, const Eigen::Matrix2d& covariance, double lag_s) override {
+    // Each mode's probability is multiplied by the likelihood that it gave the measurement (11.6.6). In logarithms,
+    // from the greatest one, so that nothing underflows.
     constexpr double kLeast = 1e-4;  // a mode never dies out: it may be needed again
     Weights log_weight{};
     for (std::size_t j = 0; j < kModes; ++j) {
       log_weight[j] = std::log(probability_[j]) + take_in(modes_[j], position, covariance, lag_s).log_likelihood();
     }
+
     const double most = *std::max_element(log_weight.begin(), log_weight.end());
     double sum = 0.0;
     for (std::size_t j = 0; j < kModes; ++j) {
       probability_[j] = std::max(kLeast, std::exp(log_weight[j] - most));
       sum += probability_[j];
     }
+
     for (double& part : probability_) part /= sum;
   }
 

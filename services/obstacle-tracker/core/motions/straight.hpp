@@ -1,4 +1,5 @@
 #pragma once
+
 #include "services/obstacle-tracker/core/motions/gaussian.hpp"
 
 namespace aisle::obstacle_tracker {
@@ -8,7 +9,7 @@ namespace aisle::obstacle_tracker {
 /// 2001, (6.2.2-4).
 Eigen::Matrix4d acceleration_noise(double q, double dt_s);
 
-/// Carries a state on that keeps its velocity, but for such noise (6.2.2-3). @pre dt_s >= 0
+/// Carries the state of a thing that keeps its velocity, but for such noise, on by dt_s (6.2.2-3). @pre dt_s >= 0
 void move_straight(Gaussian<4>& belief, double q, double dt_s);
 
 }  // namespace aisle::obstacle_tracker
