@@ -15,18 +15,20 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kTurn{20};
-constexpr milliseconds kAssert{50};  // of a lease of 200 ms
+constexpr milliseconds kAssert{50};  // four times within a lease of 200 ms
 constexpr std::uint32_t kMostEpochs = 2'000'000;
 constexpr const char* kPlanEpoch = "plan_epoch";  // counter in service_health: of the plans that a service follows
 
+/// @throws config::BadInput, which lists the planners that there are
 std::unique_ptr<Planner> make_planner(const std::string& name) {
   if (const Variant* variant = find_variant(name)) return variant->make();
+
   std::string names;
   for (const Variant& variant : all_variants()) names += (names.empty() ? "" : ", ") + variant.name;
   throw config::BadInput("planner: '" + name + "' is unknown; there are " + names);
 }
 
-/// A later epoch is heard, whatever its strength: ownership on the wire follows authority.
+/// Ownership on the wire follows authority: a later epoch always wins, and `strength` decides within one epoch.
 int ownership_strength(std::uint32_t epoch, int strength) {
   return static_cast<int>(std::min(epoch, kMostEpochs)) * 1000 + strength;
 }
@@ -49,23 +51,29 @@ GlobalPlannerService::GlobalPlannerService(service::Shell& shell, const ServiceC
   listen();
   shell.every(kTurn, work_soon_);
   shell.every(kAssert, [this] { keep_lead(); });
+
   shell.report([this](service::Health& health) { report(health); });
 }
 
 void GlobalPlannerService::listen() {
-  // A vehicle that is gone still stands where it was, and goals outlive whoever gave them: only tracks and plans end.
+  // Vehicles are kept when they leave the bus, as they still stand where they were, and goals outlive the program that
+  // gave them. Only tracks and plans end.
   shell_.inbox<topics::VehicleInfo>([this](const fleet::Vehicle& vehicle) {
     fleet_.set_vehicle(vehicle.id, shape_of(vehicle.footprint, vehicle.limits));
   });
+
   shell_.inbox<topics::VehicleState>([this](const fleet::VehicleState& state) {
     fleet_.set_pose(state.agv_id, state.motion.base_in_map, shell_.now());
   });
+
   shell_.inbox<topics::Goal>([this](const fleet::Goal& goal) {
     fleet_.set_goal(goal);
     work_soon_();
   });
+
   shell_.inbox<topics::NavigationStatus>(
       [this](const fleet::NavigationStatus& navigation) { fleet_.set_navigation(navigation, shell_.now()); });
+
   shell_
       .inbox<topics::Track>([this](const fleet::Track& track) {
         if (track.is_static) {
@@ -75,12 +83,15 @@ void GlobalPlannerService::listen() {
         }
       })
       .on_gone([this](std::uint64_t track_id, service::End) { fleet_.drop_track(track_id); });
+
   heard_plans_ =
       shell_.inbox<topics::Plan>([this](const fleet::Plan& plan, const service::Sender& from) { hear(plan, from.by); });
+
   heard_plans_.on_gone([this](const std::string&, service::End) {
     if (!leads()) leadership_.lose_leader();
     keep_lead();
   });
+
   shell_.inbox<topics::ServiceHealth>(
       [this](const fleet::ServiceHealth& health, const service::Sender& from) { hear(health, from.by); });
 }
@@ -88,16 +99,21 @@ void GlobalPlannerService::listen() {
 void GlobalPlannerService::hear(const fleet::ServiceHealth& health, const fleet::Origin& by) {
   const auto epoch = health.counters.find(kPlanEpoch);
   if (by.boot_id == shell_.boot_id() || epoch == health.counters.end()) return;
+
   leadership_.hear_of(static_cast<std::uint32_t>(std::min<std::uint64_t>(epoch->second, kMostEpochs)));
 }
 
 void GlobalPlannerService::hear(const fleet::Plan& plan, const fleet::Origin& by) {
   if (by.boot_id == shell_.boot_id()) return;  // our own
+
   shell_.count("heard_plans");
   leadership_.hear(by.epoch, by.boot_id);
+
   keep_lead();
   if (leads()) return;
+
   fleet_.adopt(plan);
+
   const std::string leader = by.source_id + ", epoch " + std::to_string(by.epoch);
   if (leader != std::exchange(followed_, leader)) shell_.log().info("follows {}", leader);
 }
@@ -106,6 +122,8 @@ void GlobalPlannerService::keep_lead() {
   const time::Stamp now = shell_.now();
   const bool was_leading = leads();
   const bool changed = leadership_.step(now, heard_plans_.matched_writers() - (was_leading ? 1 : 0));
+
+  // The first turn as the leader claims the topic under the new epoch; each later one says that it is alive.
   if (leads()) {
     if (changed) {
       plans_.claim(leadership_.epoch(), ownership_strength(leadership_.epoch(), config_.strength));
@@ -113,7 +131,9 @@ void GlobalPlannerService::keep_lead() {
       shell_.log().info("leads, epoch {}", leadership_.epoch());
       work_soon_();
     }
+
     plans_.assert_liveliness();
+
     asserted_ = now;
   } else if (changed) {
     plans_.release();
@@ -123,16 +143,23 @@ void GlobalPlannerService::keep_lead() {
 
 void GlobalPlannerService::work() {
   if (!leads()) return;
+
+  // One vehicle's turn.
   const time::Stamp begun = shell_.now();
   std::optional<Plan> plan = fleet_.step(begun, [&] { return is_too_late(begun); });
   for (const std::string& event : fleet_.take_events()) shell_.log().info("{}", event);
+
   if (!plan) return rest_after_searches();
+
+  // Publish its plan, and come back at once for the next vehicle.
   plan->planner = config_.planner;
   plan->planning_ms = 1e3 * time::seconds(shell_.now() - begun);
+
   plans_.write(*plan);
   asserted_ = shell_.now();
   shell_.count(plan->is_found() ? "plans_published" : "plans_without_path");
   if (plan->trigger != PlanTrigger::kNewGoal) shell_.count("plans_replaced_or_checked");
+
   work_soon_();
 }
 
@@ -148,6 +175,7 @@ bool GlobalPlannerService::is_too_late(time::Stamp begun) {
     plans_.assert_liveliness();
     asserted_ = now;
   }
+
   return now - begun > time::from_seconds(config_.longest_search_s);
 }
 

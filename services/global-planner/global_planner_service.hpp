@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -10,11 +11,12 @@
 
 namespace aisle::global_planner {
 
+/// What the process takes from its config file and its command line.
 struct ServiceConfig {
   std::string planner{"direct"};  // a name in core/variants
   int strength{100};              // of this planner among those of one epoch; the highest is heard
-  bool standby{false};            // does not lead before the leader is gone
-  double longest_search_s{1.0};
+  bool standby{false};            // waits until the leader is gone
+  double longest_search_s{1.0};   // then a search ends without a plan
   FleetSettings fleet;
 
   template <class Reader>
@@ -27,8 +29,9 @@ struct ServiceConfig {
   }
 };
 
-/// Between the bus and the fleet planner. Makes at most one plan a turn of the loop, so that samples are handled in
-/// between; the `plan` writer exists only while this planner leads.
+/// Plans for all vehicles, as the leader or as a standby that follows the leader's plans and takes over when the leader
+/// is gone. Makes at most one plan a turn of the loop, so that samples are handled in between. The `plan` writer exists
+/// only while this planner leads.
 class GlobalPlannerService {
  public:
   /// @throws config::BadInput for an unknown planner
@@ -37,21 +40,37 @@ class GlobalPlannerService {
   GlobalPlannerService& operator=(const GlobalPlannerService&) = delete;
 
  private:
+  /// Registers what is read with the shell.
   void listen();
+
+  /// A plan of another planner: its epoch decides who leads, and a standby adopts the plan.
   void hear(const fleet::Plan& plan, const fleet::Origin& by);
+
+  /// Epochs that other services have heard of, so that a restarted planner begins above them.
   void hear(const fleet::ServiceHealth& health, const fleet::Origin& by);
+
   bool leads() const { return leadership_.role() == fleet::Leadership::Role::kLeading; }
+
+  /// Leads or stands by, as the leadership says, and claims or releases the topic when that changes.
   void keep_lead();
+
+  /// Attends to one vehicle, and publishes what comes of it.
   void work();
-  /// Nobody waits for a plan: what searches need, some bytes a cell of the map, is given back.
+
+  /// No plan is asked for: the memory of searches, some bytes a cell of the map, is given back.
+
   void rest_after_searches();
+
+  /// Has the search that began then taken too long? Also asserts liveliness meanwhile.
   bool is_too_late(time::Stamp begun);
+
   void report(service::Health& health) const;
 
   service::Shell& shell_;
   ServiceConfig config_;
   service::MapClient& map_;
   FleetPlanner fleet_;
+
   fleet::Leadership leadership_;
   service::Inbox<topics::Plan> heard_plans_;
   service::Outbox<topics::Plan> plans_;  // open while this planner leads

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,35 +10,42 @@
 
 namespace aisle::global_planner {
 
-/// The parts of the map that a vehicle can drive within but not between, cutting no corner. Kept as runs of traversable
-/// cells in a row, joined where they touch (union-find over runs: one pass over the map, 64 cells at once, where a
-/// flood looks at every cell).
+/// The parts of the map within which a vehicle can drive, but not from one to another, cutting no corner. Kept as runs
+/// of traversable cells in a row, joined where they touch: union-find over runs, one pass over the map, 64 cells at
+/// once, where a flood fill looks at every cell.
 class ConnectedParts {
  public:
-  /// Nothing to do when is_made_for(drivable).
+  /// Finds the parts for this field and radius; does nothing when is_made_for(drivable).
   void make(const Drivable& drivable);
 
   /// Were they made of this field, for this radius? Never when an end is tight, which holds for one problem only.
   bool is_made_for(const Drivable& drivable) const;
 
-  /// Surely no way from one to the other: both are traversable, in different parts. @pre both in the map
+  /// True: there is surely no way from one to the other, as both are traversable, in different parts. @pre both in the
+  /// map
   bool are_apart(grid::Cell a, grid::Cell b) const;
 
-  /// Of the part that `from` lies in, the cell whose centre is nearest to the point; nothing when `from` is not
-  /// traversable.
-  /// @pre `from` is in the map; the point may lie anywhere
+  /// The cell of the part in which `from` lies whose centre is nearest to the point; nothing when `from` is not
+  /// traversable. @pre `from` is in the map; the point may lie anywhere
   std::optional<grid::Cell> nearest(grid::Cell from, geometry::Point2 to_in_map) const;
 
  private:
+  /// Neighbouring traversable cells of one row.
   struct Run {
     int begin;           // x of the first cell
     int end;             // x after the last
     std::uint32_t part;  // index of a run of the same part; of the part's first run when all is made
   };
 
+  /// Appends the runs of row y.
   void add_row(int y);
+
   void join_to_row_below(int y);
+
+  /// Index of the first run of the part, as far as it is known.
   std::uint32_t first_of(std::uint32_t run);
+
+  /// The run that holds the cell; null when it is not traversable.
   const Run* run_of(grid::Cell cell) const;
 
   grid::Geometry geometry_;

@@ -34,6 +34,7 @@ Drivable::Drivable(const Problem& problem)
 TightEnd Drivable::tight_end(const Problem& problem, Point2 end_in_map) const {
   const double here_m =
       std::min(clearance_.clearance_m(end_in_map), clearance_.clearance_m(geometry_.cell_at(end_in_map)));
+
   const bool is_tight = here_m < radius_m_ && here_m >= std::max(problem.least_radius_m, kLeastRadius_m);
   return {end_in_map, is_tight ? problem.tight_range_m : 0.0, here_m};
 }
@@ -42,11 +43,14 @@ bool Drivable::is_traversable_at_tight_end(float clearance_m, grid::Cell c) cons
   // A step may lead out of the range, so cells count as within it only where the whole step is.
   const double cell_m = geometry_.resolution_m;
   double radius_m = radius_m_;
+
   for (const TightEnd* end : {&start_, &goal_}) {
     const double range_m = end->range_m > 0.0 ? std::max(end->range_m - 1.5 * cell_m, 0.75 * cell_m) : -1.0;
+
     if (geometry::distance(geometry_.center_in_map(c), end->center_in_map) <= range_m)
       radius_m = std::min(radius_m, end->radius_m);
   }
+
   return clearance_m >= radius_m;
 }
 
@@ -56,6 +60,7 @@ double Drivable::radius_at(Point2 in_map) const {
     if (end->range_m > 0.0 && geometry::distance(in_map, end->center_in_map) <= end->range_m)
       radius_m = std::min(radius_m, end->radius_m);
   }
+
   return radius_m;
 }
 
@@ -67,12 +72,15 @@ bool Drivable::is_line_free(Point2 from, Point2 to) const {
 bool Drivable::is_line_free(Point2 from, Point2 to, grid::Blocker& blocker) const {
   if (grid::is_line_free(clearance_, from, to, radius_m_, &blocker)) return true;
   if (!has_tight_end_) return false;
-  blocker = {};  // a tight end may let the vehicle pass it
+
+  // A tight end may let the vehicle pass what stopped it: look at points, four in a cell.
+  blocker = {};
   const double length_m = geometry::distance(from, to);
   const int pieces = 1 + static_cast<int>(length_m / (0.25 * geometry_.resolution_m));
   for (int i = 0; i <= pieces; ++i) {
     if (!is_free(from + (static_cast<double>(i) / pieces) * (to - from))) return false;
   }
+
   return true;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 
 #include "common/grid/line_of_sight.hpp"
@@ -13,8 +14,8 @@ struct TightEnd {
   double radius_m{0.0};  // that the end itself offers
 };
 
-/// Where the vehicle of one problem may be: the clearance field seen through its radius, tight ends included.
-/// @pre start and goal are in the map
+/// Where the vehicle of one problem may be: the clearance field seen through its radius, tight ends included. Refers to
+/// the problem's field, which must outlive it. @pre start and goal are in the map
 class Drivable {
  public:
   explicit Drivable(const Problem& problem);
@@ -30,11 +31,14 @@ class Drivable {
     return clearance_m >= least_m_ || (has_tight_end_ && is_traversable_at_tight_end(clearance_m, c));
   }
 
-  /// What decides is_traversable: the field, the least clearance, and whether an end is an exception from it.
+  /// What decides is_traversable(): the field, the least clearance in metres, and whether an end is an exception from
+  /// it.
   std::uint64_t field_revision() const { return clearance_.revision(); }
   float least_m() const { return least_m_; }
   const float* clearances_m() const { return clearances_m_; }  // of every cell
   bool has_tight_end() const { return has_tight_end_; }
+
+  /// The exceptions at both ends; range_m is 0 where there is none.
   const TightEnd& start() const { return start_; }
   const TightEnd& goal() const { return goal_; }
 
@@ -47,20 +51,25 @@ class Drivable {
   /// May the vehicle sweep the straight segment?
   bool is_line_free(geometry::Point2 from_in_map, geometry::Point2 to_in_map) const;
 
-  /// The same; `blocker` is what stopped it, where one cell alone decides.
+  /// The same; where one cell alone stopped it, `blocker` is that cell.
   bool is_line_free(geometry::Point2 from_in_map, geometry::Point2 to_in_map, grid::Blocker& blocker) const;
 
-  /// Does this one stop the vehicle on the straight segment as well? False when that is not sure.
+  /// Does this cell stop the vehicle on the straight segment as well? False when that is not sure.
   bool is_stopped_by(const grid::Blocker& blocker, geometry::Point2 from_in_map, geometry::Point2 to_in_map) const {
     return blocker.blocks(geometry_, from_in_map, to_in_map, radius_m_);
   }
 
-  /// The same, and nowhere nearer to an obstacle than the problem's safe distance.
+  /// May the vehicle sweep the segment, and is it nowhere nearer to an obstacle than the problem's safe distance?
   bool is_line_safe(geometry::Point2 from_in_map, geometry::Point2 to_in_map) const;
 
  private:
+  /// The exception at a start or goal that lies nearer to an obstacle than the radius, but not nearer than the bare
+  /// vehicle.
   TightEnd tight_end(const Problem& problem, geometry::Point2 end_in_map) const;
+
   bool is_traversable_at_tight_end(float clearance_m, grid::Cell c) const;
+
+  /// The radius to keep at this point.
   double radius_at(geometry::Point2 in_map) const;
 
   const grid::ClearanceField& clearance_;
@@ -69,7 +78,8 @@ class Drivable {
   double radius_m_;
   double safe_distance_m_;
   float least_m_;  // radius_m_, rounded up
-  TightEnd start_, goal_;
+  TightEnd start_;
+  TightEnd goal_;
   bool has_tight_end_;
 };
 

@@ -21,12 +21,15 @@ StampedDiscs::StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField
   const grid::Geometry& geometry = grid.geometry();
   std::vector<grid::Cell> stamped;
   for (const Disc& disc : discs) {
+    // The square around the disc, within the grid.
     const geometry::Point2 reach{disc.radius_m, disc.radius_m};
     grid::Cell low = geometry.cell_at(disc.center_in_map - reach);
     grid::Cell high = geometry.cell_at(disc.center_in_map + reach);
     low = {std::max(low.x, 0), std::max(low.y, 0)};
     high = {std::min(high.x, geometry.width - 1), std::min(high.y, geometry.height - 1)};
+
     const std::size_t before = stamped.size();
+
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
         const grid::Cell cell{x, y};
@@ -34,8 +37,11 @@ StampedDiscs::StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField
         stamped.push_back(cell);
       }
     }
+
     if (stamped.size() > before) windows_.push_back({low, high});
   }
+
+  // All discs first, then the field: windows may overlap, and each must see the cells of all discs.
   for (const Window& window : windows_) clearance_.update(grid_, window.low, window.high, stamped);
 }
 

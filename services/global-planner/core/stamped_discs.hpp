@@ -1,29 +1,35 @@
 #pragma once
+
 #include <vector>
 
 #include "common/grid/clearance.hpp"
 
 namespace aisle::global_planner {
 
+/// A round obstacle that is not in the map.
 struct Disc {
   geometry::Point2 center_in_map;
   double radius_m{0.0};
 };
 
-/// Puts discs into the clearance field of a grid for as long as it lives, then takes them out again; the field is then
-/// cell by cell what it was. Only windows around the discs are recomputed.
+/// Puts discs into the clearance field of a grid for as long as it lives, then takes them out again; the field is then,
+/// cell by cell, what it was. Only windows around the discs are computed anew.
 class StampedDiscs {
  public:
+  /// Every free cell whose square touches a disc counts as occupied. Both `grid` and `clearance` must outlive this
+  /// object; the field must be that of the grid.
   StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField& clearance, const std::vector<Disc>& discs);
   ~StampedDiscs();
   StampedDiscs(const StampedDiscs&) = delete;
   StampedDiscs& operator=(const StampedDiscs&) = delete;
 
  private:
+  /// The cells around a disc that the field was computed anew for; both corners included.
   struct Window {
     grid::Cell low;
     grid::Cell high;
   };
+
   const grid::OccupancyGrid& grid_;
   grid::ClearanceField& clearance_;
   std::vector<Window> windows_;

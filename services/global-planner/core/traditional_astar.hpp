@@ -1,10 +1,12 @@
 #pragma once
+
 #include <memory>
 
 #include "services/global-planner/core/planner.hpp"
 
 namespace aisle::global_planner {
 
+/// Estimates of the way left; moves of one step.
 enum class Heuristic { kEuclidean, kChebyshev, kOctile };
 enum class Moves { kEight, kFour };
 
