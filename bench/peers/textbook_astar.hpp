@@ -10,33 +10,35 @@
 
 namespace aisle::bench {
 
+/// An entry of the queue: the least f = g + h first.
+struct TextbookOpen {
+  double f;
+  std::size_t index;
+
+  bool operator<(const TextbookOpen& other) const { return f > other.f; }
+};
+
+/// Cells from `a` to `b` on an empty grid with diagonal steps: max(dx, dy) + (sqrt(2) - 1) min(dx, dy).
+inline double octile_cells(grid::Cell a, grid::Cell b) {
+  const double dx = std::abs(a.x - b.x);
+  const double dy = std::abs(a.y - b.y);
+  return std::max(dx, dy) + (std::sqrt(2.0) - 1.0) * std::min(dx, dy);
+}
+
 /// A* as a textbook prints it, to measure ours against in the same run: std::priority_queue, doubles, fresh arrays for
 /// each query, octile heuristic, no corner cut, and the path from goal to start at the end.
 inline PeerAnswer textbook_astar(const grid::OccupancyGrid& grid, grid::Cell start, grid::Cell goal) {
-  struct Open {
-    double f;
-    std::size_t index;
-
-    bool operator<(const Open& other) const { return f > other.f; }
-  };
-
   const grid::Geometry& geometry = grid.geometry();
   const double diagonal = std::sqrt(2.0);
-
-  const auto h = [&](grid::Cell c) {
-    const double dx = std::abs(c.x - goal.x);
-    const double dy = std::abs(c.y - goal.y);
-    return std::max(dx, dy) + (diagonal - 1.0) * std::min(dx, dy);
-  };
 
   PeerAnswer answer;
   std::vector<double> g(geometry.cells(), INFINITY);
   std::vector<bool> closed(geometry.cells(), false);
   std::vector<std::size_t> parent(geometry.cells());
-  std::priority_queue<Open> open;
+  std::priority_queue<TextbookOpen> open;
 
   g[geometry.index(start)] = 0.0;
-  open.push({h(start), geometry.index(start)});
+  open.push({octile_cells(start, goal), geometry.index(start)});
 
   while (!open.empty()) {
     const std::size_t index = open.top().index;
@@ -71,7 +73,7 @@ inline PeerAnswer textbook_astar(const grid::OccupancyGrid& grid, grid::Cell sta
 
         g[next] = through;
         parent[next] = index;
-        open.push({through + h(to), next});
+        open.push({through + octile_cells(to, goal), next});
       }
     }
   }

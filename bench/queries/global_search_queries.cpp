@@ -105,6 +105,19 @@ double warm_up(const Site& site, const Contestant& contestant) {
                             : 0.0;
 }
 
+/// All contestants but those of these names.
+std::vector<Contestant> players_of(const Site& site, const std::vector<std::string>& without) {
+  std::vector<Contestant> all = contestants(site);
+
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const Contestant& c) {
+                             return std::find(without.begin(), without.end(), c.name) != without.end();
+                           }),
+            all.end());
+
+  return all;
+}
+
 /// A planner that did not answer everything in an earlier round is not asked again.
 bool is_too_slow(const std::vector<Row>& rows, const std::string& map, const std::string& planner) {
   return std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
@@ -154,17 +167,8 @@ int main(int argc, char** argv) {
   std::map<std::pair<std::string, std::string>, double> bytes_a_cell;
 
   for (const Site& site : sites) {
-    players.push_back(contestants(site));
-
-    auto& all = players.back();
-
-    all.erase(std::remove_if(all.begin(), all.end(),
-                             [&](const Contestant& c) {
-                               return std::find(without.begin(), without.end(), c.name) != without.end();
-                             }),
-              all.end());
-
-    for (const Contestant& player : all) bytes_a_cell[{site.name, player.name}] = warm_up(site, player);
+    players.push_back(players_of(site, without));
+    for (const Contestant& player : players.back()) bytes_a_cell[{site.name, player.name}] = warm_up(site, player);
   }
 
   std::vector<Row> rows;

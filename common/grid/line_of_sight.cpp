@@ -257,6 +257,36 @@ bool is_walk_free(const ClearanceField& clearance, Axis& x, Axis& y, double leng
   return true;
 }
 
+/// A part of a ray, as lengths from its start; empty when it enters after it leaves.
+struct Stretch {
+  double enters;
+  double leaves;
+};
+
+/// The part of the ray, at most `range` long, that lies in the grid: within the columns, and within the
+/// rows. All lengths are in cells, `start` from the grid's lower left corner.
+Stretch stretch_in_grid(const Geometry& g, Point2 start, Point2 direction, double range) {
+  Stretch inside{0.0, range};
+
+  const auto clip = [&](double begin, double change, double size) {
+    if (change == 0.0) {
+      if (begin < 0.0 || begin >= size) inside.leaves = -1.0;
+      return;
+    }
+
+    const double at_low = -begin / change;
+    const double at_high = (size - begin) / change;
+
+    inside.enters = std::max(inside.enters, std::min(at_low, at_high));
+    inside.leaves = std::min(inside.leaves, std::max(at_low, at_high));
+  };
+
+  clip(start.x, direction.x, g.width);
+  clip(start.y, direction.y, g.height);
+
+  return inside;
+}
+
 }  // namespace
 
 bool Blocker::blocks(const Geometry& geometry, Point2 from_in_map, Point2 to_in_map, double radius_m) const {
@@ -307,28 +337,11 @@ double cast_ray(const OccupancyGrid& grid, Point2 from_in_map, double angle_rad,
                      (from_in_map.y - g.origin_in_map.y) / g.resolution_m};
   const double range = max_range_m / g.resolution_m;  // lengths are in cells from here on
 
-  // Where the ray enters and leaves the grid.
-  double travelled = 0.0;
-  double leaves = range;
+  const Stretch inside = stretch_in_grid(g, start, direction, range);
+  if (inside.enters > inside.leaves) return max_range_m;
 
-  const auto clip = [&](double begin, double change, double size) {
-    if (change == 0.0) {
-      if (begin < 0.0 || begin >= size) leaves = -1.0;
-      return;
-    }
-
-    const double at_low = -begin / change;
-    const double at_high = (size - begin) / change;
-
-    travelled = std::max(travelled, std::min(at_low, at_high));
-    leaves = std::min(leaves, std::max(at_low, at_high));
-  };
-
-  clip(start.x, direction.x, g.width);
-  clip(start.y, direction.y, g.height);
-
-  if (travelled > leaves) return max_range_m;
-
+  // The first cell, and how far along the ray the next borders are.
+  double travelled = inside.enters;
   const auto entered = [&](double begin, double change, int size) {
     return std::clamp(static_cast<int>(std::floor(begin + travelled * change)), 0, size - 1);
   };
@@ -342,6 +355,8 @@ double cast_ray(const OccupancyGrid& grid, Point2 from_in_map, double angle_rad,
   Point2 border{first_border(start.x, direction.x, cell.x), first_border(start.y, direction.y, cell.y)};
   const Point2 spacing{direction.x == 0.0 ? kNever : 1.0 / std::fabs(direction.x),
                        direction.y == 0.0 ? kNever : 1.0 / std::fabs(direction.y)};
+
+  // From cell to cell: the nearer border is crossed next. The grid ends where no column or row is left.
   const Occupancy* here = grid.cells().data() + g.index(cell);
   const std::ptrdiff_t row = step.y * static_cast<std::ptrdiff_t>(g.width);
   int columns_left = step.x > 0 ? g.width - cell.x : cell.x + 1;

@@ -18,6 +18,34 @@ constexpr time::Stamp kHandover = std::chrono::milliseconds(500);
 /// For messages.
 std::string name_of(const PeerHealth& peer) { return fmt::format("process {} on host {}", peer.process_id, peer.host); }
 
+/// `other`: the process that has the same id; null: it is this one.
+Finding duplicate_instance(const PeerHealth& peer, const PeerHealth* other) {
+  return {Finding::Kind::kDuplicateInstance, peer.instance_id,
+          fmt::format("instance id '{}' is used twice: also by {}{}; give one of them another --instance",
+                      peer.instance_id, name_of(peer), other == nullptr ? "" : " beside " + name_of(*other))};
+}
+
+/// Another process of this one's service for the same vehicle.
+Finding duplicate_vehicle(const PeerHealth& peer) {
+  return {Finding::Kind::kDuplicateVehicle, peer.instance_id,
+          fmt::format("'{}' has two processes of the service {}: '{}' ({}) beside this one; stop one of "
+                      "them, or give it another vehicle's id",
+                      peer.agv_id, peer.service, peer.instance_id, name_of(peer))};
+}
+
+Finding other_idl_version(const PeerHealth& peer, std::uint32_t own_idl_version) {
+  return {Finding::Kind::kOtherIdlVersion, peer.instance_id,
+          fmt::format("{} ({}) speaks IDL version {} (software {}), this process {}; install the same release on both",
+                      peer.instance_id, name_of(peer), peer.idl_version, peer.software_version, own_idl_version)};
+}
+
+/// `skew_s`: how much the peer's wall clock shows more than ours.
+Finding clock_skew(const PeerHealth& peer, double skew_s) {
+  return {Finding::Kind::kClockSkew, peer.instance_id,
+          fmt::format("the clock of host {} ({}) is {:.1f} s {} ours; synchronise both, e.g. with chrony", peer.host,
+                      peer.instance_id, std::abs(skew_s), skew_s > 0 ? "ahead of" : "behind")};
+}
+
 }  // namespace
 
 PeerWatch::PeerWatch(std::string own_instance_id, std::uint64_t own_boot_id, std::uint32_t own_idl_version,
@@ -64,29 +92,19 @@ std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, st
   if (duplicate && !seen.said_duplicate) {
     seen.said_duplicate = true;
 
-    const bool is_ours = peer.instance_id == own_instance_id_;
-    findings.push_back(
-        {Finding::Kind::kDuplicateInstance, peer.instance_id,
-         fmt::format("instance id '{}' is used twice: also by {}{}; give one of them another --instance",
-                     peer.instance_id, name_of(peer), is_ours ? "" : " beside " + name_of(seen.newest))});
+    findings.push_back(duplicate_instance(peer, peer.instance_id == own_instance_id_ ? nullptr : &seen.newest));
   }
 
   if (peer.boot_id < seen.newest.boot_id) return findings;
 
   if (is_twin(peer) && !seen.said_twin) {
     seen.said_twin = true;
-    findings.push_back({Finding::Kind::kDuplicateVehicle, peer.instance_id,
-                        fmt::format("'{}' has two processes of the service {}: '{}' ({}) beside this one; stop one of "
-                                    "them, or give it another vehicle's id",
-                                    own_agv_id_, own_service_, peer.instance_id, name_of(peer))});
+    findings.push_back(duplicate_vehicle(peer));
   }
 
   if (peer.idl_version != own_idl_version_ && !seen.said_version) {
     seen.said_version = true;
-    findings.push_back(
-        {Finding::Kind::kOtherIdlVersion, peer.instance_id,
-         fmt::format("{} ({}) speaks IDL version {} (software {}), this process {}; install the same release on both",
-                     peer.instance_id, name_of(peer), peer.idl_version, peer.software_version, own_idl_version_)});
+    findings.push_back(other_idl_version(peer, own_idl_version_));
   }
 
   // The first sample may be history that waited for us, so one that is fresh must confirm it.
@@ -95,10 +113,7 @@ std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, st
 
   if (is_skewed && !seen.said_skew) {
     seen.said_skew = true;
-    findings.push_back(
-        {Finding::Kind::kClockSkew, peer.instance_id,
-         fmt::format("the clock of host {} ({}) is {:.1f} s {} ours; synchronise both, e.g. with chrony", peer.host,
-                     peer.instance_id, std::abs(skew_s), skew_s > 0 ? "ahead of" : "behind")});
+    findings.push_back(clock_skew(peer, skew_s));
   }
 
   seen.last_skew_s = skew_s;
