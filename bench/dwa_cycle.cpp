@@ -102,6 +102,7 @@ Place make_place(int boxes, int anywhere, int tracks, double room_m) {
           grid.set({low.x + x, low.y + y}, grid::Occupancy::kOccupied);
   }
 
+  // The tracks: anywhere, but not at the vehicle.
   place.clearance = grid::ClearanceField(grid, 5.0);
 
   for (int i = 0; i < tracks; ++i)
@@ -349,6 +350,7 @@ void print_goals(const std::vector<Row>& rows) {
 
   goal("forklift: ns a point, 100 boxes, median", median_of(ours("forklift", 100, 0)), 25.0);
 
+  // How much single cycles differ, beside a loop that should not.
   double worst = 0.0, worst_steady = 0.0, worst_of_both = 0.0;
   for (const Row& row : rows) {
     const double ours_spread = spread_of(row.ours), steady_spread = spread_of(row.steady);

@@ -146,6 +146,7 @@ class Fleet {
           geometry.center_in_map(middle), {middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}};
       if (!geometry.contains(box.low) || !geometry.contains(box.high) || is_near_an_end(box)) continue;
 
+      // Enough plans pass it?
       const auto blocked =
           std::count_if(plans_.begin(), plans_.end(), [&](const auto& other) { return passes(other.second, box); });
       if (blocked >= static_cast<std::ptrdiff_t>(kBlocked)) return box;

@@ -59,6 +59,8 @@ class LifelongPlanning {
       Value& value = values_[index];
       if (value.known == value.ahead || !(top.key == key(top.cell))) continue;  // stale
 
+      // Overconsistent: g becomes rhs. Underconsistent: g becomes infinite, and the cell is looked at
+      // anew.
       const bool gets_cheaper = value.known > value.ahead;
       value.known = gets_cheaper ? value.ahead : kNever;
       if (!gets_cheaper) update(top.cell);
@@ -170,6 +172,7 @@ void edit_and_plan(grid::OccupancyGrid& grid, grid::ClearanceField& clearance, c
 
   times.first.push_back(microseconds([&] { lifelong.search(); }));
 
+  // A square of a metre on the middle of the path.
   const grid::Cell middle = geometry.cell_at(before.waypoints_in_map[before.waypoints_in_map.size() / 2]);
   const int half = std::max(1, static_cast<int>(0.5 / geometry.resolution_m));
   const grid::Cell low{std::max(0, middle.x - half), std::max(0, middle.y - half)};

@@ -71,6 +71,8 @@ class Hall final : public tracking::Scene {
 
   tracking::Moment at(double t_s) override {
     tracking::Moment moment;
+
+    // Vehicles drive in circles.
     for (int v = 0; v < kVehicles; ++v) {
       constexpr double kRadius_m = 1.4;
       constexpr double kSpeed_mps = 0.8;
@@ -85,6 +87,7 @@ class Hall final : public tracking::Scene {
       moment.vehicles.push_back(carrier);
     }
 
+    // People walk to and fro.
     for (int p = 0; p < kPeople; ++p) {
       const Leg& leg = legs_[static_cast<std::size_t>(p)];
       const double length_m = std::max(1.0, geometry::distance(leg.from, leg.to));

@@ -83,6 +83,7 @@ Row measure(const Site& site, const Contestant& contestant, int round, bool chec
     row.length_ratio_max = std::max(row.length_ratio_max, length_ratio);
   }
 
+  // Means and quantiles over what was asked.
   row.asked = times_us.size();
   for (const double t : times_us) row.mean_us += t / static_cast<double>(row.asked);
   row.expanded_mean /= static_cast<double>(std::max<std::size_t>(1, row.asked));
@@ -171,6 +172,7 @@ int main(int argc, char** argv) {
     for (const Contestant& player : players.back()) bytes_a_cell[{site.name, player.name}] = warm_up(site, player);
   }
 
+  // Round by round, so that a slow spell of the machine hits all alike.
   std::vector<Row> rows;
   for (int round = 1; round <= rounds; ++round) {
     for (std::size_t i = 0; i < sites.size(); ++i) {

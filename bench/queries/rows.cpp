@@ -94,6 +94,7 @@ void print_table(std::ostream& out, const std::vector<Row>& rows) {
     fmt::print(out, "\n{}\n  {:<18}{:>12}{:>12}{:>12}{:>10}{:>10}{:>9}{:>11}\n", map, "planner", "mean us", "p99 us",
                "expanded", "ns/exp.", "length", "solved", "x textbook");
 
+    // The round in the middle, by the time that this planner took.
     for (const std::string& planner : names(rows, &Row::planner)) {
       std::vector<Row> of_it;
       for (const Row& row : rows) {
@@ -140,6 +141,7 @@ void print_goals(std::ostream& out, const std::vector<Row>& rows, const std::vec
   if (bytes > 0.0) goal(out, "memory of a query on the largest map, bytes a cell, astar and jps", bytes, 16.0);
   goal(out, "answers of ours that the path checker refuses, all variants", static_cast<double>(undrivable), 0.0);
 
+  // Planners whose paths are shorter than the grid's optimum.
   for (const std::string& planner : names(rows, &Row::planner)) {
     const auto length = [&](const std::string& map) {
       return over_rounds(rows, map, planner, [](const Row& r) { return r.length_ratio_mean; });

@@ -217,6 +217,7 @@ void ClearanceField::recompute(const OccupancyGrid& grid, const std::vector<Cell
   Columns columns(seen, geometry_.height, far);
   columns.look_up_from_below(grid, also_occupied);
 
+  // Rows from the top, while the second sweep of the columns comes down with them.
   NearRow near(seen.width());
   RowEnvelope envelope(reach > NearRow::kSteps ? seen.width() : 0);
 
@@ -239,6 +240,7 @@ void ClearanceField::recompute(const OccupancyGrid& grid, const std::vector<Cell
 
       if (is_exact) continue;
 
+      // Something in the block is too far for NearRow.
       if (envelope.empty()) fill(envelope, row, seen, geometry_.width, far);
 
       std::array<double, NearRow::kBlock> squared;

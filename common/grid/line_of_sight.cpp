@@ -144,6 +144,7 @@ std::optional<Cell> touched_cell(const ClearanceField& clearance, const Axis& x,
   const std::optional<Cell> likely = downhill(clearance, g.cell_at(here));
   if (likely && squared_distance(here, shrunk_cell(g, *likely)) < radius_m * radius_m) return likely;
 
+  // Rare: the nearest occupied square of all within reach.
   std::optional<Cell> nearest;
   double nearest_m2 = kNever;
 

@@ -58,6 +58,7 @@ MapMirror::Change MapMirror::take(const MapSummary& summary) {
 MapMirror::Change MapMirror::take(const Tile& tile) {
   if (!is_sound(tile)) return Change::kNone;
 
+  // Before the first summary every tile waits.
   if (!summary_) {
     if (waiting_.size() >= kMaxTiles) return Change::kNone;
     Tile& waiting = waiting_[{tile.tile_y, tile.tile_x}];
@@ -156,6 +157,7 @@ MapMirror::Change MapMirror::completed() {
   changed_low_ = {tiling.geometry.width, tiling.geometry.height};
   changed_high_ = {-1, -1};
 
+  // The first map: everything counts as changed.
   if (revision_ == 0) {
     grid_ = OccupancyGrid(tiling.geometry, Occupancy::kUnknown);
     changed_low_ = {0, 0};

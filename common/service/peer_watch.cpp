@@ -81,6 +81,7 @@ std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, st
     position = seen_.emplace(peer.instance_id, Seen{}).first;
   }
 
+  // A later start of the process: it is judged anew.
   Seen& seen = position->second;
   if (seen.samples == 0 || peer.boot_id > seen.newest.boot_id) {
     const bool said_duplicate = seen.said_duplicate;

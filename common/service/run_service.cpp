@@ -128,6 +128,7 @@ std::vector<Identity> identities_of(const About& about, const Common& common) {
     return {process};
   }
 
+  // One for each vehicle, named after it.
   const std::vector<std::string> agv_ids = split_ids(about.agv_id_flag, common.agv_ids);
   std::vector<Identity> identities;
 

@@ -146,6 +146,7 @@ Decoded<grid::MapSummary> decode(const aisle::MapInfo& sample) {
 
   if (!checks.ok()) return Decoded<grid::MapSummary>::refused(checks.reason());
 
+  // As many hashes as tiles, and no more than a map may have.
   const auto tiles =
       static_cast<std::size_t>(summary.tiling.tiles_x()) * static_cast<std::size_t>(summary.tiling.tiles_y());
   checks.count("tile_hashes", sample.tile_hashes().size(), tiles, std::min(tiles, kMaxTiles));

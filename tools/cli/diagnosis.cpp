@@ -64,6 +64,7 @@ std::vector<Problem> judge_network(const bus::Settings& settings, const std::vec
   for (const NetworkInterface& interface : interfaces)
     known += (known.empty() ? "" : ", ") + interface.address + " (" + interface.name + ")";
 
+  // Addresses that were asked for and are not there.
   for (const std::string& address : settings.interfaces) {
     const bool is_ours =
         std::any_of(interfaces.begin(), interfaces.end(), [&](const auto& i) { return i.address == address; });
@@ -71,6 +72,7 @@ std::vector<Problem> judge_network(const bus::Settings& settings, const std::vec
       problems.push_back({"network", "no interface of this host has the address " + address + "; it has " + known});
   }
 
+  // Interfaces on which discovery needs multicast.
   const bool needs_multicast = settings.peers.empty() && settings.discovery_server.empty();
   for (const NetworkInterface& interface : interfaces) {
     const bool is_used = settings.interfaces.empty() ? !interface.is_loopback
@@ -146,6 +148,7 @@ std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::v
     is_anybody_in_ours = true;
   }
 
+  // Only other partitions are used.
   if (!is_anybody_in_ours && !other_partitions.empty()) {
     std::string names;
     for (const std::string& name : other_partitions) names += (names.empty() ? "" : ", ") + quoted(name);

@@ -148,6 +148,7 @@ int doctor(const Cli& cli, double wait_s) {
       problems.push_back(std::move(problem));
   }
 
+  // The site: everything that is said for a while.
   Examination examination(cli);
   examination.look(Seconds(wait_s));
 
@@ -158,6 +159,7 @@ int doctor(const Cli& cli, double wait_s) {
 
   for (Problem& problem : examination.problems(cli.settings)) problems.push_back(std::move(problem));
 
+  // What was over before it was seen is no reason for a bad exit code.
   const bool is_well =
       std::all_of(problems.begin(), problems.end(), [](const Problem& problem) { return problem.is_past; });
   const std::string seen = fmt::format("{} other processes, {} services, {} vehicles", examination.participants(),

@@ -203,6 +203,7 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
 
   for (const std::string& line : outcome.result.log) say(line);
 
+  // A plan from a seed that did harm is printed, to be run again from a file.
   const bool is_good = outcome.report.goals_missed() == 0 && outcome.report.contacts_moving_vehicle() == 0 &&
                        outcome.report.violations.empty();
   if (options.fault_seed > 0 && (options.verbose || !is_good))

@@ -56,6 +56,7 @@ int cancel(const Cli& cli, const std::string& agv_id, double timeout_s) {
     return report_cancelled(cli, talk, goal_id, "cancelled", "goal " + goal_id + " was cancelled before",
                             process::kDone);
 
+  // The same goal, cancelled.
   fleet::Goal goal;
   goal.agv_id = agv_id;
   goal.id = goal_id;

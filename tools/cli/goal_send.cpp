@@ -107,6 +107,7 @@ int follow(const Cli& cli, GoalTalk& talk, const fleet::Goal& goal, Seconds limi
     return phase == fleet::Phase::kArrived || phase == fleet::Phase::kFailed;
   };
 
+  // Until it is over, or another goal takes its place.
   std::string replaced_by;
   bool is_over_now = false;
 
@@ -150,6 +151,7 @@ int send(const Cli& cli, const SendOptions& options) {
 
   talk.require_vehicle();
 
+  // Said until a plan for it comes.
   const Seconds until_planned = options.timeout_s > 0.0 ? Seconds(options.timeout_s) : kUntilPlanned;
   const auto is_planned = [&] { return talk.plan() && talk.plan()->goal_id == goal_id; };
   if (!talk.say_until(goal, until_planned, is_planned)) return report_no_answer(cli, talk, goal, until_planned.count());

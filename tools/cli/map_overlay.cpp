@@ -81,6 +81,8 @@ int show_overlay(const Cli& cli, double wait_s) {
 
   run_until(*bus, Seconds(wait_s), [&] { return book.has_tracker(); });
   require_tracker(cli, book);
+
+  // Long enough for every standing track to be said.
   run_until(*bus, Seconds(kListen_s), [] { return false; });
 
   Json json = Json::array();

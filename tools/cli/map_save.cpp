@@ -39,6 +39,8 @@ int save(const Cli& cli, const SaveOptions& options) {
   check_name(options.file);
 
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-map-save");
+
+  // The cells alone; no clearances are needed.
   service::MapClient::Options client_options;
 
   client_options.map_id = options.map_id;

@@ -52,6 +52,7 @@ bool multicast_works(in_addr address) {
       !socket.set(IP_MULTICAST_TTL, nowhere))
     return false;
 
+  // Any free port, to which the datagram is sent.
   sockaddr_in here{};
   here.sin_family = AF_INET;
   here.sin_addr.s_addr = htonl(INADDR_ANY);

@@ -73,6 +73,7 @@ int plan(const Cli& cli, PlanOrders& orders) {
                              : text_of_table(lab::rows_of(result.tallies)).c_str());
   if (!orders.svg.empty()) process::write_output_file(orders.svg, lab::plan_svg(grid, result.paths));
 
+  // Exit code 0: everything was solved, and no path failed the check.
   bool is_clean = !is_interrupted();
   for (const lab::Tally& tally : result.tallies) {
     is_clean = is_clean && tally.solved() == tally.asked() && tally.checker_failures() == 0;

@@ -62,6 +62,7 @@ SharedMemory probe_shared_memory(const fs::path& folder) {
   memory.capacity_bytes = space.capacity;
   memory.available_bytes = space.available;
 
+  // Segments that no process has mapped.
   const std::set<std::string> mapped = find_mapped(folder);
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename();

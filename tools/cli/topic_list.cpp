@@ -51,6 +51,7 @@ int list(const Cli& cli, double wait_s) {
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-topic-list");
   run_until(*bus, Seconds(wait_s), [] { return false; });
 
+  // Writers and readers of each topic; those of ours are no foreign ones.
   std::map<std::string, Ends> ends;
   std::set<std::string> foreign;
 

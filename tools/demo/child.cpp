@@ -48,6 +48,7 @@ Child::Child(const Process& process, const std::filesystem::path& program, const
   int pipe_fds[2] = {-1, -1};
   if (pipe_stdout && pipe2(pipe_fds, O_CLOEXEC) != 0) fail("cannot make a pipe");
 
+  // argv, ended by a null pointer.
   std::vector<std::string> words{program.string()};
   words.insert(words.end(), process.arguments.begin(), process.arguments.end());
 
@@ -55,6 +56,7 @@ Child::Child(const Process& process, const std::filesystem::path& program, const
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
 
+  // The child becomes the program; the parent closes its copies of the child's ends.
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) become(program.c_str(), arguments.data(), log_fd, pipe_fds[1], parent);

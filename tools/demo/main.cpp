@@ -130,6 +130,7 @@ int drive(const Options& options) {
   const scenario::Scenario scenario = scenario::read_scenario(settings.scenario_file);
   const fs::path deploy = settings.scenario_file.parent_path().parent_path();
 
+  // Places and limits: what is not given comes from the scenario's tree, or from the scenario.
   settings.config_folder = options.config.empty() ? deploy / "config" : fs::absolute(options.config);
   settings.out =
       fs::absolute(options.out.empty() ? fs::path("out") / settings.scenario_file.stem() : fs::path(options.out));
@@ -141,6 +142,7 @@ int drive(const Options& options) {
   std::vector<demo::KillOrder> kills;
   for (const std::string& text : options.kills) kills.push_back(demo::parse_kill(text));
 
+  // A domain of its own, as long as the run lasts.
   const demo::DomainLock lock =
       options.domain ? demo::DomainLock::take(*options.domain) : demo::DomainLock::take_any(getpid());
   settings.domain = lock.domain();

@@ -54,6 +54,7 @@ RunOutcome Supervisor::run(const std::atomic<bool>& stop, double limit_s) {
     drain();
     reap();
 
+    // The run is over, or takes too long: the referee shall write its report.
     if ((stop || now_s() > limit_s) && asked_referee_s < 0.0) {
       asked_referee_s = now_s();
       for (Slot& slot : slots_) {
@@ -178,6 +179,7 @@ void Supervisor::stop_all() {
     if (slot.child) slot.child->send(SIGTERM);
   }
 
+  // Those that end in time are counted by how they ended.
   for (bool any = true; any && now_s() - asked_s < kStop_s;) {
     any = false;
 

@@ -72,6 +72,7 @@ referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& sc
     shell.bus().every(std::chrono::seconds(1), [&] { print_progress(service, expectation.goals()); });
   }
 
+  // Until there is a reason to stop.
   const double duration_s = options.duration_s.value_or(scenario.duration_s);
   std::string because;
 

@@ -75,6 +75,7 @@ void use_transports(const Settings& settings, fast::dds::DomainParticipantQos& q
                      : loopback_only(settings)      ? kLoopbackMessageBytes
                                                     : kNetworkMessageBytes;
 
+  // UDP, on the site's interfaces only.
   auto udp = std::make_shared<fast::UdpTransport>();
 
   udp->maxMessageSize = bytes;
@@ -89,6 +90,7 @@ void use_transports(const Settings& settings, fast::dds::DomainParticipantQos& q
 
   if (!settings.shared_memory) return;
 
+  // Shared memory beside it.
   auto shared = std::make_shared<fast::SharedMemoryTransport>();
   shared->segment_size(kSharedMemoryBytes);
   shared->max_message_size(kLoopbackMessageBytes);

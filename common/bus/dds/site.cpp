@@ -61,6 +61,7 @@ Site::Site(const Settings& settings)
                                  " are free");
   }
 
+  // One publisher and one subscriber carry the partition.
   dds::PublisherQos publisher = dds::PUBLISHER_QOS_DEFAULT;
   dds::SubscriberQos subscriber = dds::SUBSCRIBER_QOS_DEFAULT;
 

@@ -80,6 +80,7 @@ void Core::match(WriterEnd& writer, ReaderEnd& reader) {
   if (&theirs != &ours && !know_each_other) return;
   if (!same_partition(theirs.settings.partition, {ours.settings.partition}) || !fit(writer, reader)) return;
 
+  // A connection made before is renewed.
   const auto known = std::find_if(writer.matches.begin(), writer.matches.end(),
                                   [&](const Match* match) { return &match->reader == &reader; });
   if (known != writer.matches.end()) return establish(**known);

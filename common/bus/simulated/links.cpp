@@ -73,6 +73,7 @@ Links::Fate Links::send(int from, int to) {
     return {};
   }
 
+  // It arrives: when, and how often.
   Fate fate;
   fate.copies = 1;
   fate.after[0] = delay(link);

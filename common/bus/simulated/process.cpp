@@ -199,6 +199,7 @@ std::vector<Endpoint> Process::endpoints() const {
     all.push_back(std::move(endpoint));
   };
 
+  // Our own, then those of the processes that we know.
   const auto add_all = [&](const Process& of, bool is_ours) {
     for (const auto& writer : of.writers) {
       if (!writer->gone || of.gone) add(writer->announced, of, is_ours);

@@ -89,6 +89,7 @@ void WriterEnd::publish(const ChangePtr& change) {
     }
   }
 
+  // One event for all readers that it reaches at the same time.
   for (auto& [after, reached] : arrivals) {
     core_.after(after, [this, reached = std::move(reached), change] {
       for (Match* match : reached) {
@@ -154,6 +155,7 @@ void WriterEnd::transmit(Match& match, std::uint64_t number) {
       match.early.clear();
     }
 
+    // Early ones wait; those that are next go on.
     match.announced = std::max(match.announced, last);
     if (number >= match.expected) match.early.emplace(number, change);
 

@@ -190,6 +190,7 @@ MapImage parse_png(const std::filesystem::path& file, std::string_view bytes, in
   if (bytes.rfind("IEND\xAE\x42\x60\x82") == std::string_view::npos)
     reject(file, "lacks the end of a PNG: the file is cut off");
 
+  // The header: size and kind of the pixels.
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
 
@@ -214,6 +215,7 @@ MapImage parse_png(const std::filesystem::path& file, std::string_view bytes, in
     throw;
   }
 
+  // The pixels, as grey with or without alpha.
   const bool has_alpha = (png.format & PNG_FORMAT_FLAG_ALPHA) != 0;
   png.format = has_alpha ? PNG_FORMAT_GA : PNG_FORMAT_GRAY;
 

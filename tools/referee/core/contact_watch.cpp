@@ -159,6 +159,7 @@ ContactWatch::Piece ContactWatch::piece_of(const Body& body, const Moment& momen
   Piece piece{{body.shape, begin.pose, end.pose}, std::max(begin.speed_mps, end.speed_mps), 0.0, 0.0};
   const double dt_s = moment.end_s - moment.begin_s;
 
+  // From the places; the corners of a rectangle that turns move as well.
   if (dt_s >= kShortest_s) {
     piece.velocity_x_mps = (end.pose.x - begin.pose.x) / dt_s;
     piece.velocity_y_mps = (end.pose.y - begin.pose.y) / dt_s;
@@ -228,6 +229,7 @@ void ContactWatch::note_touch(PairClass pair, const std::string& id_a, const Pie
     touch = touches_.emplace(std::make_pair(id_a, id_b), Touch{contacts_.size() - 1, t_s}).first;
   }
 
+  // It goes on: keep the worst of it.
   touch->second.last_s = t_s;
 
   Contact& contact = contacts_[touch->second.contact];

@@ -25,6 +25,7 @@ void DriveBook::drove(double t_s, const geometry::Pose2& base_in_map, double spe
   const double dt_s = t_s - last_.t_s;
   if (dt_s <= 0.0) return;
 
+  // Way and speed since the sample before.
   distance_m_ += geometry::distance(last_.base_in_map.position(), base_in_map.position());
   max_speed_mps_ = std::max(max_speed_mps_, speed_mps);
 
@@ -36,6 +37,7 @@ void DriveBook::drove(double t_s, const geometry::Pose2& base_in_map, double spe
     still_since_s_ = t_s;
   }
 
+  // Once for each time that it stands.
   if (still_since_s_ >= 0.0 && moved_since_stop_ && t_s - still_since_s_ >= kStand_s) {
     moved_since_stop_ = false;
     if (goal_open) ++stops_;

@@ -47,6 +47,7 @@ void GoalBook::assigned(const GoalRecord& goal, bool cancelled) {
     return g.agv_id == goal.agv_id && g.goal_id == goal.goal_id;
   });
 
+  // Another goal takes its place.
   if (newest != nullptr && newest->outcome == GoalOutcome::kOpen) {
     newest->outcome = GoalOutcome::kFailed;
     newest->decided_s = goal.assigned_s;

@@ -88,6 +88,7 @@ void Judge::plan_arrived(const PlanNews& plan) {
   book.plan_revision = plan.map_revision;
   book.plan_stamp_ns = plan.stamp_ns;
 
+  // Edits that this plan is the first to know of.
   for (PendingEdit& edit : pending_edits_) {
     const auto waits = std::find(edit.waiting.begin(), edit.waiting.end(), plan.agv_id);
     if (waits == edit.waiting.end() || plan.map_revision < edit.revision) continue;
@@ -139,6 +140,7 @@ void Judge::edit_answered(const EditAnswer& answer) {
 
   if (!answer.applied) return;
 
+  // Vehicles that must plan anew; some may have done so before the answer came.
   PendingEdit pending{row->asked_stamp_ns, answer.revision, {}};
   for (const auto& [agv_id, book] : vehicles_) {
     if (goals_.open_goal(agv_id) == nullptr || !book.has_plan) continue;

@@ -103,6 +103,7 @@ std::optional<Approach> Walls::closest(const Motion& body) const {
     return static_cast<int>(std::clamp(std::floor(offset_m / kBin_m), 0.0, static_cast<double>(count - 1)));
   };
 
+  // The boxes of all bins within reach, the nearest so far as a bound.
   std::optional<Approach> best;
   for (int y = bin(low.y - kSearch_m - low_.y, bins_y_); y <= bin(high.y + kSearch_m - low_.y, bins_y_); ++y) {
     for (int x = bin(low.x - kSearch_m - low_.x, bins_x_); x <= bin(high.x + kSearch_m - low_.x, bins_x_); ++x) {

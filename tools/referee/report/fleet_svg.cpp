@@ -64,6 +64,7 @@ Area area_of(const RunReport& report, const Walls& walls) {
     for (const Point2 p : edit.outline_in_map) busy.hold(p);
   }
 
+  // With some room around; all of the map when that is nearly all of it.
   Area all;
   all.hold(walls.low_in_map());
   all.hold(walls.high_in_map());
@@ -235,6 +236,7 @@ std::string vehicle_layer(const MapFrame& f, const VehicleRow& vehicle, const ch
     last = here;
   }
 
+  // Where it stands at the end.
   const geometry::Pose2& end = vehicle.drive.base_in_map();
   const double down_px = vehicle.shape.reach_m() * f.px_per_m + 14.0;
 

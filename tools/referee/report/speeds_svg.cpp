@@ -160,6 +160,7 @@ std::string speeds_svg(const RunReport& report) {
   for (const auto& [id, vehicle] : report.vehicles)
     highest_mps = std::max(highest_mps, kSpeedStepMps * std::ceil(vehicle.drive.max_speed_mps() / kSpeedStepMps));
 
+  // One strip below the other, all with the same scale.
   Chart chart{kLeftPx, kTopPx,     kWidthPx - kLeftPx - kRightPx, kChartPx, std::max(1.0, report.duration_s),
               0.0,     highest_mps};
 
