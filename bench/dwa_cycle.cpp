@@ -134,6 +134,7 @@ local_planner::Variant all_critics() {
   return variant;
 }
 
+/// A way that bends a little to the left.
 Aim make_aim(const Scene& scene) {
   const Point2 here = scene.base_in_map.position();
   Aim aim;
@@ -371,6 +372,7 @@ std::string machine() {
   return "unknown";
 }
 
+/// The figures of a row, with machine and compiler in front.
 bool write_csv(const char* file, const std::vector<Row>& rows) {
   std::ofstream out(file);
   out << "# machine: " << machine() << ", " << std::thread::hardware_concurrency() << " threads\n# compiler: GCC "

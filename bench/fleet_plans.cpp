@@ -83,6 +83,7 @@ bool passes(const Plan& plan, const Box& box) {
 /// 100 vehicles with a goal each, and their plans.
 class Fleet {
  public:
+  /// Starts and goals lie anywhere with room to spare.
   Fleet(const std::string& planner, const grid::OccupancyGrid& map)
       : grid_(map), fleet_(FleetSettings{}, find_variant(planner)->make()), random_(kSeed) {
     const grid::Geometry& geometry = grid_.geometry();

@@ -35,6 +35,7 @@ constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max() / 4;
 /// differ.
 class LifelongPlanning {
  public:
+  /// The goal's rhs is 0; everything else is infinitely far.
   LifelongPlanning(const Drivable& drivable, grid::Cell start, grid::Cell goal)
       : drivable_(&drivable),
         geometry_(drivable.geometry()),

@@ -139,6 +139,7 @@ class Recorder final : public tracking::Contestant {
   std::vector<Taken> taken_;
 };
 
+/// All trackers and the recorder on the same scans.
 void share_of_a_core(Hall& hall, Recorder*& recorder, std::vector<std::unique_ptr<tracking::Contestant>>& contestants) {
   for (const obstacle_tracker::Filter& filter : obstacle_tracker::all_filters())
     contestants.push_back(tracking::make_aisle(filter.name));
@@ -166,6 +167,8 @@ void share_of_a_core(Hall& hall, Recorder*& recorder, std::vector<std::unique_pt
   }
 }
 
+/// The recorded scans again and again, with later stamps, until an hour has passed; memory must not
+/// grow after ten minutes.
 void memory_of_an_hour(Hall& hall, const std::vector<Recorder::Taken>& taken) {
   const grid::ClearanceField clearance(hall.walls());
   obstacle_tracker::Tracker tracker;

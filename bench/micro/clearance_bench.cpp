@@ -11,6 +11,7 @@ namespace {
 
 using namespace aisle;
 
+/// A thousand blocks of half a metre.
 grid::OccupancyGrid scattered_blocks() {
   grid::OccupancyGrid grid(grid::Geometry{1000, 1000, 0.05, {}});
   std::mt19937 random(7);

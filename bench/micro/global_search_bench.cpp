@@ -17,6 +17,7 @@ struct Query {
   grid::Cell start, goal;
 };
 
+/// Random pairs that have a way, the same for every planner.
 struct Queries {
   grid::OccupancyGrid grid = grid::read_map_file(AISLE_BENCH_MAP);
   grid::ClearanceField clearance{grid, 2.0};
@@ -51,6 +52,8 @@ void textbook(benchmark::State& state) {
 
 BENCHMARK(textbook)->Unit(benchmark::kMicrosecond);
 
+/// One iteration asks all queries. A planner that finds no path where the textbook finds one is an
+/// error.
 void search(benchmark::State& state, const global_planner::Variant& variant) {
   const std::unique_ptr<global_planner::Planner> planner = variant.make();
   const grid::Geometry& geometry = queries().grid.geometry();

@@ -12,8 +12,11 @@ namespace aisle::bench {
 /// begin of each search.
 class BoostAstar {
  public:
+  /// @pre `grid` outlives it
   explicit BoostAstar(const grid::OccupancyGrid& grid);
   ~BoostAstar();
+
+  /// From cell to cell; not found where there is no way.
   PeerAnswer plan(grid::Cell start, grid::Cell goal);
 
  private:

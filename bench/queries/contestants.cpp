@@ -55,6 +55,7 @@ Reply reply_of(const PeerAnswer& answer, const Site& site) {
 
 }  // namespace
 
+/// The textbook first: the others are compared with it.
 std::vector<Contestant> contestants(const Site& site) {
   std::vector<Contestant> all;
   const auto cell = [&site](geometry::Point2 p) { return site.grid.geometry().cell_at(p); };

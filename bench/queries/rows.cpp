@@ -115,6 +115,7 @@ void print_table(std::ostream& out, const std::vector<Row>& rows) {
   }
 }
 
+/// A goal whose figures are missing is left out.
 void print_goals(std::ostream& out, const std::vector<Row>& rows, const std::vector<Bound>& ros_maps) {
   fmt::print(out, "\ngoals: geometric means over the maps, means over the rounds of one run\n");
   goal(out, "exact A* to Boost.Graph A*, time", ratio(rows, "astar", "boost", mean_us), 0.25);

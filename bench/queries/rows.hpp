@@ -21,6 +21,7 @@ struct Row {
   double length_ratio_mean{0.0}, length_ratio_max{0.0};  // to the octile optimum
   double bytes_a_cell{0.0};                              // that it kept after the first query; ours only
 
+  /// Only such rows are compared with others.
   bool is_whole() const { return asked == queries && solved == queries; }
 };
 

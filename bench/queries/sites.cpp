@@ -89,6 +89,7 @@ Site shipped_warehouse(std::size_t limit) {
 
 }  // namespace
 
+/// In the order of kMaps.
 std::vector<Site> read_sites(const fs::path& data, const std::string& only, std::size_t limit) {
   std::vector<Site> sites;
   if (!fs::exists(data / "queries")) {

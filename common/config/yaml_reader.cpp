@@ -305,6 +305,7 @@ std::optional<std::vector<YamlReader>> YamlReader::open_list(const char* key) {
   return children;
 }
 
+/// What yaml-cpp throws becomes BadInput with the line.
 YamlReader open_yaml_text(const std::string& text, const std::string& name) {
   try {
     refuse_yaml_bombs(text, name);

@@ -46,6 +46,7 @@ fs::path find_data(const std::string& name, const fs::path& scenario_file) {
 
 }  // namespace
 
+/// The prefix decides where a name is looked for.
 fs::path find_named_file(const std::string& name, const fs::path& scenario_file) {
   const std::string prefix = kDataPrefix;
   if (name.compare(0, prefix.size(), prefix) == 0) return find_data(name.substr(prefix.size()), scenario_file);

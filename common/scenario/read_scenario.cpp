@@ -78,6 +78,7 @@ std::optional<kinematics::Model> find_model(const std::string& name) {
 
 // What the file says of each thing; the names of the keys stand here and nowhere else.
 
+/// A disc has radius_m, a rectangle length_m and width_m; only a tricycle has an axle.
 struct VehicleEntry {
   VehicleSetup value;
 
@@ -107,6 +108,7 @@ struct VehicleEntry {
   }
 };
 
+/// `where`: file and line of the vehicle's name, for checks of the whole file.
 struct MissionEntry {
   Mission value;
   std::string where;
@@ -125,6 +127,7 @@ struct MissionEntry {
   }
 };
 
+/// A person with two or more waypoints.
 struct MoverEntry {
   Mover value;
 
@@ -149,6 +152,7 @@ struct MoverEntry {
   }
 };
 
+/// `file`: as it stands in the scenario; it is looked for later.
 struct RecordingEntry {
   Recording value;
   std::string file;
@@ -166,6 +170,7 @@ struct RecordingEntry {
   }
 };
 
+/// A rectangle at "center", [x, y] or [x, y, yaw].
 struct BlockEntry {
   Block value;
 
@@ -179,6 +184,7 @@ struct BlockEntry {
   }
 };
 
+/// "action" is block or unblock; from "low" to "high".
 struct MapEditEntry {
   MapEdit value;
 
@@ -269,6 +275,7 @@ kinematics::Model VehicleSetup::kinematic_model() const {
   return find_model(model).value_or(kinematics::Model::kDifferential);
 }
 
+/// Paths are resolved when everything else is known to be right.
 Scenario read_scenario(const std::filesystem::path& file) {
   ScenarioFile read;
   config::read_yaml_file(file, read);

@@ -13,6 +13,7 @@ std::mt19937_64 random_for(std::uint64_t seed, const std::string& name) {
   return std::mt19937_64(spread);
 }
 
+/// Uniform in a square, and 0.1 rad to either side.
 geometry::Pose2 varied_start(const Vehicle& vehicle, double jitter_m, std::uint64_t seed) {
   if (jitter_m <= 0.0) return vehicle.start_in_map;
 

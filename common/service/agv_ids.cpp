@@ -23,6 +23,7 @@ void check_id(const std::string& flag, const std::string& id) {
   }
 }
 
+/// An empty part between two commas is no id.
 std::vector<std::string> split_ids(const std::string& flag, const std::string& ids) {
   if (ids.empty()) throw config::BadInput(flag + " is missing: the id of the vehicle, e.g. agv-1 (or AISLE_AGV)");
 

@@ -51,6 +51,7 @@ std::string unknown_argument(const CLI::App& app, const std::string& argument) {
 
 }  // namespace
 
+/// --help and --version come as a parse error with exit code 0.
 std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
@@ -66,6 +67,7 @@ std::optional<int> parse_arguments(CLI::App& app, int argc, const char* const* a
   }
 }
 
+/// Flag and environment variable for each setting of the site; lists may be written with commas.
 void add_site_options(CLI::App& app, bus::Settings& settings) {
   const std::string group = "Site";
   app.add_option("--domain", settings.domain, "DDS domain of the site, 0 to 230")

@@ -68,6 +68,7 @@ struct Shell::Shared {
   std::vector<std::pair<MapClient::Options, std::unique_ptr<MapClient>>> maps;
 };
 
+/// What one shell has of its own; see Shared for the rest.
 struct Shell::State {
   State(std::shared_ptr<Shared> with, Identity who, Surroundings around)
       : shared(std::move(with)),

@@ -140,6 +140,7 @@ constexpr LimitField kLimits[]{
     {"max_turn_acceleration_radps2", &kinematics::Limits::max_turn_acceleration_radps2, 0.01, 1000.0},
 };
 
+/// Only the lengths of its own shape are looked at.
 geometry::Footprint decode_footprint(const aisle::VehicleInfo& sample, Checks& checks) {
   if (checks.known("footprint", sample.footprint(), from_wire(sample.footprint())) == geometry::Body::Shape::kDisc) {
     checks.within("radius_m", sample.radius_m(), kSmallestM, kLargestM);

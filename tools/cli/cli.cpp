@@ -65,6 +65,7 @@ void Verb::runs(std::function<int()> action) {
   app_->callback([&cli = cli_, action = std::move(action)] { cli.action = action; });
 }
 
+/// Only what keeps samples from passing is worth a warning here.
 std::unique_ptr<bus::Bus> join(const Cli& cli, const std::string& name) {
   bus::Settings settings = cli.settings;
   settings.participant_name = name;
@@ -81,6 +82,7 @@ std::unique_ptr<bus::Bus> join(const Cli& cli, const std::string& name) {
   return bus;
 }
 
+/// In pieces of 100 ms, so that a signal ends it soon.
 bool run_until(bus::Bus& bus, Seconds limit, const std::function<bool()>& done) {
   using std::chrono::nanoseconds;
   const auto end = std::chrono::steady_clock::now() + std::chrono::duration_cast<nanoseconds>(limit);

@@ -29,6 +29,7 @@ using Seconds = std::chrono::duration<double>;
 /// parser's headers take seconds to compile, so only cli.cpp and main.cpp include them.)
 class Verb {
  public:
+  /// Adds the verb, without arguments, below `parent`.
   Verb(CLI::App& parent, Cli& cli, const std::string& name, const std::string& purpose);
 
   Verb& argument(const std::string& name, std::string& value, const std::string& help);  // by its place; must be given

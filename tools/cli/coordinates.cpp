@@ -39,6 +39,7 @@ std::vector<double> split_numbers(const std::string& what, const std::string& te
 
 }  // namespace
 
+/// Two numbers or three.
 TypedPose parse_pose(const std::string& what, const std::string& text) {
   const std::string example = "4.5,12 or 4.5,12,1.57 (x and y in metres, yaw in radians)";
   const std::vector<double> numbers = split_numbers(what, text, example);
@@ -52,6 +53,7 @@ TypedPose parse_pose(const std::string& what, const std::string& text) {
   return {{numbers[0], numbers[1], has_yaw ? geometry::wrap(numbers[2]) : 0.0}, has_yaw};
 }
 
+/// Lengths must make sense for a vehicle.
 geometry::Footprint parse_footprint(const std::string& what, const std::string& text) {
   const std::string example =
       "2.4,1.1 or 2.4,1.1,0.4 (length, width and how far the middle lies ahead of the vehicle's frame, in metres)";

@@ -35,6 +35,7 @@ std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
 }  // namespace
 
+/// Nothing is wrong as soon as one other process is seen.
 std::vector<Problem> judge_discovery(const bus::Settings& settings, std::size_t participants,
                                      const std::set<int>& other_domains) {
   if (participants > 0) return {};
@@ -122,6 +123,7 @@ std::vector<Problem> judge_shared_memory(const bus::Settings& settings, const Sh
   return problems;
 }
 
+/// Endpoints in other partitions are reported only when nobody is in ours.
 std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::vector<bus::Endpoint>& endpoints) {
   std::vector<Problem> problems;
   std::set<std::string> other_partitions;
@@ -159,6 +161,7 @@ std::vector<Problem> judge_endpoints(const bus::Settings& settings, const std::v
   return problems;
 }
 
+/// What a service waits for is the most useful word about it.
 std::vector<Problem> judge_services(const std::map<std::string, fleet::ServiceHealth>& newest,
                                     const std::set<std::string>& gone) {
   std::vector<Problem> problems;

@@ -68,6 +68,7 @@ std::vector<Problem> judge_services(const std::map<std::string, fleet::ServiceHe
 /// Finds out whether several processes write one vehicle's state.
 class VehicleWatch {
  public:
+  /// One sample; `by` tells which process wrote it.
   void take(const fleet::VehicleState& state, const fleet::Origin& by);
 
   /// Two processes with one vehicle's id, and vehicles that hold.
@@ -75,6 +76,7 @@ class VehicleWatch {
   std::size_t vehicles() const { return writers_.size(); }
 
  private:
+  /// One start of a process that writes a vehicle's state.
   struct Writer {
     std::string source_id;
     int samples{0};

@@ -96,6 +96,7 @@ class Examination {
     }
   }
 
+  /// A service that speaks again is not gone.
   void take(const fleet::ServiceHealth& health, const service::Sender& from) {
     gone_.erase(health.instance_id);
     health_[health.instance_id] = health;

@@ -80,6 +80,7 @@ std::string known_vehicle(const std::string& id, const scenario::Scenario& scena
   return id;
 }
 
+/// The scenario of one run, with what the flags change.
 sim::Setup setup_of(const Options& options, int run) {
   sim::Setup setup =
       sim::named_setup(options.scenario, static_cast<std::uint64_t>(options.seed) + static_cast<std::uint64_t>(run));
@@ -214,6 +215,7 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
   return true;
 }
 
+/// All flags are checked before the first run, which may take minutes.
 int drive(const Cli& cli, const Options& options) {
   check_name("--local", options.local, names_of(local_planner::all_variants()));
   check_name("--global", options.global, names_of(global_planner::all_variants()));

@@ -53,6 +53,7 @@ void set_polygon(const std::vector<std::string>& typed, fleet::MapEdit& edit) {
 
 }  // namespace
 
+/// Exactly one of the three must be given.
 void set_shape(const TypedShape& typed, fleet::MapEdit& edit) {
   const int given = (typed.rectangle.empty() ? 0 : 1) + (typed.disc.empty() ? 0 : 1) + (typed.polygon.empty() ? 0 : 1);
   if (given != 1)

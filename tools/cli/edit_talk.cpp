@@ -17,6 +17,7 @@ namespace {
 
 constexpr Seconds kEditAgainAfter{0.5};
 
+/// One line for a person.
 std::string text_of_result(const fleet::MapEditResult& result) {
   using Outcome = fleet::MapEditResult::Outcome;
   switch (result.outcome) {
@@ -74,6 +75,7 @@ std::optional<EditTalk::Answer> EditTalk::send(const fleet::MapEdit& edit, Secon
   return result_;
 }
 
+/// A map first, then the edit.
 EditTalk::Answer EditTalk::apply(fleet::MapEdit edit, const std::string& map_id, double timeout_s) {
   const std::string to = map_id.empty() ? find_map(Seconds(timeout_s)) : map_id;
   if (to.empty()) {

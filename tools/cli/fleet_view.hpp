@@ -35,6 +35,7 @@ class FleetView {
   void lose_navigation(const std::string& agv_id);
   void lose_service(const std::string& instance_id);
 
+  /// Was nothing heard at all?
   bool empty() const { return vehicles_.empty() && services_.empty(); }
   bool has_vehicles() const { return !vehicles_.empty(); }
   std::vector<std::string> vehicle_ids() const;
@@ -43,6 +44,7 @@ class FleetView {
   Json snapshot(time::Stamp now) const;
 
  private:
+  /// The newest values of one vehicle.
   struct VehicleEntry {
     std::optional<fleet::VehicleState> state;
     time::Stamp state_arrived{};

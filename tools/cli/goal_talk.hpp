@@ -19,6 +19,7 @@ namespace aisle::cli {
 /// answered, and keeps the newest answers.
 class GoalTalk {
  public:
+  /// Joins the site. @throws config::BadEnvironment
   GoalTalk(const Cli& cli, const std::string& agv_id);
 
   /// Waits until the vehicle is seen. @throws config::BadInput with the vehicles that are seen instead,
@@ -27,6 +28,8 @@ class GoalTalk {
 
   /// Runs the loop as run_until() does, and writes `goal` at once and every 500 ms meanwhile.
   bool say_until(const fleet::Goal& goal, Seconds limit, const std::function<bool()>& done);
+
+  /// The same without saying anything.
   bool listen_until(Seconds limit, const std::function<bool()>& done) { return run_until(*bus_, limit, done); }
 
   const std::string& agv_id() const { return agv_id_; }

@@ -19,9 +19,12 @@ class Rate {
 
   /// Gaps a second between first and last sample; 0 with fewer than two.
   double hz() const;
+
+  /// Between two samples; the mean is 0 where hz() is.
   double mean_gap_ms() const;
   double longest_gap_ms() const { return time::seconds(longest_gap_) * 1e3; }
 
+  /// A sample's payload.
   double mean_bytes() const {
     return samples_ == 0 ? 0.0 : static_cast<double>(bytes_) / static_cast<double>(samples_);
   }

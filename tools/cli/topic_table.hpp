@@ -25,6 +25,7 @@ struct TopicRow {
   bus::Qos qos;
   std::string why;
 
+  /// Calls `handler` for every sample and end of an instance.
   void (*subscribe)(bus::Bus& bus, std::function<void(const Received&)> handler);
 };
 

@@ -16,6 +16,7 @@ struct Ending {
   bool by_signal{false};
   int code{0};  // exit code or signal
 
+  /// As a process ends that was asked to.
   bool clean() const { return !by_signal && code == 0; }
   std::string text() const;  // "exit code 2", "signal 9"
 };

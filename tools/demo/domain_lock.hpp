@@ -23,6 +23,8 @@ class DomainLock {
 
  private:
   DomainLock(int descriptor, int domain) : descriptor_(descriptor), domain_(domain) {}
+
+  /// See domain_lock.cpp.
   static int try_lock(int domain);
 
   int descriptor_;

@@ -8,6 +8,7 @@ namespace aisle::demo {
 /// kEvery-th line of the referee; events on lines of their own.
 class Progress {
  public:
+  /// `is_terminal`: of stdout.
   explicit Progress(bool is_terminal);
 
   /// A line of the referee: JSON is progress; everything else is shown as it is.

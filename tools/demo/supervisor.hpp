@@ -37,6 +37,7 @@ struct RunOutcome {
 /// a process that dies by itself, and stops all when the referee has ended.
 class Supervisor {
  public:
+  /// Programs are started from `program_folder`; each writes to `<log_folder>/<instance>.log`.
   Supervisor(std::vector<Process> processes, std::vector<KillOrder> kills, std::filesystem::path program_folder,
              std::filesystem::path log_folder, Progress& progress);
 
@@ -56,6 +57,7 @@ class Supervisor {
     bool killed_by_us{false};
   };
 
+  /// Seconds since the supervisor was made.
   double now_s() const;
   std::filesystem::path log_of(const Process& process) const;
 
@@ -66,10 +68,14 @@ class Supervisor {
 
   /// A process ended by itself: notes its last words and restarts it once.
   void died(Slot& slot, const Ending& ending);
+
+  /// Does it run no more, and is not about to start?
   bool referee_ended() const;
 
   /// Until the referee writes a line, at most one tick.
   void wait_for_output();
+
+  /// Reads what the referee has written.
   void drain();
   void stop_all();
 

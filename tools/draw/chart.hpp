@@ -26,6 +26,8 @@ struct Chart {
   /// Pixels of a moment and of a value.
   double x(double t_s) const;
   double y(double value) const;
+
+  /// The lower and the right edge of the box.
   int bottom_px() const { return top_px + height_px; }
   int right_px() const { return left_px + width_px; }
 };

@@ -16,6 +16,8 @@ class Legend {
 
   /// `width`: from the beginning of this entry to that of the next.
   void add(std::string_view symbol, std::string_view name, Px width);
+
+  /// All entries so far.
   const std::string& svg() const { return svg_; }
 
  private:

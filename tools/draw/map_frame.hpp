@@ -22,6 +22,8 @@ struct MapFrame {
   double x(double x_m) const { return left_px + (x_m - low_in_map.x) * px_per_m; }
   double y(double y_m) const { return top_px + (high_in_map.y - y_m) * px_per_m; }
   PointPx at(geometry::Point2 in_map) const { return {x(in_map.x), y(in_map.y)}; }
+
+  /// Size of the rectangle in the picture.
   double width_px() const { return (high_in_map.x - low_in_map.x) * px_per_m; }
   double height_px() const { return (high_in_map.y - low_in_map.y) * px_per_m; }
 };

@@ -10,6 +10,7 @@ namespace aisle::draw {
 /// tenth ("60.0"), so that layout by hand stays whole and measured places stay short.
 class Px {
  public:
+  /// Implicit on purpose: rect(10, 20.5, ...) says which numbers are whole.
   Px(int whole) : value_(whole), is_whole_(true) {}
   Px(double value) : value_(value), is_whole_(false) {}
 

@@ -190,6 +190,7 @@ void introduce(fast::dds::DomainParticipantQos& qos) {
 
 }  // namespace
 
+/// The settings are checked before they are used: a wrong one would only show as silence on the bus.
 fast::dds::DomainParticipantQos participant_qos(const Settings& settings) {
   if (settings.domain < 0 || settings.domain > 230) {
     throw config::BadInput("domain " + std::to_string(settings.domain) + " is not within 0 and 230");

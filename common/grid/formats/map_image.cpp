@@ -107,6 +107,7 @@ void reject(const std::filesystem::path& file, const std::string& what) {
   throw config::BadInput(file.string() + ": " + what);
 }
 
+/// Looks at kind and size before it reads.
 std::string read_bytes(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -131,6 +132,7 @@ std::string read_bytes(const std::filesystem::path& file) {
   return bytes;
 }
 
+/// Counted in tiles, as a map is kept and sent.
 void require_map_size(const std::filesystem::path& file, long long width, long long height, int subdivide) {
   const auto tiles_along = [&](long long cells) { return (cells * subdivide + kTileSize - 1) / kTileSize; };
   constexpr long long kMaxEdge = kMaxTiles * kTileSize;
@@ -147,6 +149,7 @@ void require_map_size(const std::filesystem::path& file, long long width, long l
   }
 }
 
+/// The header's numbers are checked before anything is allocated for them.
 MapImage parse_pgm(const std::filesystem::path& file, std::string_view bytes, int subdivide) {
   if (bytes.size() < 2 || bytes[0] != 'P' || (bytes[1] != '2' && bytes[1] != '5')) {
     reject(file, "does not begin with P5 or P2: it is not a PGM image; convert it to PGM or PNG");

@@ -37,6 +37,7 @@ Json picture_of(const aisle::Coverage& sample) {
 
 }  // namespace
 
+/// The picture has a letter for each cell, the top row first.
 Json to_json(const aisle::Coverage& sample) {
   const auto count = [&](auto is_counted) {
     return std::count_if(sample.ages().begin(), sample.ages().end(), is_counted);
