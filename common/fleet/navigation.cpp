@@ -2,6 +2,7 @@
 
 namespace aisle::fleet {
 
+/// For logs and people; the exhaustive switch refuses to compile without a word for a new phase.
 const char* name(Phase phase) {
   switch (phase) {
     case Phase::kWaiting:

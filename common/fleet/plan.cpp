@@ -2,6 +2,7 @@
 
 namespace aisle::fleet {
 
+/// For logs and people.
 const char* name(PlanOutcome outcome) {
   switch (outcome) {
     case PlanOutcome::kFound:

@@ -29,11 +29,14 @@ PeerHealth peer_of(const fleet::ServiceHealth& health, const Sender& from) {
   peer.instance_id = health.instance_id;
   peer.host = health.host;
   peer.process_id = health.process_id;
+
   peer.boot_id = from.by.boot_id;
   peer.idl_version = health.idl_version;
   peer.software_version = health.software_version;
+
   peer.wall_clock_ns = health.wall_clock_ns;
   peer.is_stopping = health.state == fleet::ServiceState::kStopping;
+
   peer.service = health.service;
   peer.agv_id = health.agv_id;
 
@@ -45,8 +48,10 @@ Health health_of(const Identity& identity) {
   Health health;
   health.instance_id = identity.instance_id;
   health.service = identity.service;
+
   health.software_version = process::software_version();
   health.idl_version = kIdlVersion;
+
   health.host = identity.host;
   health.process_id = identity.process_id;
   health.agv_id = identity.agv_id;

@@ -21,6 +21,7 @@ std::vector<std::uint8_t> bytes(const std::vector<grid::Occupancy>& cells) {
   return out;
 }
 
+/// Enumerators: see planning.cpp.
 aisle::EditAction to_wire(fleet::MapEdit::Action action) {
   switch (action) {
     case fleet::MapEdit::Action::kBlock:
@@ -122,18 +123,22 @@ aisle::MapInfo encode(const grid::MapSummary& summary) {
   aisle::MapInfo sample;
 
   sample.map_id(summary.map_id);
+
   sample.revision(summary.revision);
+
   sample.width_cells(static_cast<std::uint32_t>(g.width));
   sample.height_cells(static_cast<std::uint32_t>(g.height));
   sample.resolution_m(g.resolution_m);
   sample.origin_in_map(encode(geometry::Pose2{g.origin_in_map.x, g.origin_in_map.y, 0.0}));
   sample.tile_size_cells(static_cast<std::uint32_t>(summary.tiling.tile_size));
+
   sample.hash(summary.hash);
   sample.tile_hashes(summary.tile_hashes);
 
   return sample;
 }
 
+/// The sizes first: they say how many hashes there must be.
 Decoded<grid::MapSummary> decode(const aisle::MapInfo& sample) {
   Checks checks;
   grid::MapSummary summary;
@@ -167,13 +172,16 @@ aisle::MapTile encode(const grid::Tile& tile) {
   sample.map_id(tile.map_id);
   sample.tile_x(static_cast<std::uint32_t>(tile.tile_x));
   sample.tile_y(static_cast<std::uint32_t>(tile.tile_y));
+
   sample.revision(tile.revision);
+
   sample.hash(tile.hash);
   sample.cells(bytes(tile.cells));
 
   return sample;
 }
 
+/// Every cell and the hash are checked, so that a mirror never holds a cell of another kind.
 Decoded<grid::Tile> decode(const aisle::MapTile& sample) {
   Checks checks;
   grid::Tile tile;
@@ -189,6 +197,7 @@ Decoded<grid::Tile> decode(const aisle::MapTile& sample) {
 
   tile.tile_x = static_cast<int>(sample.tile_x());
   tile.tile_y = static_cast<int>(sample.tile_y());
+
   tile.revision = sample.revision();
   tile.hash = sample.hash();
   tile.cells.resize(sample.cells().size());
@@ -236,6 +245,7 @@ aisle::MapEdit encode(const fleet::MapEdit& edit) {
   aisle::MapEdit sample;
   sample.edit_id(edit.edit_id);
   sample.map_id(edit.map_id);
+
   sample.action(to_wire(edit.action));
   sample.shape(to_wire(edit.shape));
   for (const geometry::Point2 point : edit.points_in_map) sample.points().push_back(encode(point));
@@ -250,6 +260,7 @@ Decoded<fleet::MapEdit> decode(const aisle::MapEdit& sample) {
 
   edit.edit_id = sample.edit_id().to_string();
   edit.map_id = sample.map_id().to_string();
+
   edit.action = checks.known("action", sample.action(), from_wire(sample.action()));
   edit.shape = checks.known("shape", sample.shape(), from_wire(sample.shape()));
   edit.radius_m = sample.radius_m();
@@ -268,8 +279,10 @@ aisle::MapEditResult encode(const fleet::MapEditResult& result) {
   aisle::MapEditResult sample;
   sample.edit_id(result.edit_id);
   sample.map_id(result.map_id);
+
   sample.outcome(to_wire(result.outcome));
   sample.detail(result.detail.substr(0, kMaxDetail));
+
   sample.revision(result.revision);
   sample.changed_cells(result.changed_cells);
 
@@ -282,6 +295,7 @@ Decoded<fleet::MapEditResult> decode(const aisle::MapEditResult& sample) {
 
   result.edit_id = sample.edit_id().to_string();
   result.map_id = sample.map_id().to_string();
+
   result.outcome = checks.known("outcome", sample.outcome(), from_wire(sample.outcome()));
   result.detail = sample.detail().to_string();
   result.revision = sample.revision();

@@ -19,6 +19,9 @@ constexpr double kLongestWayM = 1e9;
 constexpr double kLongestIntentS = 3600.0;
 constexpr double kLargestBlockM = 100.0;
 
+/// Enumerators are translated by exhaustive switches: one that is added to either enum does not compile
+/// here until it is translated. from_wire: none for a number that is no enumerator, e.g. of a newer
+/// program.
 aisle::PlanOutcome to_wire(fleet::PlanOutcome value) {
   switch (value) {
     case fleet::PlanOutcome::kFound:
@@ -229,6 +232,7 @@ aisle::Goal encode(const fleet::Goal& goal) {
   aisle::Goal sample;
   sample.agv_id(goal.agv_id);
   sample.goal_id(goal.id);
+
   sample.pose_in_map(encode(goal.pose_in_map));
   sample.position_tolerance_m(goal.position_tolerance_m);
   sample.yaw_tolerance_rad(goal.yaw_tolerance_rad);
@@ -243,6 +247,7 @@ Decoded<fleet::Goal> decode(const aisle::Goal& sample) {
 
   goal.agv_id = sample.agv_id().to_string();
   goal.id = sample.goal_id().to_string();
+
   goal.pose_in_map = decode(sample.pose_in_map(), checks, "pose_in_map");
   goal.position_tolerance_m = sample.position_tolerance_m();
   goal.yaw_tolerance_rad = sample.yaw_tolerance_rad();
@@ -263,21 +268,27 @@ aisle::Plan encode(const fleet::Plan& plan) {
   sample.goal_id(plan.goal_id);
   sample.map_id(plan.map_id);
   sample.map_revision(plan.map_revision);
+
   sample.outcome(to_wire(plan.outcome));
   sample.trigger(to_wire(plan.trigger));
   sample.detail(plan.detail.substr(0, kMostDetail));
   sample.planner(plan.planner);
+
   sample.goal_in_map(encode(plan.goal_in_map));
   sample.position_tolerance_m(plan.position_tolerance_m);
   sample.yaw_tolerance_rad(plan.yaw_tolerance_rad);
+
   sample.waypoints_in_map().reserve(plan.waypoints_in_map.size());
   for (const geometry::Point2 point : plan.waypoints_in_map) sample.waypoints_in_map().push_back(encode(point));
+
   sample.length_m(plan.length_m);
   sample.planning_ms(plan.planning_ms);
 
   return sample;
 }
 
+/// A plan that was found has at least one waypoint; the waypoints are read last, since there may be
+/// many.
 Decoded<fleet::Plan> decode(const aisle::Plan& sample) {
   Checks checks;
   fleet::Plan plan;
@@ -287,13 +298,16 @@ Decoded<fleet::Plan> decode(const aisle::Plan& sample) {
   plan.goal_id = sample.goal_id().to_string();
   plan.map_id = sample.map_id().to_string();
   plan.map_revision = sample.map_revision();
+
   plan.outcome = checks.known("outcome", sample.outcome(), from_wire(sample.outcome()));
   plan.trigger = checks.known("trigger", sample.trigger(), from_wire(sample.trigger()));
   plan.detail = sample.detail().to_string();
   plan.planner = sample.planner().to_string();
+
   plan.goal_in_map = decode(sample.goal_in_map(), checks, "goal_in_map");
   plan.position_tolerance_m = sample.position_tolerance_m();
   plan.yaw_tolerance_rad = sample.yaw_tolerance_rad();
+
   plan.length_m = sample.length_m();
   plan.planning_ms = sample.planning_ms();
 
@@ -323,13 +337,17 @@ aisle::NavigationStatus encode(const fleet::NavigationStatus& status) {
   sample.goal_id(status.goal_id);
   sample.plan_id(status.plan_id);
   sample.map_revision(status.map_revision);
+
   sample.phase(to_wire(status.phase));
   sample.reason(to_wire(status.reason));
   sample.detail(status.detail.substr(0, kMostDetail));
+
   sample.distance_left_m(status.distance_left_m);
   sample.time_left_s(status.time_left_s);
+
   sample.blocked_at_in_map(encode(status.blocked_at_in_map));
   sample.blocked_radius_m(status.blocked_radius_m);
+
   sample.control_ms(status.control_ms);
 
   for (std::size_t i = 0; i < std::min(status.intent.size(), kMostIntent); ++i) {
@@ -342,6 +360,7 @@ aisle::NavigationStatus encode(const fleet::NavigationStatus& status) {
   return sample;
 }
 
+/// Offsets of the intent begin at 0 or later and do not fall.
 Decoded<fleet::NavigationStatus> decode(const aisle::NavigationStatus& sample) {
   Checks checks;
   fleet::NavigationStatus status;
@@ -350,11 +369,14 @@ Decoded<fleet::NavigationStatus> decode(const aisle::NavigationStatus& sample) {
   status.goal_id = sample.goal_id().to_string();
   status.plan_id = sample.plan_id();
   status.map_revision = sample.map_revision();
+
   status.phase = checks.known("phase", sample.phase(), from_wire(sample.phase()));
   status.reason = checks.known("reason", sample.reason(), from_wire(sample.reason()));
   status.detail = sample.detail().to_string();
+
   status.distance_left_m = sample.distance_left_m();
   status.time_left_s = sample.time_left_s();
+
   status.blocked_at_in_map = decode(sample.blocked_at_in_map(), checks, "blocked_at_in_map");
   status.blocked_radius_m = sample.blocked_radius_m();
   status.control_ms = sample.control_ms();

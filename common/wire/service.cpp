@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::size_t kMostCounters = 32;  // as in the IDL
 
+/// Enumerators: see planning.cpp.
 aisle::ServiceState to_wire(fleet::ServiceState value) {
   switch (value) {
     case fleet::ServiceState::kStarting:
@@ -50,15 +51,19 @@ aisle::ServiceHealth encode(const fleet::ServiceHealth& health) {
   sample.service(health.service);
   sample.software_version(health.software_version);
   sample.idl_version(health.idl_version);
+
   sample.host(health.host);
   sample.process_id(health.process_id);
   sample.agv_id(health.agv_id);
+
   sample.map_id(health.map_id);
   sample.map_revision(health.map_revision);
   sample.map_hash(health.map_hash);
+
   sample.state(to_wire(health.state));
   sample.waits_for(health.waits_for);
   sample.last_error(health.last_error);
+
   sample.wall_clock_ns(health.wall_clock_ns);
   sample.cpu_percent(health.cpu_percent);
   sample.resident_mb(health.resident_mb);
@@ -83,15 +88,19 @@ Decoded<fleet::ServiceHealth> decode(const aisle::ServiceHealth& sample) {
   health.service = sample.service().to_string();
   health.software_version = sample.software_version().to_string();
   health.idl_version = sample.idl_version();
+
   health.host = sample.host().to_string();
   health.process_id = sample.process_id();
   health.agv_id = sample.agv_id().to_string();
+
   health.map_id = sample.map_id().to_string();
   health.map_revision = sample.map_revision();
   health.map_hash = sample.map_hash();
+
   health.state = checks.known("state", sample.state(), from_wire(sample.state()));
   health.waits_for = sample.waits_for().to_string();
   health.last_error = sample.last_error().to_string();
+
   health.wall_clock_ns = sample.wall_clock_ns();
   health.cpu_percent = sample.cpu_percent();
   health.resident_mb = sample.resident_mb();

@@ -24,10 +24,12 @@ aisle::Track encode(const fleet::Track& track) {
   aisle::Track sample;
   sample.track_id(track.id);
   sample.scan_stamp_ns(track.scan_stamp_ns);
+
   sample.position_in_map(encode(track.position_in_map));
   sample.velocity_x_mps(track.velocity_in_map.x);
   sample.velocity_y_mps(track.velocity_in_map.y);
   sample.covariance(track.covariance);
+
   sample.radius_m(track.radius_m);
   sample.age_s(track.age_s);
   sample.unseen_s(track.unseen_s);
@@ -41,8 +43,10 @@ Decoded<fleet::Track> decode(const aisle::Track& sample) {
   fleet::Track track;
 
   track.id = sample.track_id();
+
   track.position_in_map = decode(sample.position_in_map(), checks, "position_in_map");
   track.velocity_in_map = {sample.velocity_x_mps(), sample.velocity_y_mps()};
+
   track.radius_m = sample.radius_m();
   track.age_s = sample.age_s();
   track.unseen_s = sample.unseen_s();
@@ -114,16 +118,19 @@ aisle::Coverage encode(const fleet::CoverageTile& tile) {
   sample.map_id(tile.map_id);
   sample.tile_x(tile.tile_x);
   sample.tile_y(tile.tile_y);
+
   sample.low_in_map(encode(tile.low_in_map));
   sample.cell_m(tile.cell_m);
   sample.width_cells(static_cast<std::uint32_t>(tile.width_cells));
   sample.height_cells(static_cast<std::uint32_t>(tile.height_cells));
+
   sample.age_step_s(tile.age_step_s);
   sample.ages(tile.ages);
 
   return sample;
 }
 
+/// As many ages as cells.
 Decoded<fleet::CoverageTile> decode(const aisle::Coverage& sample) {
   Checks checks;
   fleet::CoverageTile tile;
@@ -132,6 +139,7 @@ Decoded<fleet::CoverageTile> decode(const aisle::Coverage& sample) {
   tile.map_id = sample.map_id().to_string();
   tile.tile_x = sample.tile_x();
   tile.tile_y = sample.tile_y();
+
   tile.low_in_map = decode(sample.low_in_map(), checks, "low_in_map");
   tile.cell_m = sample.cell_m();
   tile.age_step_s = sample.age_step_s();

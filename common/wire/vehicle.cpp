@@ -15,6 +15,7 @@ constexpr double kLargestThingM = 1000.0;
 constexpr std::size_t kMostRays = 1440;
 constexpr double kQuarterTurnRad = 0.5 * geometry::kPi;
 
+/// Enumerators: see planning.cpp.
 aisle::KinematicModel to_wire(kinematics::Model model) {
   switch (model) {
     case kinematics::Model::kDifferential:
@@ -174,24 +175,29 @@ std::optional<fleet::CommandInForce> decode_command(const aisle::VehicleState& s
 
 }  // namespace
 
+/// A disc fills length and width with its diameter, for readers that know rectangles only.
 aisle::VehicleInfo encode(const fleet::Vehicle& vehicle) {
   const geometry::Footprint& footprint = vehicle.footprint;
   const kinematics::Limits& limits = vehicle.limits;
   aisle::VehicleInfo sample;
 
   sample.agv_id(vehicle.id);
+
   sample.model(to_wire(limits.model));
   sample.footprint(to_wire(footprint.shape));
+
   sample.radius_m(geometry::reach_m(footprint));
   sample.length_m(footprint.is_disc() ? 2.0 * footprint.radius_m : footprint.length_m);
   sample.width_m(footprint.is_disc() ? 2.0 * footprint.radius_m : footprint.width_m);
   sample.ahead_m(footprint.is_disc() ? 0.0 : footprint.ahead_m);
+
   sample.max_speed_mps(limits.max_speed_mps);
   sample.max_reverse_mps(limits.max_reverse_mps);
   sample.max_turn_radps(limits.max_turn_radps);
   sample.max_acceleration_mps2(limits.max_acceleration_mps2);
   sample.max_deceleration_mps2(limits.max_deceleration_mps2);
   sample.max_turn_acceleration_radps2(limits.max_turn_acceleration_radps2);
+
   sample.sensor_range_m(vehicle.sensor_range_m);
   sample.command_timeout_s(vehicle.command_timeout_s);
 
@@ -221,6 +227,7 @@ Decoded<fleet::Vehicle> decode(const aisle::VehicleInfo& sample) {
   limits = {sample.max_speed_mps(),         sample.max_reverse_mps(),       sample.max_turn_radps(),
             sample.max_acceleration_mps2(), sample.max_deceleration_mps2(), sample.max_turn_acceleration_radps2()};
   for (const LimitField& field : kLimits) checks.within(field.name, limits.*field.ours, field.low, field.high);
+
   limits.model = checks.known("model", sample.model(), from_wire(sample.model()));
   if (limits.model == kinematics::Model::kTricycle) limits.axle = decode_axle(sample, checks);
 
@@ -231,9 +238,11 @@ Decoded<fleet::Vehicle> decode(const aisle::VehicleInfo& sample) {
 aisle::VehicleState encode(const fleet::VehicleState& state) {
   aisle::VehicleState sample;
   sample.agv_id(state.agv_id);
+
   sample.base_in_map(encode(state.motion.base_in_map));
   sample.twist(encode(state.motion.twist));
   sample.steering_rad(state.motion.steering_rad);
+
   sample.hold(to_wire(state.hold));
 
   if (state.command) {
@@ -253,12 +262,15 @@ Decoded<fleet::VehicleState> decode(const aisle::VehicleState& sample) {
   fleet::VehicleState state;
 
   state.agv_id = sample.agv_id().to_string();
+
   state.motion = {decode(sample.base_in_map(), checks, "base_in_map"), decode(sample.twist(), checks, "twist"),
                   sample.steering_rad()};
   state.hold = checks.known("hold", sample.hold(), from_wire(sample.hold()));
+
   state.accepted_epoch = sample.accepted_epoch();
   state.refused_commands = sample.refused_commands();
   state.command = decode_command(sample);
+
   checks.id("agv_id", state.agv_id).within("steering_rad", sample.steering_rad(), -geometry::kPi, geometry::kPi);
 
   return checks.decoded(std::move(state));
@@ -267,13 +279,17 @@ Decoded<fleet::VehicleState> decode(const aisle::VehicleState& sample) {
 aisle::Scan encode(const fleet::Scan& scan) {
   aisle::Scan sample;
   sample.agv_id(scan.agv_id);
+
   sample.base_in_map(encode(scan.base_in_map));
+
   sample.position_sigma_m(scan.position_sigma_m);
   sample.yaw_sigma_rad(scan.yaw_sigma_rad);
   sample.twist(encode(scan.twist));
+
   sample.first_angle_rad(scan.first_angle_rad);
   sample.angle_step_rad(scan.angle_step_rad);
   sample.sweep_s(scan.sweep_s);
+
   sample.range_min_m(scan.range_min_m);
   sample.range_max_m(scan.range_max_m);
   sample.ranges_m(scan.ranges_m);
@@ -281,20 +297,25 @@ aisle::Scan encode(const fleet::Scan& scan) {
   return sample;
 }
 
+/// Poses and ranges are copied as they came: the tracker judges them.
 Decoded<fleet::Scan> decode(const aisle::Scan& sample) {
   Checks checks;
   fleet::Scan scan;
 
   scan.agv_id = sample.agv_id().to_string();
+
   scan.base_in_map = {sample.base_in_map().x_m(), sample.base_in_map().y_m(), sample.base_in_map().yaw_rad()};
   scan.position_sigma_m = sample.position_sigma_m();
   scan.yaw_sigma_rad = sample.yaw_sigma_rad();
   scan.twist = {sample.twist().linear_mps(), sample.twist().angular_radps(), sample.twist().sideways_mps()};
+
   scan.first_angle_rad = sample.first_angle_rad();
   scan.angle_step_rad = sample.angle_step_rad();
   scan.sweep_s = sample.sweep_s();
+
   scan.range_min_m = sample.range_min_m();
   scan.range_max_m = sample.range_max_m();
+
   checks.id("agv_id", scan.agv_id).count("ranges_m", sample.ranges_m().size(), 0, kMostRays);
   if (checks.ok()) scan.ranges_m.assign(sample.ranges_m().begin(), sample.ranges_m().end());
 
@@ -307,6 +328,7 @@ aisle::VelocityCommand encode(const fleet::VelocityCommand& command) {
   sample.goal_id(command.goal_id);
   sample.plan_id(command.plan_id);
   sample.map_revision(command.map_revision);
+
   sample.twist(encode(command.twist));
   sample.scan_stamp_ns(command.scan_stamp_ns);
   sample.control_ms(command.control_ms);
@@ -322,9 +344,11 @@ Decoded<fleet::VelocityCommand> decode(const aisle::VelocityCommand& sample) {
   command.goal_id = sample.goal_id().to_string();
   command.plan_id = sample.plan_id();
   command.map_revision = sample.map_revision();
+
   command.twist = decode(sample.twist(), checks, "twist");
   command.scan_stamp_ns = sample.scan_stamp_ns();
   if (std::isfinite(sample.control_ms())) command.control_ms = sample.control_ms();  // for people: refuses nothing
+
   checks.id("agv_id", command.agv_id).optional_id("goal_id", command.goal_id);
 
   return checks.decoded(std::move(command));
@@ -335,9 +359,11 @@ aisle::WorldObstacle encode(const fleet::Obstacle& obstacle) {
   sample.obstacle_id(obstacle.id);
   sample.kind(to_wire(obstacle.kind));
   sample.shape(to_wire(obstacle.footprint.shape));
+
   sample.base_in_map(encode(obstacle.base_in_map));
   sample.velocity_x_mps(obstacle.velocity_in_map.x);
   sample.velocity_y_mps(obstacle.velocity_in_map.y);
+
   sample.radius_m(obstacle.footprint.radius_m);
   sample.length_m(obstacle.footprint.length_m);
   sample.width_m(obstacle.footprint.width_m);
@@ -352,11 +378,13 @@ Decoded<fleet::Obstacle> decode(const aisle::WorldObstacle& sample) {
 
   obstacle.id = sample.obstacle_id().to_string();
   obstacle.kind = checks.known("kind", sample.kind(), from_wire(sample.kind()));
+
   obstacle.footprint.shape = checks.known("shape", sample.shape(), from_wire(sample.shape()));
   obstacle.footprint.radius_m = sample.radius_m();
   obstacle.footprint.length_m = sample.length_m();
   obstacle.footprint.width_m = sample.width_m();
   obstacle.footprint.ahead_m = sample.ahead_m();
+
   obstacle.velocity_in_map = {sample.velocity_x_mps(), sample.velocity_y_mps()};
   obstacle.base_in_map = decode(sample.base_in_map(), checks, "base_in_map");
 

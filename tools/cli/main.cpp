@@ -31,6 +31,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_topic_echo(topic, cli);
   add_topic_hz(topic, cli);
   add_topic_bw(topic, cli);
+
   add_fleet(app, cli);
 
   CLI::App& goal = *add_group("goal", "send a vehicle somewhere, or stop it");
@@ -44,6 +45,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_map_overlay(map, cli);
   add_map_accept(map, cli);
   add_map_save(map, cli);
+
   add_plan(app, cli);
 
   CLI::App& experiment = *add_group("experiment", "compare with what is published; write docs/experiments.md anew");
@@ -51,6 +53,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_experiment_global(experiment, cli);
   add_experiment_local(experiment, cli);
   add_experiment_tracking(experiment, cli);
+
   add_doctor(app, cli);
   add_health(app, cli);
   add_drive(app, cli);

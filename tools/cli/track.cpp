@@ -126,6 +126,7 @@ int track(const Cli& cli, const Options& options) {
                           [&](const tracking::Glance& now) { picture.look(now); });
 
   if (!options.svg.empty()) process::write_output_file(options.svg, picture.svg());
+
   print(cli, rows);
 
   return process::kDone;

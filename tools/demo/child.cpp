@@ -25,12 +25,15 @@ constexpr int kCannotExec = 127;
 [[noreturn]] void become(const char* program, char* const* arguments, int log_fd, int stdout_fd, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kCannotExec);  // the parent died before the line above
+
   setpgid(0, 0);
   dup2(stdout_fd >= 0 ? stdout_fd : log_fd, STDOUT_FILENO);
   dup2(log_fd, STDERR_FILENO);
+
   signal(SIGINT, SIG_DFL);
   signal(SIGTERM, SIG_DFL);
   signal(SIGPIPE, SIG_DFL);
+
   execv(program, arguments);
   _exit(kCannotExec);
 }
@@ -60,9 +63,11 @@ Child::Child(const Process& process, const std::filesystem::path& program, const
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) become(program.c_str(), arguments.data(), log_fd, pipe_fds[1], parent);
+
   close(log_fd);
   if (pipe_fds[1] >= 0) close(pipe_fds[1]);
   if (pid_ < 0) fail("cannot start " + process.program);
+
   stdout_fd_ = pipe_fds[0];
   if (stdout_fd_ >= 0) fcntl(stdout_fd_, F_SETFL, O_NONBLOCK);
 }

@@ -132,8 +132,10 @@ int drive(const Options& options) {
 
   // Places and limits: what is not given comes from the scenario's tree, or from the scenario.
   settings.config_folder = options.config.empty() ? deploy / "config" : fs::absolute(options.config);
+
   settings.out =
       fs::absolute(options.out.empty() ? fs::path("out") / settings.scenario_file.stem() : fs::path(options.out));
+
   settings.seed = options.seed.value_or(scenario.seed);
   settings.timeout_s = options.timeout_s.value_or(scenario.duration_s);
   settings.reversed = options.reversed;

@@ -153,10 +153,13 @@ void RefereeService::take(const fleet::Plan& plan, const Sender& from) {
   news.plan_id = plan.id;
   news.goal_id = plan.goal_id;
   news.map_revision = plan.map_revision;
+
   news.found = plan.is_found();
   news.waypoints_in_map = plan.waypoints_in_map;
+
   news.planning_ms = plan.planning_ms;
   news.stamp_ns = from.by.stamp_ns;
+
   news.t_s = arrived_s(from);
   judge_.plan_arrived(news);
 }
@@ -165,6 +168,7 @@ void RefereeService::take(const fleet::Goal& goal, const Sender& from) {
   GoalRecord record;
   record.agv_id = goal.agv_id;
   record.goal_id = goal.id;
+
   record.pose_in_map = goal.pose_in_map;
   record.position_tolerance_m = goal.position_tolerance_m;
   record.assigned_s = arrived_s(from);
@@ -180,6 +184,7 @@ void RefereeService::take(const fleet::NavigationStatus& status, const Sender& f
   news.goal_id = status.goal_id;
   news.reason = name(status.phase);
   if (!status.detail.empty()) news.reason += ": " + status.detail;
+
   news.t_s = arrived_s(from);
   if (status.phase == Phase::kArrived) news.phase = GoalNews::Phase::kArrived;
   if (status.phase == Phase::kFailed) news.phase = GoalNews::Phase::kFailed;
@@ -194,6 +199,7 @@ void RefereeService::take(const fleet::MapEdit& edit, const Sender& from) {
   row.edit_id = edit.edit_id;
   row.block = edit.action == fleet::MapEdit::Action::kBlock;
   row.outline_in_map = outline_of(edit);
+
   row.asked_stamp_ns = from.by.stamp_ns;
   row.asked_s = arrived_s(from);
   judge_.edit_asked(row);

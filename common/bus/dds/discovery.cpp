@@ -30,6 +30,7 @@ RemoteEndpoint remote_endpoint(Info info, bool is_writer) {
   RemoteEndpoint seen;
   seen.guid = text_of(fast::guid_of(info));
   seen.participant_prefix = text_of(fast::guid_of(info).guidPrefix);
+
   seen.topic = fast::topic_of(info);
   seen.type = fast::type_of(info);
   seen.is_writer = is_writer;
@@ -40,12 +41,14 @@ RemoteEndpoint remote_endpoint(Info info, bool is_writer) {
   const bool kept = fast::durability_of(info).kind >= fast::dds::TRANSIENT_LOCAL_DURABILITY_QOS;
   seen.qos.durability = kept ? Durability::kTransientLocal : Durability::kVolatile;
   seen.qos.depth = 0;
+
   seen.qos.deadline = fast::milliseconds(fast::deadline_of(info).period);
 
   const bool exclusive = fast::ownership_of(info).kind == fast::dds::EXCLUSIVE_OWNERSHIP_QOS;
   seen.qos.ownership = exclusive ? Ownership::kExclusive : Ownership::kShared;
   seen.qos.liveliness_lease = fast::milliseconds(fast::liveliness_of(info).lease_duration);
   seen.manual_liveliness = fast::liveliness_of(info).kind == fast::dds::MANUAL_BY_TOPIC_LIVELINESS_QOS;
+
   seen.partitions = fast::partition_of(info).getNames();
 
   return seen;

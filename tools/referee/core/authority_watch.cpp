@@ -31,11 +31,13 @@ void AuthorityWatch::plan_arrived(const std::string& agv_id, std::uint64_t plan_
   vehicle.plan_drivable = drivable;
 }
 
+/// Another boot id: the vehicle restarted, and its history with it.
 void AuthorityWatch::vehicle_reported(const VehicleReport& report) {
   Followed& vehicle = vehicles_[report.agv_id];
   if (!vehicle.reported || vehicle.boot_id != report.boot_id) {
     vehicle.reported = true;
     vehicle.boot_id = report.boot_id;
+
     vehicle.highest_epoch = 0;
     vehicle.source.clear();
     vehicle.sequence = 0;
@@ -51,6 +53,7 @@ void AuthorityWatch::vehicle_reported(const VehicleReport& report) {
   check_plan(vehicle, report);
 }
 
+/// Within one sender, start and epoch, numbers must not fall; a new sender begins anew.
 void AuthorityWatch::check_order(Followed& vehicle, const VehicleReport& report) {
   judge(vehicle, report, Kind::kEpochWentBack, report.command_epoch < vehicle.highest_epoch,
         fmt::format("obeys epoch {} of {} after epoch {}", report.command_epoch, report.command_source,
@@ -70,6 +73,7 @@ void AuthorityWatch::check_order(Followed& vehicle, const VehicleReport& report)
   vehicle.epoch = report.command_epoch;
 }
 
+/// A vehicle may go on by its old plan for a moment, and longer where it has to brake.
 void AuthorityWatch::check_plan(Followed& vehicle, const VehicleReport& report) {
   const bool moves = report.speed_mps > kMoving_mps && !report.holds;
   const bool planless = report.command_plan_id == 0;

@@ -166,6 +166,7 @@ Approach approach_with_fixed_headings(const Motion& a, const Motion& b, double l
 
 }  // namespace
 
+/// Steps of the turn, each with fixed headings; the least counts.
 Approach closest_approach(const Motion& a, const Motion& b) {
   const int steps = std::max(1, static_cast<int>(std::ceil(std::max(turn_of(a), turn_of(b)) / kTurnStep_rad)));
   Approach best{1e18, 0.0};

@@ -10,6 +10,7 @@ constexpr double kStill_mps = 0.03;
 constexpr double kStill_radps = 0.08;
 }  // namespace
 
+/// The first sample only says where it stands.
 void DriveBook::drove(double t_s, const geometry::Pose2& base_in_map, double speed_mps, bool goal_open,
                       Standing standing) {
   const DrivePoint point{t_s, base_in_map, speed_mps, standing};

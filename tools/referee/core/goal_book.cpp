@@ -32,6 +32,7 @@ const GoalRecord* GoalBook::open_goal(const std::string& agv_id) const {
   return &goals_[found->second];
 }
 
+/// A goal that is given again by a dispatcher that restarted is no new goal.
 void GoalBook::assigned(const GoalRecord& goal, bool cancelled) {
   GoalRecord* newest = newest_of(goal.agv_id);
   if (newest != nullptr && newest->goal_id == goal.goal_id) {
@@ -67,6 +68,7 @@ void GoalBook::assigned(const GoalRecord& goal, bool cancelled) {
   newest_[goal.agv_id] = goals_.size() - 1;
 }
 
+/// A claim to have arrived is checked against the truth.
 void GoalBook::heard(const GoalNews& news, const geometry::Pose2& true_base_in_map) {
   GoalRecord* goal = newest_of(news.agv_id);
   if (goal == nullptr || goal->goal_id != news.goal_id || goal->outcome == GoalOutcome::kReached ||
@@ -94,6 +96,7 @@ void GoalBook::heard(const GoalNews& news, const geometry::Pose2& true_base_in_m
   }
 }
 
+/// Keeps what was said last as the reason.
 void GoalBook::close(double t_s) {
   for (GoalRecord& goal : goals_) {
     if (goal.outcome != GoalOutcome::kOpen) continue;

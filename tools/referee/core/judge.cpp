@@ -23,6 +23,7 @@ Judge::VehicleBook& Judge::vehicle(const std::string& agv_id) {
   return book;
 }
 
+/// Persons and blocks are traced for the picture; vehicles get their book.
 void Judge::body_seen(const BodySample& sample) {
   contacts_.see(sample);
 
@@ -155,6 +156,7 @@ void Judge::edit_answered(const EditAnswer& answer) {
   pending_edits_.push_back(std::move(pending));
 }
 
+/// CPU is said for the time since the sample before: the first of a start does not count.
 void Judge::health_arrived(const HealthNews& health) {
   ServiceRow& row = services_[health.instance];
   row.instance = health.instance;
@@ -174,6 +176,7 @@ void Judge::health_arrived(const HealthNews& health) {
 
 void Judge::advance(double until_s) { contacts_.advance(until_s); }
 
+/// Vehicles that were never seen stand still for all we know.
 bool Judge::is_over(double now_s) const {
   if (expectation_.goals_of.empty()) return false;
 
@@ -190,21 +193,27 @@ bool Judge::is_over(double now_s) const {
   });
 }
 
+/// Contacts and goals are closed first, since the report copies them.
 RunReport Judge::finish(double t_s) {
   contacts_.advance(t_s);
   goals_.close(t_s);
 
   RunReport report;
   report.duration_s = t_s;
+
   report.goals_expected = std::max(expectation_.goals(), goals_.assigned_count());
   report.goals = goals_.all();
+
   report.contacts = contacts_.contacts();
   report.clearances = contacts_.clearances();
   report.violations = authority_.violations();
+
   for (const auto& [agv_id, book] : vehicles_) report.vehicles.emplace(agv_id, book.row);
   report.bodies = bodies_;
+
   report.edits = edits_;
   report.services = services_;
+
   report.planning_ms = planning_ms_;
   report.control_ms = control_ms_;
   report.map_edit_to_plan_ms = map_edit_to_plan_ms_;

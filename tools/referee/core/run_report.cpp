@@ -14,6 +14,7 @@ int RunReport::count(GoalOutcome outcome) const {
       std::count_if(goals.begin(), goals.end(), [&](const GoalRecord& g) { return g.outcome == outcome; }));
 }
 
+/// Goals that were never given are missed as well.
 int RunReport::goals_missed() const {
   return goals_expected - count(GoalOutcome::kReached) - count(GoalOutcome::kCancelled);
 }
@@ -59,6 +60,7 @@ double RunReport::cpu_percent_total() const {
   return sum;
 }
 
+/// Each line begins with its second.
 std::vector<std::string> RunReport::troubles() const {
   std::vector<std::string> lines;
   for (const Contact& c : contacts)
@@ -83,6 +85,7 @@ bool RunReport::came_too_near() const {
   return person_clearance_m > 0.0 && least_m && *least_m < person_clearance_m;
 }
 
+/// A recorded person may walk into a vehicle that stands; that is no fault of the vehicle's.
 bool RunReport::passed() const {
   const bool touched = std::any_of(contacts.begin(), contacts.end(), [&](const Contact& c) {
     return c.vehicle_moved() || c.pair != PairClass::kVehiclePerson || people_give_way;

@@ -326,6 +326,7 @@ struct Tile {
   bool alarm{false};
 };
 
+/// The ten figures that a reader looks for first.
 std::vector<Tile> tiles_of(const RunReport& report) {
   const int reached = report.count(GoalOutcome::kReached);
   const std::optional<double> least_m = report.clearances.overall_m();
@@ -475,6 +476,8 @@ constexpr const char* kPatterns =
 
 }  // namespace
 
+/// Layer by layer from below: walls, edits, people and blocks, plans, ways, vehicles, goals, contacts;
+/// then header and legend outside the map.
 std::string fleet_svg(const RunReport& report, const Walls& walls) {
   const MapFrame f = frame_of(area_of(report, walls));
   std::string body = "<clipPath id=\"shown\">" + draw::rect(f.left_px, f.top_px, f.width_px(), f.height_px(), "") +

@@ -37,6 +37,7 @@ Json goals_failed(const RunReport& report) {
   return failed;
 }
 
+/// One object a contact.
 Json contacts_of(const RunReport& report) {
   Json list = Json::array();
   for (const Contact& c : report.contacts) {
@@ -65,6 +66,7 @@ Json violations_of(const RunReport& report) {
   return list;
 }
 
+/// Goals are counted by what became of them.
 Json vehicle_rows(const RunReport& report) {
   Json rows = Json::array();
   for (const auto& [id, row] : report.vehicles) {
@@ -119,6 +121,7 @@ Json edit_rows(const RunReport& report) {
 
 }  // namespace
 
+/// Scripts read these keys: their names are an interface.
 nlohmann::ordered_json to_json(const RunReport& report) {
   Json out{{"scenario", report.scenario},
            {"seed", report.seed},
@@ -142,14 +145,17 @@ nlohmann::ordered_json to_json(const RunReport& report) {
   out["distance_m"] = number(report.distance_m());
   out["stops"] = report.stops();
   out["replans"] = report.replans();
+
   quantiles(out, "planning_ms", report.planning_ms);
   quantiles(out, "control_ms", report.control_ms);
   quantiles(out, "scan_to_command_ms", report.scan_to_command_ms());
   out["map_edit_to_plan_ms_p99"] = number(report.map_edit_to_plan_ms.quantile(0.99));
   quantiles(out, "command_gap_ms", report.command_gap_ms());
   out["command_gap_ms_max"] = number(report.command_gap_ms().max());
+
   out["cpu_percent_total"] = number(report.cpu_percent_total());
   out["authority_violations"] = report.violations.size();
+
   out["contact_list"] = contacts_of(report);
   out["authority_violation_list"] = violations_of(report);
   out["vehicle_rows"] = vehicle_rows(report);

@@ -155,6 +155,7 @@ std::string signs() {
 
 }  // namespace
 
+/// A strip for each vehicle, all with the scale of the fastest.
 std::string speeds_svg(const RunReport& report) {
   double highest_mps = kSpeedStepMps;
   for (const auto& [id, vehicle] : report.vehicles)

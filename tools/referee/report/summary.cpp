@@ -20,6 +20,7 @@ std::string pair_of(const Distribution& d, const char* unit) {
 /// A line with the value in the second column.
 std::string row(const char* name, const std::string& value) { return fmt::format("  {:<34}{}\n", name, value); }
 
+/// The least of all, then by kind of pair.
 std::string clearances(const RunReport& report) {
   std::string out = row("least clearance", figure(report.clearances.overall_m(), "m", 3));
   const char* names[] = {"  vehicle to vehicle", "  vehicle to person", "  vehicle to block", "  vehicle to wall"};
@@ -31,6 +32,7 @@ std::string clearances(const RunReport& report) {
   return out;
 }
 
+/// A row a vehicle.
 std::string vehicles(const RunReport& report) {
   std::string out = fmt::format("\n  {:<12}{:>8}{:>12}{:>8}{:>9}{:>12}{:>24}\n", "vehicle", "goals", "distance",
                                 "stops", "replans", "top speed", "command gap p99 / max");
@@ -52,6 +54,7 @@ std::string vehicles(const RunReport& report) {
   return out;
 }
 
+/// A row a process; empty when none was heard.
 std::string services(const RunReport& report) {
   if (report.services.empty()) return {};
 
