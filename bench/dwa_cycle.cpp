@@ -326,6 +326,7 @@ void goal(const std::string& what, double value, double most) {
   std::printf("  %-52s %6.2f, goal %.2f: %s\n", what.c_str(), value, most, value <= most ? "met" : "missed");
 }
 
+/// Ratios are taken round by round, so that a machine that is slow for a while does not count.
 void print_goals(const std::vector<Row>& rows) {
   const auto row_of = [&](const std::string& vehicle, int boxes, int anywhere,
                           int tracks) -> const std::vector<double>& {

@@ -69,6 +69,7 @@ class Hall final : public tracking::Scene {
   double duration_s() const override { return 1e9; }
   std::size_t vehicles() const override { return kVehicles; }
 
+  /// Everything is a function of time: circles for vehicles, to and fro for people.
   tracking::Moment at(double t_s) override {
     tracking::Moment moment;
 

@@ -74,6 +74,7 @@ void search(benchmark::State& state, const global_planner::Variant& variant) {
   state.counters["expanded"] = benchmark::Counter(expanded, benchmark::Counter::kAvgIterations);
 }
 
+/// A benchmark for each variant, under its name.
 const bool registered = [] {
   for (const global_planner::Variant& variant : global_planner::all_variants()) {
     benchmark::RegisterBenchmark(variant.name.c_str(), [&variant](benchmark::State& state) {

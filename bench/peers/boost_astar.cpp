@@ -170,6 +170,7 @@ BoostAstar::BoostAstar(const grid::OccupancyGrid& grid) : state_(std::make_uniqu
 
 BoostAstar::~BoostAstar() = default;
 
+/// Found carries the search out of Boost's loop; the path is read from the predecessors.
 PeerAnswer BoostAstar::plan(grid::Cell start, grid::Cell goal) {
   State& s = *state_;
   const Grid& grid = s.grid;

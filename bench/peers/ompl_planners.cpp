@@ -69,6 +69,7 @@ void keep_quiet_and_repeatable() {
 
 }  // namespace
 
+/// The plane within the map's bounds, with our own checks of states and motions.
 PeerAnswer ompl_plan(const std::string& planner, const grid::ClearanceField& clearance, geometry::Point2 start_in_map,
                      geometry::Point2 goal_in_map, double limit_s) {
   keep_quiet_and_repeatable();

@@ -50,6 +50,7 @@ std::string qos_conflict(const Qos& offered, bool offers_manual_liveliness, cons
   return {};
 }
 
+/// The type first: with another type no QoS matters.
 std::optional<Incident> mismatch(const Announced& ours, const Announced& theirs, const std::string& participant) {
   const std::string their_end = (theirs.is_writer ? "writer " : "reader ") + participant;
   if (ours.type != theirs.type) {

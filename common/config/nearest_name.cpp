@@ -31,6 +31,7 @@ std::size_t edits(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+/// A name of which every letter would be replaced is no match.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
   constexpr std::size_t kLongestName = 256;
   if (name.size() > kLongestName) return {};

@@ -259,6 +259,7 @@ std::string YamlReader::where(const char* key) const {
 
 void YamlReader::reject(const char* key, const std::string& why) const { throw BadInput(where(key) + ": " + why); }
 
+/// Unknown keys first: a mistyped key is often the missing one as well.
 void YamlReader::finish() const {
   const State& s = *state_;
   for (std::size_t i = 0; i < s.entries.size(); ++i) {
@@ -275,6 +276,7 @@ void YamlReader::finish() const {
   }
 }
 
+/// The child knows its path, for errors.
 std::optional<YamlReader> YamlReader::open(const char* key) {
   const YAML::Node* item = state_->find(key);
   if (!item) return std::nullopt;

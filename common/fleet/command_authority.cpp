@@ -38,6 +38,7 @@ const char* name(CommandVerdict verdict) {
 CommandAuthority::CommandAuthority(std::string agv_id, std::uint32_t accepted_epoch)
     : agv_id_(std::move(agv_id)), epoch_(accepted_epoch) {}
 
+/// Only an accepted command changes what is accepted next.
 CommandVerdict CommandAuthority::judge(const VelocityCommand& command, const Origin& by) {
   const CommandVerdict verdict = look_at(command, by);
   if (verdict != CommandVerdict::kAccepted) {

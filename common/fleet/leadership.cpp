@@ -8,7 +8,7 @@ namespace {
 /// See the diagram in the header.
 constexpr time::Stamp kListens = std::chrono::milliseconds(500);
 constexpr time::Stamp kAlone = std::chrono::seconds(3);
-constexpr time::Stamp kOutdone = std::chrono::seconds(1);  // whoever leads with a later epoch is heard within this
+constexpr time::Stamp kOutdone = std::chrono::seconds(1);  // a leader with a later epoch is heard within this
 
 }  // namespace
 

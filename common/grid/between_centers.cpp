@@ -157,6 +157,8 @@ bool BetweenCenters::is_free_along(Point a, Point b, double radius_m) const {
   return is_enough(least_blended_m(a, b) - kWorst * cell_m_);
 }
 
+/// f(u) = begin + slope u + bend u^2 along the piece; its minimum is at u = -slope / 2 bend when that
+/// lies within.
 double BetweenCenters::least_blended_m(Point a, Point b) const {
   // Along a straight piece it is a parabola through its values at both ends and in the middle.
   const double begin = blended_m(a);

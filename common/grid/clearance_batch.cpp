@@ -7,6 +7,7 @@ constexpr float kNoCells[2]{};
 
 }  // namespace
 
+/// Everything that a lookup needs lies in members, so that it stays in registers.
 ClearanceBatch::ClearanceBatch(const ClearanceField& field)
     : field_(field),
       cells_m_(field.cells_m().data()),

@@ -33,6 +33,7 @@ bool is_sound(const Tile& tile) {
 
 }  // namespace
 
+/// An older or equal revision of the same map says nothing new.
 MapMirror::Change MapMirror::take(const MapSummary& summary) {
   if (!is_sound(summary)) return Change::kNone;
 
@@ -102,6 +103,7 @@ void MapMirror::start_over(const MapSummary& summary) {
   revision_ = 0;
 }
 
+/// A tile is there when grid_ or staged_ holds cells with the listed hash.
 void MapMirror::find_missing() {
   missing_ = 0;
 
@@ -134,6 +136,7 @@ void MapMirror::accept(int index, const Tile& tile) {
   is_missing_[static_cast<std::size_t>(index)] = 0;
 }
 
+/// Tiles of a later revision go on waiting.
 void MapMirror::use_waiting_tiles() {
   for (auto it = waiting_.begin(); it != waiting_.end();) {
     const Tile& tile = it->second;

@@ -18,6 +18,7 @@ Cell Tiling::high(int tile) const {
   return {std::min(from.x + tile_size, geometry.width), std::min(from.y + tile_size, geometry.height)};
 }
 
+/// Row by row, each in one piece.
 std::vector<Occupancy> tile_cells(const OccupancyGrid& grid, const Tiling& tiling, int tile) {
   const Cell low = tiling.low(tile);
   const Cell high = tiling.high(tile);

@@ -8,6 +8,7 @@
 
 namespace aisle::kinematics {
 
+/// along = sin(a) / a and across = (1 - cos(a)) / a, of the equation in the header.
 geometry::Pose2 advance(const geometry::Pose2& base_in_map, const geometry::Twist2& twist, double dt_s) {
   const double turn_rad = twist.angular_radps * dt_s;
 
@@ -23,6 +24,7 @@ geometry::Pose2 advance(const geometry::Pose2& base_in_map, const geometry::Twis
   return {end.x, end.y, geometry::wrap(base_in_map.yaw + turn_rad)};
 }
 
+/// Each model has a file of its own.
 DriveState follow(const DriveState& current, const geometry::Twist2& wanted, const Limits& limits, double dt_s) {
   switch (limits.model) {
     case Model::kOmnidirectional:

@@ -28,6 +28,7 @@ time::Stamp cpu_time() {
   return duration_of(usage.ru_utime) + duration_of(usage.ru_stime);
 }
 
+/// 100 used / elapsed, once there is an earlier call to compare with.
 double CpuMeter::percent_since_last(time::Stamp now, time::Stamp cpu) {
   const double elapsed_s = time::seconds(now - last_now_);
   const double used_s = time::seconds(cpu - last_cpu_);

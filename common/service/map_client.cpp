@@ -14,6 +14,7 @@ constexpr milliseconds kAskForInfoAfter{1000};
 constexpr std::size_t kMaxReasons = 16;
 }  // namespace
 
+/// Ends of instances mean nothing here: the map's cells stay valid without its service.
 MapClient::MapClient(bus::Bus& bus, const std::string& requester_id, const Options& options)
     : bus_(bus), options_(options), requester_id_(requester_id), map_id_(options.map_id), progress_(bus_.now()) {
   requests_ = bus_.writer<topics::MapRequest>();

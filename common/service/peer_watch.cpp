@@ -69,6 +69,8 @@ bool PeerWatch::is_duplicate(const PeerHealth& peer, const Seen* seen, time::Sta
   return seen != nullptr && peer.boot_id < seen->newest.boot_id && now - seen->first_arrival > kHandover;
 }
 
+/// Judged by the newest start of the instance. An older start that still speaks is a duplicate; a newer
+/// one begins with a clean sheet.
 std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, std::int64_t wall_clock_ns) {
   std::vector<Finding> findings;
   if (peer.boot_id == own_boot_id_ && peer.instance_id == own_instance_id_) return findings;

@@ -176,6 +176,7 @@ void tidy() {
 
 /// The bus with one shell for each identity, the loop, and the health file.
 struct Process::State {
+  /// The first shell makes what all share; the others stand on it.
   State(const About& about, const Common& common_options, const std::vector<Identity>& identities)
       : common(common_options), name(process_name(about, common, identities)), bus(settings_of(common, name)) {
     for (Identity identity : identities) {

@@ -256,6 +256,7 @@ bool Shell::has_failed() const { return state_->has_failed; }
 bool Shell::is_alone() const { return state_->shared->shells.size() == 1; }
 void Shell::warn(const std::string& kind, const std::string& text) { state_->warn(kind, text); }
 
+/// Shells that want the same of the map share one client.
 MapClient& Shell::map(const MapClient::Options& options, MapClient::OnMap on_map) {
   auto& maps = state_->shared->maps;
   auto found = std::find_if(maps.begin(), maps.end(), [&](const auto& entry) { return entry.first == options; });
@@ -284,6 +285,7 @@ void Shell::post(std::function<void()> work) {
   bus().post([this, work = std::move(work)] { guarded(work); });
 }
 
+/// The flag is cleared before the work runs: a call from within it posts again.
 std::function<void()> Shell::soon(std::function<void()> work) {
   auto is_posted = std::make_shared<bool>(false);
 

@@ -72,6 +72,7 @@ geometry::Footprint parse_footprint(const std::string& what, const std::string& 
   return geometry::rectangle(numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0.0);
 }
 
+/// For flags that take a fixed number of them.
 std::vector<double> parse_numbers(const std::string& what, const std::string& text, std::size_t count,
                                   const std::string& example) {
   std::vector<double> numbers = split_numbers(what, text, example);

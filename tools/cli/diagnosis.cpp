@@ -193,6 +193,7 @@ void VehicleWatch::take(const fleet::VehicleState& state, const fleet::Origin& b
   holds_[state.agv_id] = is_held ? word_of(name(state.hold)) : "";
 }
 
+/// Several starts that each wrote more than one sample are several processes.
 std::vector<Problem> VehicleWatch::judge() const {
   std::vector<Problem> problems;
   for (const auto& [agv_id, writers] : writers_) {

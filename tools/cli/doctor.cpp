@@ -117,7 +117,7 @@ class Examination {
   std::unique_ptr<bus::Bus> bus_;
 };
 
-/// Domains, but ours, in which somebody is.
+/// Other domains in which a participant was seen.
 std::set<int> scan_domains(const Cli& cli) {
   std::set<int> found;
   for (int first = 0; first <= kLastDomainToScan && !is_interrupted(); first += kDomainsAtOnce) {

@@ -57,6 +57,7 @@ std::string EditTalk::find_map(Seconds limit) {
   return map_id_;
 }
 
+/// The same edit id each time: the map knows a repetition by it.
 std::optional<EditTalk::Answer> EditTalk::send(const fleet::MapEdit& edit, Seconds limit) {
   edit_id_ = edit.edit_id;
 
@@ -95,6 +96,7 @@ EditTalk::Answer EditTalk::apply(fleet::MapEdit edit, const std::string& map_id,
   return *result;
 }
 
+/// A refusal goes to stderr.
 int print_result(const Cli& cli, const EditTalk::Answer& answer) {
   const bool is_refused = answer.result.outcome == fleet::MapEditResult::Outcome::kRefused;
   const int code = is_refused ? process::kNegative : process::kDone;

@@ -24,6 +24,7 @@ std::string word(const Json& row, const char* key) {
 
 }  // namespace
 
+/// One reader for each kind of row.
 void FleetView::watch(bus::Bus& bus) {
   using service::End;
   using service::hear;
@@ -77,6 +78,7 @@ std::vector<std::string> FleetView::vehicle_ids() const {
   return ids;
 }
 
+/// Without a local planner's word, only state and goal are shown.
 Json FleetView::snapshot(const std::string& agv_id, const VehicleEntry& vehicle, time::Stamp now) const {
   Json row{{"agv_id", agv_id}, {"online", vehicle.state && now - vehicle.state_arrived <= kOfflineAfter}};
   if (vehicle.navigation) {
@@ -112,6 +114,7 @@ Json FleetView::snapshot(time::Stamp now) const {
   return Json{{"vehicles", std::move(vehicles)}, {"services", std::move(services)}};
 }
 
+/// From the JSON, so that both outputs say the same.
 std::string text_of_fleet(const Json& snapshot) {
   std::vector<std::vector<std::string>> vehicles{
       {"VEHICLE", "PHASE", "REASON", "GOAL", "LEFT m", "SPEED m/s", "X m", "Y m", "HOLD"}};

@@ -16,6 +16,7 @@ constexpr std::chrono::milliseconds kSayAgainAfter{500};
 
 }  // namespace
 
+/// Hears everything that says how a goal fares.
 GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
     : cli_(cli),
       agv_id_(agv_id),
@@ -47,6 +48,7 @@ GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
                                       {}});
 }
 
+/// A mistyped id is told with the ids that are there.
 void GoalTalk::require_vehicle() {
   if (run_until(*bus_, kUntilVehiclesAreSeen, [this] { return vehicles_.count(agv_id_) > 0; })) return;
 
@@ -65,6 +67,7 @@ void GoalTalk::require_vehicle() {
                          " Seen are: " + names);
 }
 
+/// A goal that was sent before its reader was there is heard the next time.
 bool GoalTalk::say_until(const fleet::Goal& goal, Seconds limit, const std::function<bool()>& done) {
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!is_interrupted()) {

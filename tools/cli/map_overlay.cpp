@@ -75,6 +75,7 @@ void require_tracker(const Cli& cli, const TrackBook& book) {
                                "; is aisle-obstacle-tracker running, and does a vehicle scan?");
 }
 
+/// Waits for a tracker, then listens a while, then shows what stands.
 int show_overlay(const Cli& cli, double wait_s) {
   const std::unique_ptr<bus::Bus> bus = join(cli, "aisle-map-overlay");
   TrackBook book(*bus);

@@ -72,6 +72,7 @@ bool multicast_works(in_addr address) {
 
 }  // namespace
 
+/// By getifaddrs(3); each address is tried in turn.
 std::vector<NetworkInterface> probe_interfaces() {
   std::vector<NetworkInterface> interfaces;
   ifaddrs* first = nullptr;

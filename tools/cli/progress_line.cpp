@@ -16,6 +16,7 @@ ProgressLine::ProgressLine()
 
 ProgressLine::~ProgressLine() { clear(); }
 
+/// Too soon after the last one: nothing is shown.
 void ProgressLine::tell(const std::string& text) {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return;

@@ -49,6 +49,7 @@ bool is_ours(const fs::path& file) {
 
 }  // namespace
 
+/// A segment is left over when no live process that we may look into has mapped it.
 SharedMemory probe_shared_memory(const fs::path& folder) {
   SharedMemory memory;
   memory.folder = folder.string();

@@ -114,6 +114,7 @@ std::string text_of_sample(const Json& sample, Length length) {
   return out;
 }
 
+/// Each column is as wide as its widest cell; blanks at line ends are left out.
 std::string text_of_table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& row : rows) {

@@ -84,6 +84,7 @@ const TopicRow& find_topic(const std::string& name) {
                          (nearest.empty() ? "see aisle topic list" : "did you mean '" + nearest + "'?"));
 }
 
+/// Policies that are at their default are not named.
 std::string text_of(const bus::Qos& qos, History history) {
   std::string text = qos.reliability == bus::Reliability::kReliable ? "reliable" : "best effort";
   if (qos.durability == bus::Durability::kTransientLocal) text += ", transient local";

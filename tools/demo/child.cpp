@@ -85,6 +85,7 @@ void Child::send(int signal) const {
   if (pid_ > 0 && !ending_) kill(pid_, signal);
 }
 
+/// waitpid(2) once; the ending is kept, since it can be had only once.
 std::optional<Ending> Child::poll() {
   if (ending_) return ending_;
 

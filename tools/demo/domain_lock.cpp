@@ -35,6 +35,7 @@ DomainLock DomainLock::take(int wanted) {
   return {descriptor, wanted};
 }
 
+/// Different processes begin their search at different domains.
 DomainLock DomainLock::take_any(int process_id) {
   constexpr int kCount = kLast - kFirst + 1;
   for (int i = 0; i < kCount; ++i) {

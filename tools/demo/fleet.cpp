@@ -86,6 +86,7 @@ std::vector<std::string> names_in(const fs::path& folder) {
 
 }  // namespace
 
+/// The map first, so that the others find it; the referee before all, so that it sees everything.
 std::vector<Process> processes_of(const scenario::Scenario& scenario, const RunSettings& settings) {
   const std::string file = settings.scenario_file.string();
   const std::string seed = std::to_string(settings.seed);
@@ -111,6 +112,7 @@ std::vector<Process> processes_of(const scenario::Scenario& scenario, const RunS
   return all;
 }
 
+/// A path as it is; a name in the folders, best first.
 fs::path find_scenario(const std::string& name, const fs::path& program_folder) {
   if (fs::is_regular_file(name)) return fs::absolute(name).lexically_normal();
 

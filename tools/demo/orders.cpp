@@ -30,6 +30,7 @@ double seconds_of(std::string_view digits, const std::string& text, const char* 
 
 }  // namespace
 
+/// Restarts after a second when nothing is said.
 KillOrder parse_kill(const std::string& text) {
   constexpr const char* kForm = "SERVICE@SECONDS[:RESTART_AFTER_S]";
   const std::size_t at = text.find('@');

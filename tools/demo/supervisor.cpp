@@ -71,6 +71,7 @@ RunOutcome Supervisor::run(const std::atomic<bool>& stop, double limit_s) {
   return outcome_;
 }
 
+/// The referee's stdout is piped to us, for the progress.
 void Supervisor::start_due() {
   for (Slot& slot : slots_) {
     if (slot.child || slot.start_at_s < 0.0 || now_s() < slot.start_at_s) continue;
@@ -82,6 +83,7 @@ void Supervisor::start_due() {
   }
 }
 
+/// An order may mean several processes; each is killed and started again.
 void Supervisor::kill_due() {
   for (auto order = kills_.begin(); order != kills_.end();) {
     if (now_s() < order->at_s) {
@@ -112,6 +114,7 @@ void Supervisor::reap() {
   }
 }
 
+/// The referee's end is the end of the run; another process is started again, once.
 void Supervisor::died(Slot& slot, const Ending& ending) {
   if (slot.process.is_referee) {
     drain();

@@ -24,6 +24,7 @@ MapFrame fitted_frame(const grid::Geometry& geometry, double edge_px) {
   return frame_of(geometry, edge_px / (std::max(geometry.width, geometry.height) * geometry.resolution_m));
 }
 
+/// Corners that no eye can tell apart only make the file larger.
 std::string path_along(const MapFrame& frame, const std::vector<Point2>& points_in_map) {
   std::vector<PointPx> kept;
   for (std::size_t i = 0; i < points_in_map.size(); ++i) {

@@ -83,6 +83,7 @@ std::string path_along(const std::vector<PointPx>& points) {
   return d;
 }
 
+/// Definitions come before the background, since it may use them.
 std::string document(const Page& page, std::string_view body) {
   const std::string width = page.width.text(), height = page.height.text();
   const std::string size =

@@ -35,6 +35,7 @@ Box box_of(const grid::Geometry& g, Cell low, Cell high) {
 
 }  // namespace
 
+/// Row by row, each run of equal blocks as one box.
 GridLayers grid_layers(const grid::OccupancyGrid& grid, int edge) {
   const grid::Geometry& g = grid.geometry();
   GridLayers layers;
@@ -84,6 +85,7 @@ std::vector<Box> obstacles(const grid::OccupancyGrid& grid) {
   return boxes;
 }
 
+/// One path for all boxes: a closed subpath for each.
 std::string boxes_path(const MapFrame& frame, const std::vector<Box>& boxes, Digits digits) {
   std::string d;
   for (const Box& box : boxes) {

@@ -58,6 +58,7 @@ std::vector<geometry::Point2> outline_of(const fleet::MapEdit& edit) {
 
 }  // namespace
 
+/// Ground truth is judged a little late, when all of it has come.
 RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls,
                                const Expectation& expectation)
     : bus_(bus),
@@ -127,6 +128,7 @@ void RefereeService::take(const fleet::Obstacle& truth, const Sender& from) {
                     geometry::norm(truth.velocity_in_map), t_s, from.by.boot_id, truth.footprint.ahead_m});
 }
 
+/// The command in force tells which source the vehicle follows.
 void RefereeService::take(const fleet::VehicleState& state, const Sender& from) {
   VehicleReport report;
   report.agv_id = state.agv_id;
@@ -147,6 +149,7 @@ void RefereeService::take(const fleet::VehicleState& state, const Sender& from) 
   judge_.vehicle_reported(report, state.refused_commands);
 }
 
+/// Stamps are kept beside arrivals: latencies are between stamps.
 void RefereeService::take(const fleet::Plan& plan, const Sender& from) {
   PlanNews news;
   news.agv_id = plan.agv_id;
@@ -205,6 +208,7 @@ void RefereeService::take(const fleet::MapEdit& edit, const Sender& from) {
   judge_.edit_asked(row);
 }
 
+/// An edit that was applied before counts as answered, not as applied.
 void RefereeService::take(const fleet::MapEditResult& answer, const Sender& from) {
   using Outcome = fleet::MapEditResult::Outcome;
   const bool applied = answer.outcome == Outcome::kApplied;

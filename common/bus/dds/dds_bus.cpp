@@ -59,6 +59,7 @@ struct DdsBus::State {
   std::vector<std::function<void()>> posted;
 };
 
+/// Taken out under the lock and run without it: work may post again.
 bool DdsBus::State::handle_posted() {
   std::vector<std::function<void()>> work;
   {
@@ -103,6 +104,7 @@ bool DdsBus::State::handle_timers() {
   return handled;
 }
 
+/// Posted work first, timers last; each kind gets its turn.
 bool DdsBus::State::handle_all() {
   site->guard().set_trigger_value(false);  // first: what comes from now on wakes the next wait
 
@@ -140,6 +142,7 @@ std::shared_ptr<detail::RawWriter> DdsBus::raw_writer(const char* topic, int str
   return writer;
 }
 
+/// Handlers of one topic share the reader that the first one makes.
 void DdsBus::raw_on(const char* topic, detail::RawHandler handler) {
   auto found = state_->readers.find(topic);
   if (found == state_->readers.end()) {
@@ -171,6 +174,7 @@ void DdsBus::post(std::function<void()> work) {
   state_->site->wake();
 }
 
+/// Again until something was handled or the time is over: a wait may end for nothing.
 bool DdsBus::run_once(std::chrono::nanoseconds limit) {
   const Clock::time_point end = Clock::now() + limit;
   while (!state_->handle_all()) {

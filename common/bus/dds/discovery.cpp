@@ -87,6 +87,7 @@ void Discovery::endpoint_seen(RemoteEndpoint endpoint, bool gone) {
   wake_();
 }
 
+/// A participant that goes takes its endpoints with it.
 void Discovery::participant_seen(fast::ParticipantInfo info, bool gone) {
   const std::string prefix = text_of(fast::guid_of(info).guidPrefix);
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -111,6 +112,7 @@ void Discovery::add_local(const Announced& endpoint) {
   changed_ = true;
 }
 
+/// Every pair of ours and theirs on one topic; only after something changed.
 std::vector<Incident> Discovery::new_conflicts() {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<Incident> found;

@@ -88,6 +88,7 @@ Site::~Site() {
   dds::DomainParticipantFactory::get_instance()->delete_participant(participant_);
 }
 
+/// One registration for readers and writers of the topic.
 const Site::Channel& Site::channel(const std::string& name) {
   const auto known = channels_.find(name);
   if (known != channels_.end()) return known->second;
@@ -110,6 +111,7 @@ fast::dds::DataWriter& Site::make_writer(const Channel& channel, int strength) {
   return *writer;
 }
 
+/// The listener hears of leases and matches only; data comes through the condition.
 fast::dds::DataReader& Site::make_reader(const Channel& channel, fast::dds::DataReaderListener* listener) {
   const dds::StatusMask heard = dds::StatusMask::liveliness_changed() << dds::StatusMask::subscription_matched();
   dds::DataReader* reader =

@@ -44,6 +44,7 @@ std::vector<TopicReader::WriterEvent> TopicReader::Listener::take() {
   return std::exchange(events_, {});
 }
 
+/// The condition triggers on data, missed deadlines, rejected samples and misfits.
 TopicReader::TopicReader(Site& site, const Site::Channel& channel)
     : site_(site),
       type_(channel.type),
@@ -65,6 +66,7 @@ int TopicReader::matched_writers() const {
   return status.current_count;
 }
 
+/// Samples first, then the ends of writers that did not come back, then the counts of what went wrong.
 bool TopicReader::drain(const Report& report) {
   const std::vector<WriterEvent> events =
       listener_.take();  // before the samples: what a writer said last comes before its end
@@ -82,6 +84,7 @@ bool TopicReader::drain(const Report& report) {
   return handled;
 }
 
+/// One sample at a time into the same object.
 bool TopicReader::drain_samples(const Report& report) {
   int taken = 0;
   dds::SampleInfo info;
@@ -131,6 +134,7 @@ void TopicReader::lose(const WriterEvent& event, const Report& report) {
   if (!event.silent) names_.erase(event.writer);
 }
 
+/// Reading a status also clears it; each kind is reported at most once in five seconds.
 void TopicReader::report_statuses(const Report& report) {
   const dds::StatusMask changed = reader_->get_status_changes();
   const auto limited = [&](const Incident& incident) {

@@ -8,6 +8,7 @@ namespace aisle::bus::simulated {
 Core::Core(std::uint64_t seed, const Options& options)
     : options_(options), now_(options.start), links_(seed, options.link) {}
 
+/// Events that an event adds for the same moment belong to this step.
 bool Core::step() {
   if (is_idle()) return false;
 

@@ -6,6 +6,7 @@
 
 namespace aisle::bus::simulated {
 
+/// It meets every living process of its domain.
 std::shared_ptr<Process> Core::join(const Settings& settings, const std::string& host) {
   auto joined = std::make_shared<Process>(*this, static_cast<int>(processes_.size()), links_.host(host), settings);
   processes_.push_back(joined);
@@ -18,6 +19,7 @@ std::shared_ptr<Process> Core::join(const Settings& settings, const std::string&
   return joined;
 }
 
+/// Only one attempt of a pair is under way at any time.
 void Core::meet_soon(Process& a, Process& b, time::Stamp delay) {
   const auto pair = std::minmax(a.id, b.id);
   if (!meeting_.insert(pair).second) return;
@@ -28,6 +30,7 @@ void Core::meet_soon(Process& a, Process& b, time::Stamp delay) {
   });
 }
 
+/// Meeting is mutual: packets must pass both ways.
 void Core::meet(Process& a, Process& b) {
   if (a.gone || b.gone) return;
   if (!passes(a, b) || !passes(b, a)) return meet_soon(a, b, options_.announcement);
@@ -60,6 +63,7 @@ void Core::introduce(ReaderEnd& reader) {
   }
 }
 
+/// Within a process at once; to others after the time that an announcement takes.
 void Core::match_soon(WriterEnd& writer, ReaderEnd& reader) {
   if (&writer.process == &reader.process) return match(writer, reader);
   if (writer.process.known.count(reader.process.id) == 0) return;  // they match when they meet
@@ -97,6 +101,7 @@ void Core::match(WriterEnd& writer, ReaderEnd& reader) {
   establish(made);
 }
 
+/// The reader's process is told first, then the writer's, as each sees it.
 bool Core::fit(WriterEnd& writer, ReaderEnd& reader) {
   const auto seen_by_reader = mismatch(reader.announced, writer.announced, writer.process.described());
   if (!seen_by_reader) return true;
@@ -123,6 +128,7 @@ void Core::establish(Match& match) {
   match.writer.begin_stream(match);
 }
 
+/// It tries to meet the other again, in case the silence ends.
 void Core::forget(Process& forgetful, Process& other) {
   if (forgetful.gone || forgetful.known.erase(other.id) == 0) return;
 
@@ -162,6 +168,7 @@ void Core::fall_silent(Process& process) {
   }
 }
 
+/// Packets that came meanwhile are taken when it continues.
 void Core::freeze(Process& process, bool frozen) {
   if (process.gone || frozen == process.frozen_since.has_value()) return;
 

@@ -19,6 +19,7 @@ void EventQueue::push(time::Stamp time, Action action) {
   std::push_heap(heap_.begin(), heap_.end(), is_later);
 }
 
+/// The slot is free at once, even while the action runs.
 EventQueue::Action EventQueue::pop() {
   std::pop_heap(heap_.begin(), heap_.end(), is_later);
 

@@ -44,6 +44,7 @@ bool Process::has_work() const {
   return std::any_of(timers_.begin(), timers_.end(), [&](const Timer& timer) { return timer.next <= core.now(); });
 }
 
+/// A turn that comes while the last one still takes its time is put off to its end.
 void Process::take_turn() {
   if (gone || hung || frozen_since || in_turn_) return;
 
@@ -65,6 +66,7 @@ void Process::take_turn() {
   if (!gone && has_work()) core.give_turn(*this);
 }
 
+/// While it waits, the network goes on and other processes have their turns.
 bool Process::run_once(std::chrono::nanoseconds limit) {
   const time::Stamp end = core.now() + limit;
   while (!handle_all()) {
@@ -75,6 +77,7 @@ bool Process::run_once(std::chrono::nanoseconds limit) {
   return true;
 }
 
+/// The same order as in DdsBus.
 bool Process::handle_all() {
   if (gone || frozen_since) return false;
 
@@ -99,6 +102,7 @@ bool Process::handle_incidents() {
   return !told.empty();
 }
 
+/// A reader that has more than one turn's samples asks for another turn.
 bool Process::handle_readers() {
   if (!std::exchange(samples_wait, false)) return false;
 
@@ -111,6 +115,7 @@ bool Process::handle_readers() {
   return handled;
 }
 
+/// A timer that was missed several times fires once.
 bool Process::handle_timers() {
   bool handled = false;
   const time::Stamp now = core.now();

@@ -105,6 +105,7 @@ void ReaderEnd::lose_ownership(const WriterEnd& writer) {
     claims.erase(std::remove(claims.begin(), claims.end(), &writer), claims.end());
 }
 
+/// A writer that was silent beyond its lease is alive again.
 void ReaderEnd::assert_liveliness(Match& match) {
   if (gone || qos_.liveliness_lease.count() == 0) return;
 
@@ -118,6 +119,7 @@ void ReaderEnd::assert_liveliness(Match& match) {
   if (!match.lease_watched) watch_lease(match);
 }
 
+/// One event for each lease: it looks again if the writer spoke meanwhile.
 void ReaderEnd::watch_lease(Match& match) {
   match.lease_watched = true;
 
@@ -143,6 +145,7 @@ void ReaderEnd::watch_deadlines() {
   core_.at(first->second, [this] { check_deadlines(); });
 }
 
+/// A missed deadline begins the next one; the loop reports how many were missed.
 void ReaderEnd::check_deadlines() {
   deadlines_watched_ = false;
 
@@ -186,6 +189,7 @@ bool ReaderEnd::drain(const Report& report) {
   return handled;
 }
 
+/// Instance by instance in the order of their hashes, as Fast DDS does.
 bool ReaderEnd::drain_samples(const Report& report) {
   int taken = 0;
   while (taken < kSamplesPerTurn && !cache_.empty()) {
@@ -202,6 +206,7 @@ bool ReaderEnd::drain_samples(const Report& report) {
   return taken > 0;
 }
 
+/// The same steps as TopicReader::take.
 void ReaderEnd::take(const Cached& cached, const Report& report) {
   const Change& change = *cached.change;
   if (change.disposed) {

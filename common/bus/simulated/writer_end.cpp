@@ -50,6 +50,7 @@ bool WriterEnd::dispose(const void* sample) {
   return say(sample, instance, true);
 }
 
+/// Nothing is kept or sent when the sample cannot be encoded.
 bool WriterEnd::say(const void* sample, const InstanceId& instance, bool disposed) {
   end_acknowledged();
 
@@ -111,6 +112,7 @@ bool WriterEnd::is_full() const {
   return unended_ >= announced.qos.max_kept;
 }
 
+/// A disposal ends what is kept of the instance: late joiners do not hear of it.
 void WriterEnd::keep(const ChangePtr& change) {
   if (announced.qos.durability != Durability::kTransientLocal) return;
 
@@ -124,8 +126,9 @@ void WriterEnd::keep(const ChangePtr& change) {
   if (kept.size() > static_cast<std::size_t>(std::max(1, announced.qos.depth))) kept.pop_front();
 }
 
+/// A message that was replaced keeps its number, empty, so that the reader does not wait for it.
 void WriterEnd::send(Match& match, const ChangePtr& change) {
-  // Keep last 1: what nobody has acknowledged of this instance is replaced. (All our topics keep 1, or everything.)
+  // Keep last 1: unacknowledged changes of this instance are replaced. (All our topics keep 1, or everything.)
   if (announced.qos.depth > 0) {
     for (auto& [number, message] : match.unacknowledged) {
       if (message.change && message.change->instance == change->instance) message.change = nullptr;
@@ -283,6 +286,7 @@ void WriterEnd::forget(Match& match) {
   match.unacknowledged.clear();
 }
 
+/// Readers are told reliably; until they hear it they take what is under way.
 void WriterEnd::close() {
   if (gone) return;
 

@@ -88,6 +88,7 @@ void ContactWatch::see(const BodySample& sample) {
 
 void ContactWatch::gone(const std::string& id) { bodies_.erase(id); }
 
+/// Every pair with a vehicle in it, and every vehicle with the walls.
 void ContactWatch::advance(double until_s) {
   if (until_s <= judged_until_s_) return;
 
@@ -191,6 +192,7 @@ void ContactWatch::judge_pair(const std::string& id_a, const Body& a, const std:
   }
 }
 
+/// A vehicle that is far from all walls counts as at the end of the search.
 void ContactWatch::judge_walls(const std::string& id, const Body& body, double until_s) {
   const std::vector<double> moments = breaks(body, nullptr, until_s);
   for (std::size_t i = 1; i < moments.size(); ++i) {
@@ -219,6 +221,7 @@ void ContactWatch::note(PairClass pair, const std::string& id_a, const Piece& a,
   }
 }
 
+/// The first touch gives the place; the worst of all touches the depth and the speeds.
 void ContactWatch::note_touch(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b,
                               const Piece* b, double t_s, double depth_m, double at) {
   auto touch = touches_.find({id_a, id_b});

@@ -48,6 +48,7 @@ void Judge::body_seen(const BodySample& sample) {
                        standing);
 }
 
+/// A point each tenth of a second at most, and only when it moved by 5 cm.
 void Judge::trace_body(const BodySample& sample) {
   BodyTrace& trace = bodies_[sample.id];
   trace.kind = sample.kind;

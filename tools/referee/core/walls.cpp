@@ -74,6 +74,7 @@ void Walls::collect_boxes(const grid::OccupancyGrid& map) {
   }
 }
 
+/// A box stands in every bin that it reaches into.
 void Walls::sort_into_bins() {
   bins_x_ = std::max(1, static_cast<int>(std::ceil((high_.x - low_.x) / kBin_m)));
   bins_y_ = std::max(1, static_cast<int>(std::ceil((high_.y - low_.y) / kBin_m)));

@@ -94,6 +94,7 @@ std::string troubles(const RunReport& report) {
 
 }  // namespace
 
+/// The figures of the run, then vehicles, processes and troubles.
 std::string summary(const RunReport& report) {
   std::string out = fmt::format("{} (seed {}): {} after {:.1f} s, {}\n", report.scenario, report.seed,
                                 report.passed() ? "passed" : "FAILED", report.duration_s, report.ended_because);
