@@ -78,7 +78,9 @@ class Hall final : public tracking::Scene {
       constexpr double kRadius_m = 1.4;
       constexpr double kSpeed_mps = 0.8;
       const double angle = kSpeed_mps / kRadius_m * t_s + v;
-      const Point2 middle{3.25 + 6.0 * (v % 5) + 3.0 * (v / 10), 3.25 + 5.4 * (v / 5)};
+      const int row = v / 5;
+      const double shift_m = v < 10 ? 0.0 : 3.0;
+      const Point2 middle{3.25 + 6.0 * (v % 5) + shift_m, 3.25 + 5.4 * row};
       tracking::Carrier carrier;
 
       carrier.agv_id = "agv-" + std::to_string(v);
