@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -23,5 +24,13 @@ struct CoverageTile {
 /// Ages that are no number of steps.
 inline constexpr std::uint8_t kSeenLongAgo = 254;  // this many steps and more
 inline constexpr std::uint8_t kNeverSeen = 255;
+
+/// '#' seen in the last second, '+' in the last ten, '.' longer ago, ' ' never.
+char letter_of_age(std::uint8_t age, double age_step_s);
+
+/// One letter a cell, the rows as they lie in the map: the uppermost first. Where there are fewer ages than cells, the
+/// rows above the last whole one are left out.
+std::vector<std::string> picture_of(const std::vector<std::uint8_t>& ages, std::size_t width_cells,
+                                    std::size_t height_cells, double age_step_s);
 
 }  // namespace aisle::fleet

@@ -1,7 +1,10 @@
 #include "common/wire/tracking.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "common/wire/geometry.hpp"
 
@@ -161,6 +164,17 @@ Decoded<fleet::CoverageTile> decode(const aisle::Coverage& sample) {
   if (checks.ok()) tile.ages.assign(sample.ages().begin(), sample.ages().end());
 
   return checks.decoded(std::move(tile));
+}
+
+Extras extras_of(const aisle::Coverage& sample) {
+  const std::vector<std::uint8_t>& ages = sample.ages();
+  const auto count = [&](char letter) {
+    return std::count_if(ages.begin(), ages.end(),
+                         [&](std::uint8_t age) { return fleet::letter_of_age(age, sample.age_step_s()) == letter; });
+  };
+  return {{"cells_seen_in_1_s", count('#')},
+          {"cells_never_seen", count(' ')},
+          {"picture", fleet::picture_of(ages, sample.width_cells(), sample.height_cells(), sample.age_step_s())}};
 }
 
 }  // namespace aisle::wire

@@ -5,6 +5,7 @@
 #include "common/fleet/coverage.hpp"
 #include "common/fleet/track.hpp"
 #include "common/wire/checks.hpp"
+#include "common/wire/extras.hpp"
 #include "idl/tracking.hpp"
 
 namespace aisle::wire {
@@ -18,5 +19,7 @@ Decoded<fleet::TrackingStatus> decode(const aisle::TrackingStatus& sample);
 
 aisle::Coverage encode(const fleet::CoverageTile& tile);
 Decoded<fleet::CoverageTile> decode(const aisle::Coverage& sample);
+/// A picture of the tile, and counts of its cells.
+Extras extras_of(const aisle::Coverage& sample);
 
 }  // namespace aisle::wire

@@ -18,21 +18,15 @@ std::string word_at(const std::vector<const char*>& words, std::int64_t index) {
   return is_known ? words[static_cast<std::size_t>(index)] : std::to_string(index);
 }
 
-}  // namespace detail
-
-Json to_json(const aisle::ServiceHealth& sample) {
+Json json_of_field(const std::string&, const std::vector<aisle::Counter>& counters) {
   Json json = Json::object();
-  idl::visit_fields(sample, [&](const std::string& name, const auto& field) {
-    if (name != "counters") json[name] = detail::json_of_field(name, field);
-  });
 
-  json["counters"] = Json::object();
-
-  for (const aisle::Counter& counter : sample.counters())
-    json["counters"][counter.name().to_string()] = counter.value();
+  for (const aisle::Counter& counter : counters) json[counter.name().to_string()] = counter.value();
 
   return json;
 }
+
+}  // namespace detail
 
 std::string write_json(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 

@@ -9,9 +9,11 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "common/wire/codecs.hpp"
+#include "common/wire/extras.hpp"
 #include "common/wire/geometry.hpp"
 #include "idl/fields.hpp"
 
@@ -20,13 +22,6 @@ namespace aisle::wire {
 /// Keeps the order of the fields.
 using Json = nlohmann::ordered_json;
 
-// Types of which people want to see more, or something else, than the fields.
-/// With a picture of the tile and counts of its cells.
-Json to_json(const aisle::Coverage& sample);
-
-/// The counters are an object, by name.
-Json to_json(const aisle::ServiceHealth& sample);
-
 namespace detail {
 struct AnyVisit {
   template <class Field>
@@ -34,7 +29,7 @@ struct AnyVisit {
 };
 }  // namespace detail
 
-/// Of every other type: each field under its name in the IDL.
+/// Each field under its name in the IDL, then what the type's codec adds for people.
 template <class Sample,
           class = decltype(idl::visit_fields(std::declval<const Sample&>(), std::declval<detail::AnyVisit>()))>
 Json to_json(const Sample& sample);
@@ -49,6 +44,9 @@ struct IsText : std::false_type {};
 
 template <class T>
 struct IsText<T, std::void_t<decltype(std::declval<const T&>().to_string())>> : std::true_type {};
+
+/// Counters are an object, by name.
+Json json_of_field(const std::string& name, const std::vector<aisle::Counter>& counters);
 
 template <class T, class = void>
 struct IsSequence : std::false_type {};
@@ -90,6 +88,8 @@ Json to_json(const Sample& sample) {
   Json json = Json::object();
   idl::visit_fields(sample,
                     [&](const char* name, const auto& field) { json[name] = detail::json_of_field(name, field); });
+  for (const Extra& extra : extras_of(sample))
+    std::visit([&](const auto& shown) { json[extra.name] = shown; }, extra.shown);
   return json;
 }
 

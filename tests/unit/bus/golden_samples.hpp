@@ -1,70 +1,44 @@
 #pragma once
+// One sample of each topic, kept as the bytes that are on the wire: tests/data/cdr/<topic>.hex. Every field has
+// something of its own.
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
-#include <utility>
+#include <vector>
 
+#include "common/bus/sample_codec.hpp"
 #include "common/bus/topics.hpp"
-#include "idl/fields.hpp"
 
 namespace aisle::bus_test {
 
-// One sample of each type with every field set to something of its own.
-void fill(MapInfo& sample);
-void fill(MapTile& sample);
-void fill(MapRequest& sample);
-void fill(MapEdit& sample);
-void fill(MapEditResult& sample);
-void fill(VehicleInfo& sample);
-void fill(VehicleState& sample);
-void fill(Scan& sample);
-void fill(Goal& sample);
-void fill(Plan& sample);
-void fill(Track& sample);
-void fill(TrackingStatus& sample);
-void fill(Coverage& sample);
-void fill(VelocityCommand& sample);
-void fill(NavigationStatus& sample);
-void fill(WorldObstacle& sample);
-void fill(ServiceHealth& sample);
+using Bytes = std::vector<std::uint8_t>;
 
-namespace detail {
+/// tests/data/cdr/<topic>.hex; `ending` "json": what its fields are.
+std::filesystem::path golden_file(const std::string& topic, const std::string& ending = "hex");
+/// Sixteen bytes a line.
+std::string hex(const Bytes& bytes);
+/// Empty without a file.
+Bytes read_golden_bytes(const std::string& topic);
 
-template <class T, class = void>
-struct IsText : std::false_type {};
-template <class T>
-struct IsText<T, std::void_t<decltype(std::declval<const T&>().to_string())>> : std::true_type {};
-template <class T, class = void>
-struct IsSequence : std::false_type {};
-template <class T>
-struct IsSequence<T, std::void_t<decltype(std::declval<T&>().begin())>> : std::true_type {};
-
-/// Sets the field, and each field inside it, to something of its own; `count` goes on from field to field.
-template <class Field>
-void set(const char* name, Field& field, int& count) {
-  ++count;
-  if constexpr (std::is_same_v<Field, bool>) {
-    field = true;
-  } else if constexpr (std::is_arithmetic_v<Field>) {
-    field = static_cast<Field>(count);
-  } else if constexpr (std::is_enum_v<Field>) {
-    field = static_cast<Field>(idl::words_of(Field{}).size() - 1);
-  } else if constexpr (IsText<Field>::value) {
-    field = std::string(name) + "-" + std::to_string(count);
-  } else if constexpr (IsSequence<Field>::value) {
-    if constexpr (!std::is_aggregate_v<Field>) field.resize(2);  // not an array
-    for (auto& element : field) set(name, element, count);
-  } else {
-    idl::visit_fields(field, [&](const char* inner, auto& value) { set(inner, value, count); });
-  }
+/// The name of the topic with samples of this type.
+template <class Sample>
+std::string topic_of() {
+  std::string name;
+  topics::for_each(topics::All{}, [&](auto topic) {
+    if constexpr (std::is_same_v<typename decltype(topic)::Sample, Sample>) name = decltype(topic)::kName;
+  });
+  return name;
 }
 
-}  // namespace detail
-
-/// For a topic that has no sample of its own above: by the fields of its IDL.
 template <class Sample>
-void fill(Sample& sample) {
-  int count = 0;
-  idl::visit_fields(sample, [&](const char* name, auto& field) { detail::set(name, field, count); });
+Sample golden_sample() {
+  const std::string topic = topic_of<Sample>();
+  Sample sample;
+  if (!bus::sample_codec(topic).decode(read_golden_bytes(topic), &sample))
+    throw std::runtime_error(golden_file(topic).string() + " is missing, or holds no sample of this topic");
+  return sample;
 }
 
 }  // namespace aisle::bus_test

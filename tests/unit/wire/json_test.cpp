@@ -57,22 +57,6 @@ TEST(JsonOf, NumbersThatAreNoneAndBytesThatAreNoTextCanBeWritten) {
   EXPECT_NE(text.find("broken"), std::string::npos);
 }
 
-TEST(JsonOf, CoverageIsDrawnAsItLiesInTheMap) {
-  aisle::Coverage tile;
-  tile.width_cells(3);
-  tile.height_cells(2);
-  tile.age_step_s(0.5);
-  tile.ages({0, 2, 3, 20, 254, 255});
-  const Json json = to_json(tile);
-  EXPECT_EQ(json["picture"], Json::array({"+. ", "##+"}));
-  EXPECT_EQ(json["cells_seen_in_1_s"], 2);
-  EXPECT_EQ(json["cells_never_seen"], 1);
-  tile.height_cells(4000000000U);  // more than there are ages
-  EXPECT_EQ(to_json(tile)["picture"].size(), 2U);
-  tile.width_cells(0);
-  EXPECT_TRUE(to_json(tile)["picture"].empty());
-}
-
 TEST(JsonOf, HashesKeepAllTheirDigits) {
   aisle::MapInfo info;
   info.hash(0xfedcba9876543210u);
