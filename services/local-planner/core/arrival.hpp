@@ -1,11 +1,12 @@
 #pragma once
+
 #include <optional>
 
 #include "services/local-planner/core/moment.hpp"
 
 namespace aisle::local_planner {
 
-/// What a vehicle does that has nothing left to drive.
+/// What the vehicle does when nothing is left to drive: it turns, comes to a stand, or has arrived.
 struct AtGoal {
   Phase phase{Phase::kDriving};
   geometry::Twist2 wanted;
@@ -18,16 +19,18 @@ struct AtGoal {
 ///             ◄── another goal, or pushed twice the tolerance away ──
 class Arrival {
  public:
-  /// Another goal.
+  /// There is another goal.
   void begin(time::Stamp now);
 
   /// @param in_force the twist before this cycle's command
   /// @returns none: there is more to drive
   std::optional<AtGoal> look(const Moment& moment, const geometry::Twist2& in_force);
 
+  /// It has arrived, and was not pushed away since.
   bool has_arrived() const { return has_arrived_; }
 
  private:
+  /// See above: within the tolerance, and no nearer by driving on.
   bool is_there(const Moment& moment);
 
   bool has_arrived_{false};

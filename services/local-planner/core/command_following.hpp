@@ -1,4 +1,5 @@
 #pragma once
+
 #include "common/kinematics/vehicle_model.hpp"
 #include "services/local-planner/core/moment.hpp"
 #include "services/local-planner/core/settings.hpp"
@@ -20,8 +21,10 @@ class CommandFollower {
   /// zero motion where no state was seen.
   OwnMotion observe(const Vehicle& vehicle, const time::Latest<Motion>& state, time::Stamp now);
 
+  /// In the vehicle's frame.
   const geometry::Twist2& in_force() const { return in_force_; }
-  /// Of a tricycle's wheel, after the last command; to the left.
+
+  /// Angle in rad of a tricycle's wheel after the last command; to the left.
   double steering_rad() const { return steering_rad_; }
 
   /// The twist to ask for, to brake along the arc that is being driven.
@@ -34,6 +37,7 @@ class CommandFollower {
   double control_period_s_;
   double dead_time_s_;
   double stale_state_s_;
+
   geometry::Twist2 in_force_;
   double steering_rad_{0.0};
 };

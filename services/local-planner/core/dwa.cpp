@@ -23,13 +23,16 @@ std::vector<PerSample> admit(const std::vector<SampleBlock>& blocks, Choice& cho
     for (std::size_t i = 0; i < blocks[k].count; ++i)
       if (choice.admit(blocks[k].moves[i], blocks[k].collisions[i])) admitted[k][i] = 1.0;
   }
+
   return admitted;
 }
 
+/// sums += scores of the admitted samples.
 AISLE_BATCHED void add_admitted(const PerSample& scores, const PerSample& admitted, PerSample& sums) {
   for (std::size_t b = 0; b < kBatches; ++b) sums.put(b, sums.batch(b) + admitted.batch(b) * scores.batch(b));
 }
 
+/// totals += factor x scores.
 AISLE_BATCHED void add_weighted(const PerSample& scores, double factor, PerSample& totals) {
   for (std::size_t b = 0; b < kBatches; ++b) totals.put(b, totals.batch(b) + factor * scores.batch(b));
 }
@@ -39,26 +42,34 @@ double sum_of(const PerSample& numbers) { return std::accumulate(numbers.begin()
 std::vector<PerSample> zeros(std::size_t blocks) {
   std::vector<PerSample> out(blocks);
   for (PerSample& numbers : out) numbers.fill(0.0);
+
   return out;
 }
 
-/// Of each sample the sum of its weighted scores, each critic's divided by its mean over the admitted samples.
+/// The total of each sample: the sum over critics of weight x score / (the critic's mean over the admitted samples).
+/// The division takes the place of the papers' smoothing, so that weights mean the same for every vehicle.
 std::vector<PerSample> totals_of(const std::vector<SampleBlock>& blocks, const std::vector<PerSample>& admitted,
                                  const Aim& aim, const Variant& variant) {
   std::vector<PerSample> totals = zeros(blocks.size()), scores(blocks.size());
+
   double samples = 0.0;
   for (const PerSample& block : admitted) samples += sum_of(block);
+
   for (const WeightedCritic& critic : variant.critics) {
     PerSample sums;
     sums.fill(0.0);
+
     for (std::size_t k = 0; k < blocks.size(); ++k) {
       critic.critic.score_block(blocks[k], aim, scores[k]);
       add_admitted(scores[k], admitted[k], sums);
     }
+
     const double sum = sum_of(sums);
+
     for (std::size_t k = 0; sum > 0.0 && k < blocks.size(); ++k)
       add_weighted(scores[k], critic.weight * samples / sum, totals[k]);
   }
+
   return totals;
 }
 
@@ -71,8 +82,12 @@ std::optional<std::size_t> best_of(const std::vector<SampleBlock>& blocks, const
     for (std::size_t i = 0; i < kBlock; ++i) {
       const double linear_mps = blocks[k].batches[i / geometry::kBatch].linear_mps[i % geometry::kBatch];
       const double total = preference.applied(totals[k][i], linear_mps);
-      if (admitted[k][i] > 0.0 && total > most) best = k * kBlock + i, most = total;
+      if (admitted[k][i] > 0.0 && total > most) {
+        best = k * kBlock + i;
+        most = total;
+      }
     }
+
   return best;
 }
 
@@ -84,6 +99,7 @@ bool Choice::admit(bool moves, Obstruction collision) {
     ++rejected[static_cast<int>(collision)];
   else if (moves)
     ++moving;
+
   return !is_rejected;
 }
 
@@ -91,12 +107,14 @@ std::vector<Twist2> Choice::without_obstructed(const std::vector<Twist2>& wanted
                                                const std::vector<Obstruction>& obstructions) {
   std::vector<Twist2> stoppable;
   stoppable.reserve(wanted.size());
+
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     if (obstructions[i] == Obstruction::kNone)
       stoppable.push_back(wanted[i]);
     else
       ++rejected[static_cast<int>(obstructions[i])];
   }
+
   return stoppable;
 }
 
@@ -115,16 +133,23 @@ Preference::Preference(const Scene& scene, const Variant& variant, const DwaSett
 }
 
 Choice batched::choose(const Scene& scene, const Aim& aim, const Variant& variant, const DwaSettings& settings) {
+  // 1. The window: which gaps are needed here, and which speeds can be reached.
   const Needed needed = needed_gaps(scene, settings);
   const std::vector<Twist2> wanted = speed_window(scene, settings);
+
+  // 2. What could stop in time.
   Choice choice;
   const std::vector<Twist2> stoppable =
       choice.without_obstructed(wanted, obstructions(scene, needed, wanted, settings));
+
+  // 3. Where the others lead, and what they are worth.
   const std::vector<SampleBlock> blocks = roll_out(scene, needed, stoppable, aim, settings);
   const std::vector<PerSample> admitted = admit(blocks, choice);
   const std::vector<PerSample> totals = totals_of(blocks, admitted, aim, variant);
+
   if (const auto best = best_of(blocks, admitted, totals, Preference(scene, variant, settings)))
     choice.take(blocks[*best / kBlock].at(*best % kBlock));
+
   return choice;
 }
 

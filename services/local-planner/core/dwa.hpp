@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 #include "services/local-planner/core/critic.hpp"
@@ -6,6 +7,7 @@
 
 namespace aisle::local_planner {
 
+/// The best sample, and what became of the others.
 struct Choice {
   bool found{false};
   geometry::Twist2 twist;
@@ -13,13 +15,17 @@ struct Choice {
   double mover_gap_m{0.0};
   int rejected[4]{};  // by Obstruction
   int moving{0};      // samples that move and were not rejected
+
   int rejected_in_all() const { return rejected[0] + rejected[1] + rejected[2] + rejected[3]; }
 
   /// The samples that could stop; counts the others.
   std::vector<geometry::Twist2> without_obstructed(const std::vector<geometry::Twist2>& wanted,
                                                    const std::vector<Obstruction>& obstructions);
+
   /// May a sample be taken that collides with this? Standing may always be. Counts it.
   bool admit(bool moves, Obstruction collision);
+
+  /// This sample is the best so far.
   void take(const Sample<double>& sample);
 };
 
@@ -28,8 +34,11 @@ struct Choice {
 class Preference {
  public:
   Preference(const Scene& scene, const Variant& variant, const DwaSettings& settings);
+
   /// Less than any total.
   double least() const { return -mean_; }
+
+  /// The total, less what a change of speed costs.
   double applied(double total, double linear_mps) const {
     return total - (linear_mps == speed_mps_ ? 0.0 : change_costs_);
   }

@@ -13,12 +13,18 @@ Guard::Guard(const Settings& settings)
       plan_update_s_(settings.plan_update_s) {}
 
 std::optional<double> Guard::begin(std::uint64_t map_revision, Stamp now) {
-  if (map_revision != map_revision_) map_revision_ = map_revision, revision_changed_ = now;
+  // Since when the newest map is known.
+  if (map_revision != map_revision_) {
+    map_revision_ = map_revision;
+    revision_changed_ = now;
+  }
 
   const Stamp last_cycle = last_cycle_;
   last_cycle_ = now;
   if (last_cycle == Stamp{} || seconds(now - last_cycle) <= late_s_) return std::nullopt;
+
   late_ = now;
+
   return seconds(now - last_cycle);
 }
 
@@ -28,6 +34,7 @@ std::optional<Stopped> Guard::judge(const Inputs& inputs, bool has_arrived, Stam
   if (!inputs.plan) return Stopped{Phase::kWaiting, Reason::kNoGoal};
   if (inputs.plan->is_cancelled()) return Stopped{Phase::kHeld, Reason::kCancelled};
   if (auto stopped = judge_tracker(inputs, now)) return stopped;
+
   return judge_plan(inputs, has_arrived, now);
 }
 
@@ -36,11 +43,13 @@ std::optional<Stopped> Guard::judge_state(const Inputs& inputs, Stamp now) const
   if (inputs.authority_lost) return Stopped{Phase::kHeld, Reason::kAuthority};
   if (!inputs.state.fresh(now, time::from_seconds(stale_state_s_))) return Stopped{Phase::kHeld, Reason::kStaleState};
   if (late_ != Stamp{} && seconds(now - late_) < late_hold_s_) return Stopped{Phase::kHeld, Reason::kLate};
+
   return std::nullopt;
 }
 
 std::optional<Stopped> Guard::judge_tracker(const Inputs& inputs, Stamp now) const {
   if (inputs.tracker_alive == Stamp{}) return Stopped{Phase::kWaiting, Reason::kNoTracker, tracker_detail(inputs, now)};
+
   if (seconds(now - inputs.tracker_alive) > stale_tracker_s_)
     return Stopped{Phase::kHeld, Reason::kStaleTracker, tracker_detail(inputs, now)};
   return std::nullopt;
@@ -50,8 +59,10 @@ std::optional<Stopped> Guard::judge_plan(const Inputs& inputs, bool has_arrived,
   const Plan& plan = *inputs.plan;
   if (!plan.is_found() || plan.waypoints_in_map.empty())
     return Stopped{Phase::kFailed, Reason::kUnreachable, plan.detail};
+
   const bool is_outdated = plan.map_revision < inputs.map_revision && seconds(now - revision_changed_) > plan_update_s_;
   if (is_outdated && !has_arrived) return Stopped{Phase::kHeld, Reason::kPlanOutdated};
+
   return std::nullopt;
 }
 

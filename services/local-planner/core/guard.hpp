@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,9 +34,16 @@ class Guard {
   std::optional<Stopped> judge(const Inputs& inputs, bool has_arrived, time::Stamp now) const;
 
  private:
+  /// Vehicle, authority and state.
   std::optional<Stopped> judge_state(const Inputs& inputs, time::Stamp now) const;
+
+  /// A status of the tracker, and a fresh one with scans of this vehicle.
   std::optional<Stopped> judge_tracker(const Inputs& inputs, time::Stamp now) const;
+
+  /// A plan with a path, of the newest map, unless the vehicle has arrived.
   std::optional<Stopped> judge_plan(const Inputs& inputs, bool has_arrived, time::Stamp now) const;
+
+  /// What is wrong with the tracker, when it lives but sees nothing of this vehicle.
   std::string tracker_detail(const Inputs& inputs, time::Stamp now) const;
 
   double late_s_;
@@ -43,6 +51,7 @@ class Guard {
   double stale_state_s_;
   double stale_tracker_s_;
   double plan_update_s_;
+
   time::Stamp last_cycle_{};        // 0: none yet
   time::Stamp late_{};              // when a cycle last came too late; 0: never
   std::uint64_t map_revision_{0};   // the newest seen,

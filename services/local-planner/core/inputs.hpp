@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -30,6 +31,7 @@ struct Peer {
   double radius_m{0.35};
   kinematics::Limits limits;
   Motion state;
+
   time::Stamp state_arrived{};
   Phase phase{Phase::kWaiting};
   Reason reason{Reason::kNone};
@@ -38,6 +40,7 @@ struct Peer {
   std::optional<geometry::Footprint> rectangle{};  // none: a disc
 };
 
+/// A track, and when it arrived here.
 struct SeenTrack {
   Track track;
   time::Stamp arrived{};
@@ -48,6 +51,7 @@ struct Inputs {
   const grid::ClearanceField* clearance{nullptr};  // of the newest complete map; null: none yet
   std::uint64_t map_revision{0};
   std::optional<Vehicle> vehicle;
+
   time::Latest<Motion> state;
   std::optional<Plan> plan;
   time::Stamp tracker_heard{};  // arrival of its newest status, whoever's scan it tells of; 0: never
@@ -62,6 +66,7 @@ struct Event {
   std::string text;
 };
 
+/// What one cycle comes to: the command, and the vehicle's status.
 struct Output {
   geometry::Twist2 twist;
   Phase phase{Phase::kWaiting};
@@ -69,6 +74,7 @@ struct Output {
   std::string detail;
   double distance_left_m{0.0};
   double time_left_s{0.0};
+
   geometry::Point2 blocked_at_in_map;  // in Phase::kBlocked
   double blocked_radius_m{0.0};
   std::vector<IntentPoint> intent;                      // from `now`; at most 64
@@ -76,7 +82,7 @@ struct Output {
   std::vector<Event> events;
 };
 
-/// The fixed order of the fleet: "agv-2" goes before "agv-10".
+/// The fixed order of the fleet: "agv-2" goes before "agv-10", that is, the shorter id first, then by letters.
 bool outranks(const std::string& a, const std::string& b);
 
 }  // namespace aisle::local_planner

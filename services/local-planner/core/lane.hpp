@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 #include "common/grid/clearance.hpp"
@@ -6,6 +7,7 @@
 
 namespace aisle::local_planner {
 
+/// Where the lane lies in an aisle.
 struct LaneSettings {
   double margin_m{0.10};        // a lane keeps this from walls, where the plan itself does
   double half_spacing_m{0.75};  // of two opposite lanes, where there is room
@@ -13,9 +15,10 @@ struct LaneSettings {
   double passing_gap_m{0.20};   // two vehicles pass when this is left between them
 };
 
-/// The plan's turning points as the way to drive: every 0.2 m, rounded at the turns, and moved to the right half of the
-/// aisle where two vehicles can pass, to its middle where they cannot. So vehicles that meet head-on pass without a
-/// word. First and last point are the plan's own. Never nearer to walls than the plan or `radius_m` + margin.
+/// The plan's turning points as the way to drive: a point every 0.2 m, rounded at the turns, and moved to the right
+/// half of the aisle where two vehicles can pass, to its middle where they cannot. So vehicles that meet head-on pass
+/// without any exchange. First and last point are the plan's own. Nowhere nearer to walls than the plan or `radius_m` +
+/// margin.
 ///
 /// How: at each point the aisle is measured to both sides, which gives a shift to the right; shifts are averaged and
 /// their slope is bounded; the shifted points are then relaxed, each towards the middle of its neighbours and its own

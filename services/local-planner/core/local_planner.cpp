@@ -32,7 +32,9 @@ void tell_intent(const Moment& moment, const Way& way, double claim_end_m, bool 
   if (!moment.inputs.state.seen()) return;
   out.intent.push_back({0.0, moment.motion.base_now});
   if (!claims) return;
+
   const Claim claim = claim_of(way, claim_end_m);
+
   out.intent.insert(out.intent.end(), claim.points.begin(), claim.points.end());
   out.distance_left_m = way.lane().length_m() - way.lane_s_m();
   out.time_left_s = claim.time_left_s;
@@ -40,6 +42,7 @@ void tell_intent(const Moment& moment, const Way& way, double claim_end_m, bool 
 
 }  // namespace
 
+/// What a cycle has decided, before the vehicle's limits.
 struct LocalPlanner::Decision {
   Output out;  // its twist is wanted, and may be more than the vehicle can do
   double claim_end_m{std::numeric_limits<double>::infinity()};  // of the current way
@@ -55,10 +58,13 @@ LocalPlanner::LocalPlanner(const Settings& settings, Variant variant)
       right_of_way_(settings, variant_.knows_path) {}
 
 Output LocalPlanner::step(const Inputs& inputs, time::Stamp now) {
+  // A cycle: what is the vehicle doing, what should it do, what can it do of that.
   static const Vehicle kUnknown;
   const Vehicle& vehicle = inputs.vehicle ? *inputs.vehicle : kUnknown;
+
   const auto late_s = guard_.begin(inputs.map_revision, now);
   if (late_s) follower_.restart(inputs.state);
+
   const Moment moment{inputs, vehicle, vehicle.discs(), follower_.observe(vehicle, inputs.state, now), now};
 
   Decision decision = decide(moment);
@@ -68,6 +74,7 @@ Output LocalPlanner::step(const Inputs& inputs, time::Stamp now) {
   const bool claims = claims_way(out) && !way_.empty() && !arrival_.has_arrived();
   tell_intent(moment, way_, decision.claim_end_m, claims, out);
   if (late_s) out.events.insert(out.events.begin(), {"late by " + std::to_string(*late_s) + " s"});
+
   return out;
 }
 
@@ -83,17 +90,20 @@ LocalPlanner::Decision LocalPlanner::decide(const Moment& moment) {
       observer_.observe(moment.inputs, moment.vehicle.id, settings_.dwa.step_s, settings_.dwa.steps(), moment.now);
   way_.progress(moment.here());
   const Ruling ruling = right_of_way_.rule(moment, around, follower_.in_force(), way_, stuck_);
+
   return drive({moment, way_, around, follower_.in_force()}, ruling);
 }
 
-/// It may not drive: it brakes, and says why.
+/// The vehicle may not drive: it brakes, and says why.
 LocalPlanner::Decision LocalPlanner::hold(const Stopped& stopped, time::Stamp now) {
   stuck_.rest(now);
   turn_.end();
+
   Decision decision;
   decision.out.phase = stopped.phase;
   decision.out.reason = stopped.reason;
   decision.out.detail = stopped.detail;
+
   return decision;
 }
 
@@ -101,6 +111,7 @@ void LocalPlanner::adopt_plan(const Moment& moment) {
   const Adoption adoption = way_keeper_.adopt(moment, way_);
   if (adoption.is_other_goal) arrival_.begin(moment.now);
   if (!adoption.has_new_lane) return;
+
   right_of_way_.begin();
   stuck_.begin(moment.now);
 }
@@ -109,18 +120,23 @@ void LocalPlanner::adopt_plan(const Moment& moment) {
 LocalPlanner::Decision LocalPlanner::stay(const AtGoal& at_goal, time::Stamp now) {
   way_.drop_aside();
   if (at_goal.phase != Phase::kTurning) stuck_.rest(now);
+
   Decision decision;
   decision.out.phase = at_goal.phase;
   decision.out.twist = at_goal.wanted;
   decision.claim_end_m = right_of_way_.claim_end_m({}, way_);
+
   return decision;
 }
 
 /// Under way: to the target in sight, or beside it where driving on would end in a collision.
 LocalPlanner::Decision LocalPlanner::drive(const OnWay& on_way, const Ruling& ruling) {
   const OwnMotion& motion = on_way.moment.motion;
+
+  // The target in sight, or the one beside it.
   Target target = target_at(target_in_sight(on_way, variant_.knows_path), motion);
   std::optional<geometry::Point2> sub_target;
+
   if (variant_.has_rolling_window)
     sub_target = sub_target_beside(on_way, scene_towards(target, on_way, ruling), target.in_map);
   if (sub_target) target = target_at(*sub_target, motion);
@@ -128,6 +144,7 @@ LocalPlanner::Decision LocalPlanner::drive(const OnWay& on_way, const Ruling& ru
   Decision decision{drive_to(target, on_way, ruling), right_of_way_.claim_end_m(ruling.advice, way_)};
   decision.out.sub_target_in_map = sub_target;
   decision.out.events = ruling.events;
+
   return decision;
 }
 
@@ -135,26 +152,33 @@ LocalPlanner::Decision LocalPlanner::drive(const OnWay& on_way, const Ruling& ru
 Output LocalPlanner::drive_to(const Target& target, const OnWay& on_way, const Ruling& ruling) {
   const Moment& moment = on_way.moment;
   const kinematics::Limits& limits = moment.vehicle.limits;
+
+  // Turn, or give up a path that cannot be reached.
   const Scene scene = scene_towards(target, on_way, ruling);
   const bool stays_here = stays_before(right_of_way_.blocking(way_), on_way);
   const bool turns = turn_.look({scene, moment.vehicle, target, way_.left_m(), stays_here}, settings_.dwa);
   if (variant_.knows_path && is_off_path(moment, way_)) return told_off_path(moment.here());
+
   if (turns) {
     stuck_.move(moment.now);
     return told_turning(TurnOnTheSpot::twist(target.error_rad, on_way.in_force, limits));
   }
 
+  // The dynamic window.
   const Aim aim = aim_at(target.in_map, on_way, variant_, settings_.dwa);
   const SpeedSearch search{moment, scene, aim, target.error_rad, stays_here, follower_.braking(limits)};
   const SpeedChoice speed = choose_speed(search, variant_, settings_.dwa);
+
   stuck_.notice_people(speed.is_refused_by_people, moment.now);
   if (!moment.motion.stands()) stuck_.move(moment.now);
 
+  // What it tells.
   Output out = told_driving({scene, speed, right_of_way_.backs_off(way_), way_.is_on_detour() || way_.is_aside()});
   if (moment.motion.stands())
     tell_why_it_stands({ruling.advice, right_of_way_.blocked(), speed.choice, stuck_.stood_s(moment.now),
                         settings_.blocked_after_s, moment.vehicle.reach_m()},
                        out);
+
   return out;
 }
 

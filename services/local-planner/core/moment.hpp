@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cmath>
 
 #include "common/geometry/footprint.hpp"
@@ -19,6 +20,7 @@ struct OwnMotion {
   geometry::Pose2 base_then;
   double measured_mps{0.0};  // along its heading
 
+  /// Slower than any speed that it would be told to drive.
   bool stands() const { return std::abs(measured_mps) < kCreepMps - kSpeedRoundingMps; }
 };
 
@@ -32,8 +34,8 @@ struct Moment {
 
   geometry::Point2 here() const { return motion.base_now.position(); }
 
-  /// What keeps the way from walls: all of the vehicle where it may turn anywhere; of a tricycle, whose plan knows
-  /// headings, its width.
+  /// Radius to be kept from walls along the way: the whole vehicle's where it may turn anywhere; half the width of a
+  /// tricycle, whose plan knows headings.
   double way_radius_m() const { return vehicle.turns_on_the_spot() ? vehicle.reach_m() : discs.radius_m; }
 
   /// Where the way may lead, among the walls and what stands. @pre inputs.clearance
@@ -41,7 +43,7 @@ struct Moment {
     return {*inputs.clearance, around.standing_discs, way_radius_m(), wall_margin_m, disc_margin_m};
   }
 
-  /// Between the outlines of the vehicle and a mover, when the next command acts.
+  /// Metres between the outlines of the vehicle and a mover, when the next command acts; negative: they overlap.
   double gap_then_m(const Mover& mover) const;
 };
 

@@ -35,6 +35,7 @@ class BrakingBlock {
         twists_(scene.twist) {
     take_up(TwistBlock(wanted, count));
     was_mps_ = speed_mps_;
+
     const bool stands = fastest_point_mps(scene.twist, swing_) < kStoodMps;
     for (std::size_t i = 0; i < count_; ++i) {
       if (stands && speed_mps_[i] < kStoodMps)
@@ -44,13 +45,16 @@ class BrakingBlock {
     }
   }
 
+  /// Writes what obstructs each sample to `out`.
   void run(Obstruction* out) {
     if (stops_before_everything()) left_ = 0;
+
     for (double t_s = dt_; left_ > 0; t_s += dt_) {
       arcs_.step();
       look(t_s);
       if (left_ > 0) brake();
     }
+
     std::copy_n(found_.begin(), count_, out);
   }
 
@@ -59,18 +63,22 @@ class BrakingBlock {
   /// drives until it stands: in this step, and in whole steps while it brakes.
   AISLE_BATCHED bool stops_before_everything() const {
     if (!needed_.peers.empty() || !needed_.movers.empty()) return false;
+
     Batch most_m{};
     for (std::size_t b = 0; b < kBatches; ++b) {
       const Twist<Batch>& twist = twists_.batches[b];
       const Batch tip_mps =
           magnitude(twist.linear_mps) + magnitude(twist.sideways_mps) + swing_ * magnitude(twist.angular_radps);
+
       const Batch way_m = driven_m_.batch(b) + tip_mps * (0.5 * speed_mps_.batch(b) / braking_mps2_ + dt_);
       most_m = most(most_m, way_m);
     }
+
     const double free_m = *std::min_element(needed_.wall_gaps_m.begin(), needed_.wall_gaps_m.end()) - needed_.wall;
     return !geometry::any(most_m >= free_m);
   }
 
+  /// The twists at the end of the first step, in which the command is taken up.
   void take_up(const TwistBlock& wanted) {
     if (scene_.limits.model == kinematics::Model::kDifferential) {
       follow_differential(twists_, wanted, scene_.limits, dt_);
@@ -80,11 +88,12 @@ class BrakingBlock {
       for (std::size_t i = 0; i < kBlock; ++i)
         twists_.set(i, kinematics::follow({scene_.twist, scene_.steering_rad}, wanted.at(i), scene_.limits, dt_).twist);
     }
+
     find_means();
     set_steps();
   }
 
-  /// Of the twist in force and the one taken up.
+  /// Over that step: the means of the twist in force and the one taken up.
   AISLE_BATCHED void find_means() {
     const Twist2& now = scene_.twist;
     for (std::size_t b = 0; b < kBatches; ++b) {
@@ -94,31 +103,41 @@ class BrakingBlock {
     }
   }
 
+  /// Speeds of the fastest points, and how many samples stand.
   AISLE_BATCHED void find_speeds() {
     geometry::BatchMask standing{};
+
     for (std::size_t b = 0; b < kBatches; ++b) {
       const Twist<Batch>& twist = twists_.batches[b];
       const Batch speed_mps = most<Batch>(magnitude(twist.linear_mps), swing_ * magnitude(twist.angular_radps));
+
       speed_mps_.put(b, speed_mps);
       standing += speed_mps < kStoodMps;
     }
+
     standing_ = geometry::count_of(standing);
     if (scene_.limits.model != kinematics::Model::kOmnidirectional) return;
+
+    // Sideways speed counts as well: one by one.
     standing_ = 0;
+
     for (std::size_t i = 0; i < kBlock; ++i) {
       speed_mps_[i] = fastest_point_mps(twists_.at(i), swing_);
       standing_ += speed_mps_[i] < kStoodMps ? 1 : 0;
     }
   }
 
+  /// The next step is driven with the means.
   void set_steps() {
     find_speeds();
     arcs_.set_steps(mean_, dt_);
     find_driven_m(mean_, swing_, dt_, driven_m_);
   }
 
+  /// Sample i touches this, or stands without having touched anything; it is not looked at any more.
   void finish(std::size_t i, Obstruction found) {
     if (is_done_[i]) return;
+
     is_done_[i] = true;
     found_[i] = found;
     walls_.leave(i);
@@ -130,13 +149,16 @@ class BrakingBlock {
     if (walls_.look(driven_m_))
       for (std::size_t i = 0; i < count_; ++i)
         if (walls_.least_m()[i] < needed_.wall - kTinyM) finish(i, Obstruction::kWall);
+
     if (!needed_.peers.empty() || !needed_.movers.empty()) {
       const Box box = Box::around(arcs_);
       has_headings_ = false;
       for (const auto& [peer, gap_m] : needed_.peers) look_at(*peer, gap_m, box);
       for (const auto& [mover, gap_m] : needed_.movers) look_at(*mover, gap_m, t_s, box);
     }
+
     if (standing_ == stood_) return;
+
     stood_ = standing_;
     for (std::size_t i = 0; i < count_; ++i)
       if (speed_mps_[i] < kStoodMps) finish(i, Obstruction::kNone);
@@ -148,22 +170,27 @@ class BrakingBlock {
     if (!(box.distance2(p) < reach_m * reach_m)) return false;
     if (!has_headings_) outlines_.find_headings();
     has_headings_ = true;
+
     return true;
   }
 
+  /// The peer's whole sweep counts, as it may be anywhere on it while the sample brakes.
   void look_at(const PeerMotion& peer, double gap_m, const Box& box) {
     PerSample nearest2;
     bool is_first = true;
+
     for (const Point2 p : peer.stopping_in_map) {
       if (!is_near(box, p, scene_.radius_m + peer.radius_m + gap_m)) continue;
       find_nearest2(p, is_first, nearest2);
       is_first = false;
     }
+
     if (is_first) return;
     for (std::size_t i = 0; i < count_; ++i)
       if (std::sqrt(nearest2[i]) - scene_.radius_m - peer.radius_m < gap_m - kTinyM) finish(i, Obstruction::kPeer);
   }
 
+  /// Squared metres to the nearest of the points so far; the first one overwrites.
   AISLE_BATCHED void find_nearest2(Point2 p, bool is_first, PerSample& nearest2) const {
     for (std::size_t b = 0; b < kBatches; ++b) {
       const Batch distance2 = outlines_.distance2(b, p);
@@ -171,41 +198,49 @@ class BrakingBlock {
     }
   }
 
-  /// A person who has changed the velocity since the motion was measured can be anywhere within reach by now; what
-  /// counts is where they can be until the sample stands.
+  /// A person who has changed the velocity since the motion was measured can be anywhere within reach by now. Only the
+  /// time until the sample stands counts: touching a vehicle that stands is not its doing.
   void look_at(const Mover& mover, double gap_m, double t_s, const Box& box) {
     const Point2 there = mover.position_in_map + t_s * mover.velocity_in_map;
     const double reach_m = mover.reach_m(t_s);
     if (!is_near(box, there,
                  scene_.radius_m + mover.radius_m + mover.margin_m + mover.growth_mps * t_s + reach_m + gap_m))
       return;
+
     PerSample distance2;
     find_nearest2(there, true, distance2);
+
     for (std::size_t i = 0; i < count_; ++i) {
       const bool stood = was_mps_[i] <= kStandingMps;  // throughout this step
       if (stood && mover.velocity_in_map != Point2{}) continue;
+
       double reached_m = stood ? 0.0 : reach_m;
       if (!stood && speed_mps_[i] <= kStandingMps)
         reached_m = mover.reach_m(t_s - standing_since_s(was_mps_[i], speed_mps_[i], dt_));
+
       const double gap = std::sqrt(distance2[i]) - scene_.radius_m - mover.radius_m - mover.margin_m -
                          mover.growth_mps * t_s - reached_m;
       if (gap < gap_m - kTinyM) finish(i, Obstruction::kMover);
     }
   }
 
+  /// One step of braking.
   void brake() {
     was_mps_ = speed_mps_;
     slow_down();
     set_steps();
   }
 
+  /// Along its arc: all components shrink by the same share, v' = max(0, v - a dt). Driven is the mean of both.
   AISLE_BATCHED void slow_down() {
     for (std::size_t b = 0; b < kBatches; ++b) {
       Twist<Batch>&twist = twists_.batches[b], &mean = mean_.batches[b];
+
       const Batch speed_mps = speed_mps_.batch(b);
       const Batch share =
           most<Batch>(Batch{}, speed_mps - braking_mps2_ * dt_) / most<Batch>(speed_mps, Batch{} + kStoodMps);
       const Batch half = 0.5 * (1.0 + share);
+
       mean = {half * twist.linear_mps, half * twist.angular_radps, half * twist.sideways_mps};
       twist = {share * twist.linear_mps, share * twist.angular_radps, share * twist.sideways_mps};
     }
@@ -218,6 +253,7 @@ class BrakingBlock {
   ArcBlock arcs_;
   Outlines outlines_;
   WallGaps walls_;
+
   TwistBlock twists_, mean_;       // at the end of the step, and over it
   PerSample speed_mps_, was_mps_;  // of the fastest point at the end of the step, and at its begin
   PerSample driven_m_;             // in the step
@@ -235,6 +271,7 @@ std::vector<Obstruction> batched::obstructions(const Scene& scene, const Needed&
   for (std::size_t first = 0; first < wanted.size(); first += kBlock)
     BrakingBlock(scene, needed, settings, wanted.data() + first, std::min(kBlock, wanted.size() - first))
         .run(found.data() + first);
+
   return found;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -23,11 +24,15 @@ class Walls {
 
   /// One step further: sample i is at `arcs[i]`, and its farthest point has driven at most `driven_m[i]` in the step.
   void look(const std::vector<Arc<double>>& arcs, const std::vector<double>& driven_m);
+
+  /// The least gap of sample i so far, in metres; enough where there always was enough.
   double least_m(std::size_t i) const { return watched_[i].least_m; }
+
   /// Stops computing the gap of sample i.
   void leave(std::size_t i) { watched_[i].is_left = true; }
 
  private:
+  /// What is known of one sample's gaps.
   struct Watched {
     bool is_left{false};
     double driven_m{0.0};
@@ -35,8 +40,13 @@ class Walls {
     double least_m;                              // so far
     std::array<double, kMostDiscs> far_until_m;  // driven by then, a disc has no less than least_m
   };
+
+  /// Looks up the discs that are due of four neighbouring samples.
   void look_at_four(Watched* four, const Arc<double>* arcs);
+
+  /// Looks up one disc of all four.
   void look_up(Watched* four, const Arc<double>* arcs, std::size_t disc, bool is_near_already);
+
   geometry::Point2 center_in_map(const Arc<double>& arc, std::size_t disc) const;
 
   const Scene& scene_;

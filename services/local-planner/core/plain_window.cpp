@@ -40,9 +40,12 @@ class Vehicles {
   bool follow(bool keep_reached) {
     const auto is_there = [&](std::size_t i) { return keep_reached && is_same(states_[i].twist, wanted_[i]); };
     const bool is_tricycle = scene_.limits.model == kinematics::Model::kTricycle;
-    bool changes = false, all_are_there = true;
+    bool changes = false;
+    bool all_are_there = true;
+
     for (std::size_t i = 0; i < kBlock; ++i) all_are_there = all_are_there && is_there(i);
     if (!all_are_there) is_steering_ = false;
+
     for (std::size_t i = 0; i < kBlock && !all_are_there; ++i) {
       const kinematics::DriveState next = kinematics::follow(states_[i], wanted_[i], scene_.limits, dt_);
       is_steering_ = is_steering_ || (is_tricycle && next.steering_rad != states_[i].steering_rad);
@@ -50,6 +53,7 @@ class Vehicles {
       changes = changes || !is_same(next.twist, states_[i].twist);
       states_[i] = next;
     }
+
     return changes || is_steering_;
   }
 
@@ -60,6 +64,7 @@ class Vehicles {
   void set_steps(const TwistOf& twist_of) {
     sideways_ = false;
     for (std::size_t i = 0; i < kBlock; ++i) sideways_ = sideways_ || twist_of(i).sideways_mps != 0.0;
+
     for (std::size_t i = 0; i < kBlock; ++i) {
       const Twist2 twist = twist_of(i);
       const double across_mps = swing_ * twist.angular_radps;
@@ -83,7 +88,8 @@ class Vehicles {
 
  private:
   const Scene& scene_;
-  double dt_, swing_;
+  double dt_;
+  double swing_;
   std::vector<Twist2> wanted_;
   std::vector<kinematics::DriveState> states_;
   std::vector<Arc<double>> arcs_;
@@ -101,9 +107,11 @@ struct Speeds {
 Obstruction touched(const Scene& scene, const Needed& needed, const Vehicles& vehicles, const Walls& walls,
                     const Speeds& speeds, std::size_t i, double t_s, double dt_s) {
   if (walls.least_m(i) < needed.wall - kTinyM) return Obstruction::kWall;
+
   for (const auto& [peer, needed_m] : needed.peers)
     for (const Point2 p : peer->stopping_in_map)
       if (vehicles.distance_m(i, p) - scene.radius_m - peer->radius_m < needed_m - kTinyM) return Obstruction::kPeer;
+
   for (const auto& [mover, needed_m] : needed.movers) {
     const bool stood = speeds.was_mps[i] <= kStandingMps;
     if (stood && mover->velocity_in_map != Point2{}) continue;
@@ -114,7 +122,28 @@ Obstruction touched(const Scene& scene, const Needed& needed, const Vehicles& ve
                          (stood ? 0.0 : mover->reach_m(moving_s));
     if (gap_m < needed_m - kTinyM) return Obstruction::kMover;
   }
+
   return Obstruction::kNone;
+}
+
+/// Slows each vehicle down along its arc by what it can brake in a step, v' = max(0, v - a dt). Returns the twists that
+/// are driven meanwhile: the means of before and after.
+std::array<Twist2, kBlock> slow_down(Vehicles& vehicles, double slower_mps, Speeds& speeds) {
+  std::array<Twist2, kBlock> mean;
+  speeds.was_mps = speeds.now_mps;
+
+  for (std::size_t i = 0; i < kBlock; ++i) {
+    const double mps = speeds.now_mps[i];
+    const double share = std::max(0.0, mps - slower_mps) / std::max(mps, kStoodMps);
+    const double half = 0.5 * (1.0 + share);
+    const Twist2 was = vehicles.twist(i);
+
+    mean[i] = {half * was.linear_mps, half * was.angular_radps, half * was.sideways_mps};
+    vehicles.set(i, {share * was.linear_mps, share * was.angular_radps, share * was.sideways_mps});
+    speeds.now_mps[i] = fastest_point_mps(vehicles.twist(i), vehicles.swing());
+  }
+
+  return mean;
 }
 
 /// One step towards the wanted twist, then braking until all stand or have touched something.
@@ -125,23 +154,30 @@ void brake(const Scene& scene, const Needed& needed, const DwaSettings& settings
   Vehicles vehicles(scene, wanted, count, dt_s);
   Walls walls(scene, needed.wall_gaps_m, needed.wall);
   std::array<bool, kBlock> is_done{};
+
   std::size_t left = count;
   const auto finish = [&](std::size_t i, Obstruction found) {
-    is_done[i] = true, out[i] = found;
+    is_done[i] = true;
+    out[i] = found;
     walls.leave(i);
     --left;
   };
 
+  // The first step takes up the command: it is driven with the mean of the twist in force and the one taken up.
   vehicles.follow(false);
   vehicles.set_steps([&](std::size_t i) {
     const Twist2 &now = scene.twist, &then = vehicles.twist(i);
     return Twist2{0.5 * (now.linear_mps + then.linear_mps), 0.5 * (now.angular_radps + then.angular_radps),
                   0.5 * (now.sideways_mps + then.sideways_mps)};
   });
+
   Speeds speeds;
   for (std::size_t i = 0; i < kBlock; ++i)
     speeds.was_mps[i] = speeds.now_mps[i] = fastest_point_mps(vehicles.twist(i), vehicles.swing());
+
   const bool stands = fastest_point_mps(scene.twist, vehicles.swing()) < kStoodMps;
+
+  // Some need not be looked at further.
   for (std::size_t i = 0; i < count; ++i) {
     if (stands && speeds.now_mps[i] < kStoodMps)
       finish(i, Obstruction::kNone);
@@ -149,38 +185,36 @@ void brake(const Scene& scene, const Needed& needed, const DwaSettings& settings
       finish(i, Obstruction::kMover);
   }
 
+  // Then all brake, until each sample is finished.
   double t_s = 0.0;
-  while (left > 0) {  // until each sample is finished
+  while (left > 0) {
     t_s += dt_s;
     vehicles.step();
     walls.look(vehicles.arcs(), vehicles.driven_m());
+
     for (std::size_t i = 0; i < count; ++i) {
       if (is_done[i]) continue;
       const Obstruction found = touched(scene, needed, vehicles, walls, speeds, i, t_s, dt_s);
       if (found != Obstruction::kNone || speeds.now_mps[i] < kStoodMps) finish(i, found);
     }
-    speeds.was_mps = speeds.now_mps;
-    std::array<Twist2, kBlock> mean;
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      const double mps = speeds.now_mps[i];
-      const double share = std::max(0.0, mps - slower_mps) / std::max(mps, kStoodMps), half = 0.5 * (1.0 + share);
-      const Twist2 was = vehicles.twist(i);
-      mean[i] = {half * was.linear_mps, half * was.angular_radps, half * was.sideways_mps};
-      vehicles.set(i, {share * was.linear_mps, share * was.angular_radps, share * was.sideways_mps});
-      speeds.now_mps[i] = fastest_point_mps(vehicles.twist(i), vehicles.swing());
-    }
+
+    const std::array<Twist2, kBlock> mean = slow_down(vehicles, slower_mps, speeds);
     vehicles.set_steps([&](std::size_t i) { return mean[i]; });
   }
 }
 
 /// Metres to the path's nearest point, in the single precision of the batched version.
 float path_distance_m(const std::vector<Point2>& path_in_map, Point2 base_in_map, const Arc<double>& arc) {
-  const auto x = static_cast<float>(arc.x - base_in_map.x), y = static_cast<float>(arc.y - base_in_map.y);
+  const auto x = static_cast<float>(arc.x - base_in_map.x);
+  const auto y = static_cast<float>(arc.y - base_in_map.y);
+
   float nearest2 = std::numeric_limits<float>::infinity();
   for (const Point2 p : path_in_map) {
-    const float dx = x - static_cast<float>(p.x - base_in_map.x), dy = y - static_cast<float>(p.y - base_in_map.y);
+    const float dx = x - static_cast<float>(p.x - base_in_map.x);
+    const float dy = y - static_cast<float>(p.y - base_in_map.y);
     nearest2 = std::min(nearest2, dx * dx + dy * dy);
   }
+
   return std::sqrt(nearest2);
 }
 
@@ -225,16 +259,20 @@ class Block {
         is_changing = vehicles_.follow(true) || k == 1;
         vehicles_.set_steps([&](std::size_t i) { return vehicles_.twist(i); });
       }
+
       vehicles_.step();
       if (k <= settings_.last_wall_step(aim_)) meet_walls();
       for (std::size_t i = 0; i < count_; ++i) look(i, k);
     }
+
     finish();
   }
 
  private:
+  /// A sample that moves and hits a wall is not followed further.
   void meet_walls() {
     walls_.look(vehicles_.arcs(), vehicles_.driven_m());
+
     for (std::size_t i = 0; i < kBlock; ++i) {
       Rollout& it = out_[std::min(i, count_ - 1)];
       if (!(walls_.least_m(i) < std::min(0.0, needed_.wall))) continue;
@@ -257,13 +295,16 @@ class Block {
 
     const Arc<double>& arc = vehicles_.arcs()[i];
     if (k == settings_.look_step()) {
-      sample.look_x_m = arc.x, sample.look_y_m = arc.y;
+      sample.look_x_m = arc.x;
+      sample.look_y_m = arc.y;
       sample.look_yaw_rad = geometry::bearing_rad<double>(arc.sin_yaw(), arc.cos_yaw());
     }
+
     if (!aim_.path_in_map.empty() && k % kPathEverySteps == 0)
       sample.path_distance_m += path_distance_m(aim_.path_in_map, scene_.base_in_map.position(), arc);
   }
 
+  /// A mover or peer at its predicted place, for sample i.
   void meet(std::size_t i, Point2 there_in_map, double radius_m, double margin_m, double growth_m, double& gap_m,
             Obstruction kind) {
     Rollout& it = out_[i];
@@ -273,11 +314,13 @@ class Block {
     if (distance_m < 0.0 && it.collision != Obstruction::kWall) it.collision = kind;
   }
 
+  /// Horizon, walls, and the mean path distance.
   void finish() {
     const int path_looks = aim_.path_in_map.empty() ? 0 : settings_.steps() / kPathEverySteps;
     for (std::size_t i = 0; i < count_; ++i) {
       Sample<double>& sample = out_[i].sample;
-      sample.end_x_m = vehicles_.arcs()[i].x, sample.end_y_m = vehicles_.arcs()[i].y;
+      sample.end_x_m = vehicles_.arcs()[i].x;
+      sample.end_y_m = vehicles_.arcs()[i].y;
       sample.wall_gap_m = walls_.least_m(i);
       if (path_looks > 0) sample.path_distance_m /= path_looks;
     }
@@ -288,6 +331,7 @@ class Block {
   const Aim& aim_;
   const DwaSettings& settings_;
   std::size_t count_;
+
   Rollout* out_;
   Vehicles vehicles_;
   Walls walls_;
@@ -302,6 +346,7 @@ double sum_of(const std::vector<double>& numbers) {
     for (std::size_t i = place; i < numbers.size(); i += kBlock) sum_of_place += numbers[i];
     sum += sum_of_place;
   }
+
   return sum;
 }
 
@@ -339,6 +384,7 @@ Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const 
     samples.push_back(rollout.sample);
     admitted.push_back(choice.admit(rollout.moves, rollout.collision));
   }
+
   const auto count = static_cast<double>(std::count(admitted.begin(), admitted.end(), true));
 
   std::vector<double> totals(samples.size(), 0.0), scores(samples.size());
@@ -348,6 +394,7 @@ Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const 
       scores[i] = weighted.critic.score(samples[i], aim);
       if (admitted[i]) admitted_scores[i] = scores[i];
     }
+
     const double sum = sum_of(admitted_scores);
     for (std::size_t i = 0; sum > 0.0 && i < samples.size(); ++i)
       totals[i] += weighted.weight * count / sum * scores[i];
@@ -361,6 +408,7 @@ Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const 
     most = total;
     choice.take(samples[i]);
   }
+
   return choice;
 }
 

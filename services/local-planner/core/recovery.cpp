@@ -16,22 +16,27 @@ bool is_walled(const Choice& choice) {
   return choice.rejected[static_cast<int>(Obstruction::kWall)] == choice.rejected_in_all();
 }
 
+/// The same window with twice as many speeds and turn rates.
 Choice look_finer(const Refusal& refusal, const Variant& variant, DwaSettings settings) {
   settings.linear_samples = 2 * settings.linear_samples - 1;
   settings.angular_samples = 2 * settings.angular_samples - 1;
+
   return choose(refusal.scene, refusal.aim, variant, settings);
 }
 
-/// None: there is no heading from which it may set off.
+/// The smallest turn, from the target's heading to both sides, after which it may set off straight ahead; none: there
+/// is no such heading.
 std::optional<double> nearest_open_turn_rad(const Refusal& refusal, const DwaSettings& settings) {
   for (double off = 0.0; off < geometry::kPi; off += kLookAroundRad)
     for (const double turn : {refusal.to_target_rad + off, refusal.to_target_rad - off}) {
       Scene turned = refusal.scene;
       turned.base_in_map.yaw = geometry::wrap(refusal.scene.base_in_map.yaw + turn);
+
       turned.twist = {};
       if (obstruction(turned, {turned.limits.max_speed_mps, 0.0, 0.0}, settings) == Obstruction::kNone)
         return geometry::wrap(turn);
     }
+
   return std::nullopt;
 }
 
@@ -51,6 +56,7 @@ const char* told(Grade grade) {
     case Grade::kAsk:
       break;
   }
+
   return "";
 }
 
@@ -60,6 +66,7 @@ WayOut way_out(const Refusal& refusal, const Variant& variant, const DwaSettings
   if (!refusal.stands) return {Grade::kSlower, refusal.choice};
   if (!is_walled(refusal.choice)) return {Grade::kTurn, refusal.choice};
   if (const Choice finer = look_finer(refusal, variant, settings); finer.moving > 0) return {Grade::kFiner, finer};
+
   return {Grade::kTurn, refusal.choice, refusal.may_turn ? nearest_open_turn_rad(refusal, settings) : std::nullopt};
 }
 
@@ -71,13 +78,24 @@ void Patience::lengthen(double longer_m) {
 }
 
 Grade Patience::look(const Attempt& attempt, time::Stamp now) {
-  if (attempt.left_m < least_left_m_ - kGoodPieceM) least_left_m_ = attempt.left_m, progressed_ = now;
-  if (attempt.left_m < best_left_m_ - kGoodPieceM) best_left_m_ = attempt.left_m, recoveries_ = 0;
+  if (attempt.left_m < least_left_m_ - kGoodPieceM) {
+    least_left_m_ = attempt.left_m;
+    progressed_ = now;
+  }
+
+  if (attempt.left_m < best_left_m_ - kGoodPieceM) {
+    best_left_m_ = attempt.left_m;
+    recoveries_ = 0;
+  }
+
   if (attempt.is_aside) least_left_m_ = attempt.left_m;
+
   if (attempt.waits || attempt.is_aside || attempt.is_closed) {
     progressed_ = now;
     return attempt.is_closed ? Grade::kAsk : Grade::kNone;
   }
+
+  // A turn about on the spot takes pi / rate at full rate, and rate / acceleration to get there and back.
   const kinematics::Limits& limits = attempt.limits;
   const double half_turn_s =
       geometry::kPi / limits.max_turn_radps + limits.max_turn_radps / limits.max_turn_acceleration_radps2;
@@ -85,6 +103,7 @@ Grade Patience::look(const Attempt& attempt, time::Stamp now) {
     return Grade::kNone;
   progressed_ = now;
   ++recoveries_;
+
   return Grade::kBackOff;
 }
 

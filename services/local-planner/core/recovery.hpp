@@ -1,4 +1,5 @@
 #pragma once
+
 #include <limits>
 #include <optional>
 
@@ -31,6 +32,7 @@ struct Refusal {
   double to_target_rad{0.0};  // the turn that would face the target, to the left
 };
 
+/// What gets the vehicle over a refusal.
 struct WayOut {
   Grade grade{Grade::kNone};         // never kNone after a refusal
   Choice choice;                     // of the finer look where that helped, else the refusal's own
@@ -57,9 +59,13 @@ class Patience {
  public:
   /// A new way: everything before is forgotten.
   void begin(time::Stamp now);
+
+  /// No reason to try in this cycle.
   void rest(time::Stamp now) { progressed_ = now; }
+
   /// A way round is no step back.
   void lengthen(double longer_m);
+
   /// kBackOff once trying has lasted for 3 s and the time of a turn about, 4 s longer each time that it did not help,
   /// up to 20 s; kAsk where backing off moves nothing; else kNone.
   Grade look(const Attempt& attempt, time::Stamp now);

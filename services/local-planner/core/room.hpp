@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 #include "common/grid/clearance.hpp"
@@ -11,7 +12,7 @@ struct Disc {
   double radius_m{0.0};
 };
 
-/// Where a vehicle may be: walls by the clearance field, what stands by discs.
+/// Where a vehicle's centre may be: walls by the clearance field, what stands by discs.
 struct Room {
   const grid::ClearanceField& clearance;
   const std::vector<Disc>& discs;
@@ -19,8 +20,9 @@ struct Room {
   double wall_margin_m{0.10};
   double disc_margin_m{0.15};
 
-  /// Distance to spare at `p`; negative: not allowed. Capped at 1 m.
+  /// Distance in metres to spare at `p`; negative: not allowed there. Capped at 1 m.
   double spare_m(geometry::Point2 p) const;
+
   /// May the vehicle go straight from `a` to `b`? Looked at every 5 cm.
   bool is_line_free(geometry::Point2 a, geometry::Point2 b) const;
 };

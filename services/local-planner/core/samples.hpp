@@ -1,4 +1,5 @@
 #pragma once
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -9,7 +10,7 @@
 
 namespace aisle::local_planner {
 
-/// What stops a sample, in rising order of nothing but the table of `Choice::rejected`.
+/// What stops a sample. The numbers only index `Choice::rejected`.
 enum class Obstruction { kNone, kWall, kMover, kPeer };
 
 /// So many samples are rolled out and scored together: a block of eight batches.
@@ -22,14 +23,18 @@ class PerSample {
   double operator[](std::size_t i) const { return numbers_[i]; }
   double& operator[](std::size_t i) { return numbers_[i]; }
   void fill(double number) { numbers_.fill(number); }
+
   const double* begin() const { return numbers_.data(); }
   const double* end() const { return begin() + kBlock; }
 
+  /// The numbers of batch `b`, and back.
   [[gnu::always_inline]] geometry::Batch batch(std::size_t b) const {
     geometry::Batch out;
+
     std::memcpy(&out, &numbers_[b * geometry::kBatch], sizeof(out));
     return out;
   }
+
   [[gnu::always_inline]] void put(std::size_t b, const geometry::Batch& batch) {
     std::memcpy(&numbers_[b * geometry::kBatch], &batch, sizeof(batch));
   }
@@ -61,6 +66,7 @@ struct SampleBlock {
 
   SampleBlock() {}  // leaves all unset: a cycle makes many blocks and writes every number
 
+  /// Sample i by itself.
   Sample<double> at(std::size_t i) const {
     const Sample<geometry::Batch>& batch = batches[i / geometry::kBatch];
     const std::size_t k = i % geometry::kBatch;

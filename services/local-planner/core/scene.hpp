@@ -1,4 +1,5 @@
 #pragma once
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -54,14 +55,17 @@ struct Scene {
   geometry::Pose2 base_in_map;
   geometry::Twist2 twist;  // in force then
   double radius_m{0.35};
+
   kinematics::Limits limits;
   double speed_cap_mps{1.2};
   const std::vector<Mover>& movers;
   const std::vector<PeerMotion>& peers;
   double steering_rad{0.0};  // of a tricycle, in force then
-  // The footprint's discs, of radius_m: their centres before the base; at most kMostDiscs.
+
+  /// The footprint's discs, of radius_m: their centres before the base; at most kMostDiscs.
   std::vector<double> discs_ahead_m{0.0};
 };
+
 inline constexpr std::size_t kMostDiscs = 5;
 using DiscGaps = std::array<double, kMostDiscs>;  // one a disc of the footprint, in metres
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include "services/local-planner/core/critic.hpp"
 #include "services/local-planner/core/dwa.hpp"
 #include "services/local-planner/core/moment.hpp"
@@ -16,6 +17,7 @@ struct SpeedSearch {
   geometry::Twist2 braking;  // where no speed is admissible
 };
 
+/// What came of it.
 struct SpeedChoice {
   geometry::Twist2 wanted;
   Grade grade{Grade::kNone};  // of the recovery, where every speed that moves was refused

@@ -21,6 +21,7 @@ constexpr double kPersonGapM = 0.2;                  // nearer to a person than 
 constexpr double kLeastPersonMps = 0.25;
 constexpr double kPersonGapRate = 0.5;  // m/s a metre of gap beyond
 
+/// The speed from which it brakes to a stand within the distance: v = sqrt(2 a d).
 double bounded_by_braking_mps(double distance_m, double braking_mps2) {
   return std::sqrt(2.0 * braking_mps2 * std::max(0.0, distance_m));
 }
@@ -28,15 +29,20 @@ double bounded_by_braking_mps(double distance_m, double braking_mps2) {
 /// Beside something that stood for long: a creep where it once walked, else no bound.
 double cap_beside_standing_mps(const Moment& moment, const Mover& mover) {
   if (!mover.has_walked) return std::numeric_limits<double>::infinity();
+
   return kCreepMps + std::max(0.0, moment.gap_then_m(mover) - kBesidePersonM);
 }
 
+/// By the gap to where a walker is nearest within the next second.
 double cap_beside_person_mps(const Moment& moment, const Mover& mover) {
   const Point2 then = moment.motion.base_then.position();
   double distance_m = std::numeric_limits<double>::infinity();
+
   for (const double t_s : kPersonAheadS)
     distance_m = std::min(distance_m, geometry::distance(then, mover.position_in_map + t_s * mover.velocity_in_map));
+
   const double gap_m = std::max(0.0, distance_m - moment.vehicle.reach_m() - mover.radius_m - kPersonGapM);
+
   return kLeastPersonMps + kPersonGapRate * gap_m;
 }
 
@@ -45,6 +51,7 @@ double cap_turned_away_mps(const Moment& moment, Point2 target_in_map) {
   const geometry::Pose2& then = moment.motion.base_then;
   const double error_rad = std::abs(geometry::wrap(geometry::bearing(then.position(), target_in_map) - then.yaw));
   if (error_rad <= kTurnedAwayRad) return std::numeric_limits<double>::infinity();
+
   return std::max(kLeastTurnedAwayMps, moment.vehicle.limits.max_speed_mps * std::cos(error_rad) * kTurnedAwayShare);
 }
 
@@ -59,6 +66,7 @@ double speed_cap_mps(const SpeedQuestion& question, const Settings& settings) {
   const Moment& moment = question.moment;
   const Way& way = question.way;
   const double s_m = way.is_aside() ? way.s_m() : way.s_near_m(moment.motion.base_then.position());
+
   double cap = std::max(kLeastProfileMps, way.speed_at(s_m));
   cap = std::min(cap, bounded_by_braking_mps(question.stop_at_m - s_m - kStopMarginM, settings.comfort_mps2));
   cap = std::min(cap, cap_turned_away_mps(moment, question.target_in_map));
@@ -68,6 +76,7 @@ double speed_cap_mps(const SpeedQuestion& question, const Settings& settings) {
 
   for (const Mover& mover : question.around.movers)
     cap = std::min(cap, mover.may_walk ? cap_beside_person_mps(moment, mover) : cap_beside_standing_mps(moment, mover));
+
   return cap;
 }
 

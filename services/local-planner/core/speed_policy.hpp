@@ -1,4 +1,5 @@
 #pragma once
+
 #include "services/local-planner/core/lane.hpp"
 #include "services/local-planner/core/moment.hpp"
 #include "services/local-planner/core/settings.hpp"
@@ -15,6 +16,7 @@ struct SpeedQuestion {
   const Moment& moment;
   const Way& way;
   const Surroundings& around;
+
   geometry::Point2 target_in_map;
   double stop_at_m{0.0};  // of the way, not passed; infinity: none
 };

@@ -3,7 +3,7 @@
 namespace aisle::local_planner {
 namespace {
 
-constexpr double kLetPassS = 10.0;  // people are let pass for so long; after it they do not walk by, but stay
+constexpr double kLetPassS = 10.0;  // people are let pass for so long; after that they are not passing by, they stay
 
 }  // namespace
 

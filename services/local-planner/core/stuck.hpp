@@ -1,4 +1,5 @@
 #pragma once
+
 #include "services/local-planner/core/recovery.hpp"
 
 namespace aisle::local_planner {
@@ -11,10 +12,13 @@ class Stuck {
  public:
   /// A new lane: everything before is forgotten.
   void begin(time::Stamp now);
+
   /// There is no reason to move: held, or at the goal.
   void rest(time::Stamp now);
+
   /// It moved in this cycle, or turns.
   void move(time::Stamp now) { moved_ = now; }
+
   /// The way round is longer than what was left; that is no step back.
   void lengthen(double longer_m) { patience_.lengthen(longer_m); }
 

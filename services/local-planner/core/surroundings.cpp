@@ -11,8 +11,8 @@ using geometry::Point2;
 using geometry::Pose2;
 using geometry::Twist2;
 
-constexpr double kReactionS = 0.15;  // a peer may speed up for so long before it sees what we see
-constexpr double kWalkedM = 0.75;  // what has come so far is no thing: another view of a thing moves its middle by less
+constexpr double kReactionS = 0.15;        // a peer may speed up for so long before it sees what we see
+constexpr double kWalkedM = 0.75;          // farther than another view of a standing thing moves its middle
 constexpr double kLongestCarriedS = 1.0;   // a track's motion is not carried on for longer
 constexpr double kMostSigmaM = 0.15;       // of a track's place; more uncertainty does not widen the margin
 constexpr double kMostSigmaMps = 0.3;      // of its velocity, likewise
@@ -24,7 +24,10 @@ constexpr double kStaysMps = 0.05;         // a slower peer without a goal stays
 constexpr double kRoundingS = 1e-9;
 
 /// Rows of a track's covariance, 4 x 4 and row by row: x, y, vx, vy.
-constexpr int kVarianceX = 0, kVarianceY = 5, kVarianceVx = 10, kVarianceVy = 15;
+constexpr int kVarianceX = 0;
+constexpr int kVarianceY = 5;
+constexpr int kVarianceVx = 10;
+constexpr int kVarianceVy = 15;
 
 /// The root of the larger of two variances.
 double larger_sigma(double variance, double other) { return std::sqrt(std::max(0.0, std::max(variance, other))); }
@@ -36,6 +39,7 @@ Mover mover_of(const SeenTrack& seen, const SurroundingsSettings& settings, time
   const double speed_mps = geometry::norm(track.velocity_in_map);
   const bool stands = track.is_static || speed_mps < settings.standing_mps;
   const double age_s = time::seconds(now - seen.arrived) + settings.track_latency_s + settings.dead_time_s;
+
   Mover mover;
   mover.velocity_in_map = stands ? Point2{} : track.velocity_in_map;
   mover.position_in_map = track.position_in_map + std::min(age_s, kLongestCarriedS) * mover.velocity_in_map;
@@ -49,10 +53,12 @@ Mover mover_of(const SeenTrack& seen, const SurroundingsSettings& settings, time
     return mover;
   }
 
+  // What moves: a margin for how uncertain the place is, which grows with how uncertain the velocity is.
   const double sigma_m = larger_sigma(track.covariance[kVarianceX], track.covariance[kVarianceY]);
   const double sigma_mps = larger_sigma(track.covariance[kVarianceVx], track.covariance[kVarianceVy]);
   mover.margin_m = settings.mover_margin_m + std::min(kMostSigmaM, sigma_m);
   mover.growth_mps = settings.mover_growth_mps + std::min(kMostSigmaMps, sigma_mps);
+
   return mover;
 }
 
@@ -66,22 +72,28 @@ std::vector<Pose2> stopping_sweep(const PeerView& peer, const Peer& sample, doub
   Pose2 pose = peer.base_in_map;
   const double dt = kSweepStepS;
   const double reaction_s = kReactionS + ahead_s;
+
+  // Before it reacts it goes on as it does.
   for (double t = 0.0; t < reaction_s - kRoundingS; t += dt) {
     pose = kinematics::advance(pose, twist, std::min(dt, reaction_s - t));
     sweep.push_back(pose);
   }
 
+  // Then it brakes: v' = max(0, v - a dt), driven as the mean (v + v') / 2 along the same arc.
   while (std::abs(twist.linear_mps) > kPeerStoppedMps) {
     const double next = std::max(0.0, std::abs(twist.linear_mps) - sample.limits.max_deceleration_mps2 * dt);
     const double share = next / std::abs(twist.linear_mps);
+
     pose = kinematics::advance(
         pose, {0.5 * (1 + share) * twist.linear_mps, 0.5 * (1 + share) * twist.angular_radps, 0.0}, dt);
     twist = {share * twist.linear_mps, share * twist.angular_radps, 0.0};
     sweep.push_back(pose);
   }
+
   return sweep;
 }
 
+/// A point of the vehicle's axis, in map.
 Point2 ahead_of(const Pose2& base_in_map, double ahead_m) {
   return ahead_m == 0.0 ? base_in_map.position() : geometry::to_map(base_in_map, {ahead_m, 0.0});
 }
@@ -110,10 +122,12 @@ Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, 
     out.movers.push_back(mover);
     if (mover.velocity_in_map == Point2{}) out.add_standing({mover.position_in_map, mover.radius_m}, {});
   }
+
   forget_all_but(inputs.tracks);
 
   for (const Peer& peer : inputs.peers)
     if (peer.id != own_id) add_peer(out, peer, step_s, steps, now);
+
   return out;
 }
 
@@ -124,7 +138,9 @@ void Observer::add_peer(Surroundings& out, const Peer& peer, double step_s, int 
   for (int k = 0; k <= steps; ++k)
     intended_in_map.push_back(claimed_at(seen.claim, settings_.dead_time_s + k * step_s));
 
+  // A peer that has nothing to do, or that has stood for too long, is driven around like a thing.
   const bool stays = (!seen.has_goal && seen.speed_mps < kStaysMps) || seen.standing_s > settings_.peer_patience_s;
+
   const geometry::CoveringDiscs discs =
       geometry::covering_discs(peer.rectangle ? *peer.rectangle : geometry::disc(peer.radius_m));
   for (const double ahead_m : discs.ahead_m) {
@@ -135,6 +151,7 @@ void Observer::add_peer(Surroundings& out, const Peer& peer, double step_s, int 
     if (stays) out.add_standing({ahead_of(seen.base_in_map, ahead_m), discs.radius_m}, peer.id);
     out.peer_motions.push_back(std::move(motion));
   }
+
   out.peers.push_back(std::move(seen));
 }
 

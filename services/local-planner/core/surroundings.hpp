@@ -1,4 +1,5 @@
 #pragma once
+
 #include <map>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 
 namespace aisle::local_planner {
 
+/// By how much tracks and peers are taken larger than they were seen, and how long a peer is waited for.
 struct SurroundingsSettings {
   double dead_time_s{0.1};       // from a command to the wheels
   double track_latency_s{0.05};  // from the scan to the track's arrival
@@ -21,34 +23,44 @@ struct SurroundingsSettings {
   double peer_silent_s{0.5};    // then it is taken to stand where it can have come to
 };
 
-/// What stands in the way and must be driven around.
+/// A disc that stands in the way and must be driven around.
 struct Standing {
   Disc disc;
   std::string vehicle_id;  // empty: not a vehicle
 };
 
-/// The inputs as geometry, at two moments: `now` for people and for the fleet's rules, and `dead_time_s` later, when
-/// the next command acts, for the dynamic window.
+/// The inputs as geometry, at two moments: `now` for people and for the fleet's rules of the way, and `dead_time_s`
+/// later, when the next command acts, for the dynamic window. All in map.
 struct Surroundings {
   std::vector<Mover> movers;             // all tracks
-  std::vector<PeerMotion> peer_motions;  // one of each disc that its footprint is covered by
+  std::vector<PeerMotion> peer_motions;  // one for each disc that covers a peer's footprint
   std::vector<PeerView> peers;
   std::vector<Standing> standing;
   std::vector<Disc> standing_discs;  // of `standing`, in its order
 
+  /// Adds to both lists. `vehicle_id`: empty when it is no vehicle.
   void add_standing(const Disc& disc, const std::string& vehicle_id);
 };
 
-/// Remembers since when each peer stands, and where each track was first seen.
+/// Turns a cycle's inputs into its surroundings. Remembers since when each peer stands, and where each track was first
+/// seen.
 class Observer {
  public:
   explicit Observer(const SurroundingsSettings& settings) : settings_(settings), peers_(settings.peer_silent_s) {}
+
+  /// @param own_id of the vehicle itself, which is no peer
   /// @param step_s, steps of the dynamic window's trajectories, for where peers will be
   Surroundings observe(const Inputs& inputs, const std::string& own_id, double step_s, int steps, time::Stamp now);
 
  private:
+  /// A peer as the discs of its footprint: where it can come while braking, where it claims to go, and, when it stays,
+  /// as something that stands.
   void add_peer(Surroundings& out, const Peer& peer, double step_s, int steps, time::Stamp now);
+
+  /// Is the track now farther from where it was first seen than another view of a standing thing would make it?
   bool has_walked(const SeenTrack& seen);
+
+  /// Forgets tracks that are gone.
   void forget_all_but(const std::vector<SeenTrack>& tracks);
 
   SurroundingsSettings settings_;

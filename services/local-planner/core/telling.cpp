@@ -13,6 +13,7 @@ constexpr double kJustStoppedS = 0.5;   // standing for less says nothing yet
 Output told_driving(const Driving& driving) {
   Output out;
   out.twist = driving.speed.wanted;
+
   const bool is_near = driving.speed.choice.mover_gap_m < kAvoidsWithinM;
   out.phase = driving.leaves_lane || is_near ? Phase::kAvoiding : Phase::kDriving;
 
@@ -21,6 +22,7 @@ Output told_driving(const Driving& driving) {
     out.detail = told(grade);
   else if (out.phase == Phase::kAvoiding)
     out.detail = told_avoidance(driving.scene);
+
   return out;
 }
 
@@ -28,6 +30,7 @@ Output told_turning(const geometry::Twist2& wanted) {
   Output out;
   out.phase = Phase::kTurning;
   out.twist = wanted;
+
   return out;
 }
 
@@ -37,9 +40,11 @@ Output told_off_path(geometry::Point2 here_in_map) {
   out.reason = Reason::kOffPath;
   out.detail = "cannot get back to the plan without turning on the spot";
   out.blocked_at_in_map = here_in_map;
+
   return out;
 }
 
+// The fleet's rules come first, then what is known to stand in the way, then what the dynamic window refused.
 void tell_why_it_stands(const Stop& stop, Output& out) {
   if (!stop.advice.yields_to.empty() && !stop.blocked) {
     out.phase = Phase::kWaiting;
@@ -61,6 +66,7 @@ void tell_why_it_stands(const Stop& stop, Output& out) {
 
 std::string told_avoidance(const Scene& scene) {
   const Meeting meeting = predict_meeting(scene, kWindowM, kMeetingS);
+
   return meeting.encounter == Encounter::kNone ? "" : std::string("avoids what is ") + name(meeting.encounter);
 }
 

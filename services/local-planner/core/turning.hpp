@@ -1,4 +1,5 @@
 #pragma once
+
 #include "services/local-planner/core/moment.hpp"
 #include "services/local-planner/core/rollout.hpp"
 #include "services/local-planner/core/target.hpp"
@@ -26,7 +27,10 @@ struct TurnQuestion {
 /// A vehicle that cannot turn on the spot never does.
 class TurnOnTheSpot {
  public:
+  /// Is it to turn in this cycle? Begins and ends turns.
   bool look(const TurnQuestion& question, const DwaSettings& settings);
+
+  /// It is held, or drives: a turn has ended.
   void end() { turns_ = false; }
 
   /// The twist while it turns: first the vehicle comes to a stand, and turns on at half the rate meanwhile.

@@ -1,4 +1,5 @@
 #pragma once
+
 #include "common/geometry/batch.hpp"
 #include "common/geometry/bearings.hpp"
 #include "services/local-planner/core/samples.hpp"
@@ -13,6 +14,7 @@ template <class Number>
   const Number apart_rad = bearing_rad - sample.look_yaw_rad;
   const Number one_way_rad = apart_rad < 0.0 ? -apart_rad : apart_rad;
   const Number other_way_rad = 2.0 * geometry::kPi - one_way_rad;
+
   return geometry::least(other_way_rad, one_way_rad);
 }
 

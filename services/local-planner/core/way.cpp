@@ -31,9 +31,12 @@ void Way::adopt(Route lane, Point2 position_in_map, bool is_same_plan) {
   lane_ = {std::move(lane), 0.0, {}};
   detour_end_m_ = 0.0;
   if (lane_.route.empty()) return;
+
   const double about_m = is_same_plan ? lane_.route.length_m() - left_m : 0.0;
+
+  // Where it should be; if it is far from there, anywhere on the lane: the same plan may have been kept while the
+  // vehicle was not there to follow it, as over a restart.
   lane_.s_m = lane_.route.project(position_in_map, about_m - kAboutM, about_m + kAboutM);
-  // A plan that was kept while we were not there to follow it, e.g. over a restart: we are somewhere along it.
   if (geometry::distance(lane_.route.at(lane_.s_m), position_in_map) > kElsewhereM)
     lane_.s_m = lane_.route.project(position_in_map, 0.0, lane_.route.length_m());
 }
@@ -54,9 +57,11 @@ double Way::speed_at(double s_m) const {
   const auto& speeds = profile_mps();
   const Route& route = current();
   if (speeds.empty()) return 0.0;
+
   const std::size_t i = route.point_before(s_m);
   if (i + 1 >= speeds.size()) return speeds.back();
   const double share = std::clamp((s_m - route.along_m(i)) / (route.along_m(i + 1) - route.along_m(i)), 0.0, 1.0);
+
   return speeds[i] + share * (speeds[i + 1] - speeds[i]);
 }
 
@@ -65,6 +70,7 @@ double Way::s_near_m(Point2 p_in_map) const { return current().project(p_in_map,
 void Way::progress(Point2 position_in_map) {
   if (!lane_.route.empty() && !aside_)
     lane_.s_m = lane_.route.project(position_in_map, lane_.s_m - kBackM, lane_.s_m + kAheadM);
+
   if (aside_ && !aside_->route.empty())
     aside_->s_m = aside_->route.project(position_in_map, aside_->s_m - kBackM, aside_->s_m + kAheadM);
 }
@@ -72,6 +78,7 @@ void Way::progress(Point2 position_in_map) {
 void Way::profile(const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits) {
   if (lane_.profile_mps.size() != lane_.route.points().size())
     lane_.profile_mps = speed_profile(lane_.route, clearance, radius_m, limits);
+
   if (aside_ && aside_->profile_mps.size() != aside_->route.points().size())
     aside_->profile_mps = speed_profile(aside_->route, clearance, radius_m, limits);
 }
@@ -80,6 +87,7 @@ std::optional<Obstructed> first_obstructed(const Route& route, double s_m, doubl
                                            double least_spare_m) {
   if (route.empty()) return std::nullopt;
   std::optional<Obstructed> found;
+
   std::optional<double> free_since_m;
   for (double s = s_m; s <= route.length_m() + kLookStepM; s += kLookStepM) {
     const bool last = s >= route.length_m();
@@ -87,14 +95,19 @@ std::optional<Obstructed> first_obstructed(const Route& route, double s_m, doubl
     if (!found && s > s_m + ahead_m) return std::nullopt;
     if (!found && !is_free) found = Obstructed{s, route.length_m() + kNoEndM, route.at(s)};
     if (!found) continue;
+
+    // Obstructed: it ends where the way has been free for long enough.
     if (!is_free) free_since_m.reset();
     if (is_free && !free_since_m) free_since_m = s;
+
     if (is_free && (s - *free_since_m > kFreeForM || last)) {
       found->end_m = std::min(s, route.length_m());
       return found;
     }
+
     if (s > found->begin_m + kLongestM) return found;
   }
+
   return found;
 }
 

@@ -23,6 +23,7 @@ Adoption WayKeeper::adopt(const Moment& moment, Way& way) {
                              plan.goal_in_map.yaw != goal_in_map_.yaw;
   if (is_other_goal) way.drop_aside();
 
+  // The same plan for the same map has its lane already.
   const bool is_same_plan = !is_other_goal && plan.waypoints_in_map == plan_waypoints_ && !way.empty();
   if (is_same_plan && plan.id == plan_id_ && map_revision_ == moment.inputs.map_revision) return {is_other_goal, false};
 
@@ -31,26 +32,33 @@ Adoption WayKeeper::adopt(const Moment& moment, Way& way) {
   plan_id_ = plan.id;
   plan_waypoints_ = plan.waypoints_in_map;
   map_revision_ = moment.inputs.map_revision;
+
   way.adopt(lane_of(moment), moment.here(), is_same_plan);
+
   return {is_other_goal, true};
 }
 
-/// As planned for a vehicle that cannot turn on the spot: its arcs are the tightest that it should drive.
+/// A vehicle that cannot turn on the spot drives its plan as it is: the plan's arcs are the tightest that it should
+/// drive.
 Route WayKeeper::lane_of(const Moment& moment) const {
   const std::vector<geometry::Point2>& waypoints = moment.inputs.plan->waypoints_in_map;
   if (!knows_path_) return Route(resample({moment.here(), waypoints.back()}, kStepM));
   if (!moment.vehicle.turns_on_the_spot()) return Route(resample(waypoints, kStepM));
+
   return make_lane(waypoints, *moment.inputs.clearance, moment.vehicle.reach_m(), lane_);
 }
 
 bool is_off_path(const Moment& moment, const Way& way) {
   if (moment.vehicle.turns_on_the_spot()) return false;
+
   const Route& lane = way.lane();
   const double s_m = way.lane_s_m();
+
   const geometry::Pose2& base = moment.motion.base_now;
   const double turned_rad = std::abs(geometry::wrap(lane.heading_at(s_m) - base.yaw));
   const bool is_past_the_end =
       lane.length_m() - s_m < kAtEndM && geometry::from_map(base, lane.points().back()).x < 0.0;
+
   return geometry::distance(moment.here(), lane.at(s_m)) > kOffPathM || turned_rad > kOffPathRad || is_past_the_end;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ class WayKeeper {
   Adoption adopt(const Moment& moment, Way& way);
 
  private:
+  /// The lane of the plan: straight to the goal, the plan itself, or the plan moved to the right of its aisles.
   Route lane_of(const Moment& moment) const;
 
   LaneSettings lane_;

@@ -12,7 +12,8 @@ constexpr double kFarM = 3.0;  // from here on, farther from the sub-target is n
 /// and would lose to one that stands. A reward, as C5.
 template <class Number>
 [[gnu::always_inline]] inline Number score(const Sample<Number>& sample, const Aim& aim) {
-  const Number x = sample.look_x_m - aim.target_in_map.x, y = sample.look_y_m - aim.target_in_map.y;
+  const Number x = sample.look_x_m - aim.target_in_map.x;
+  const Number y = sample.look_y_m - aim.target_in_map.y;
   return geometry::clamped(1.0 - geometry::square_root(x * x + y * y) / kFarM, 0.0, 1.0);
 }
 

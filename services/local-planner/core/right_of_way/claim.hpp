@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 #include "services/local-planner/core/inputs.hpp"

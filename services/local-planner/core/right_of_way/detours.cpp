@@ -30,8 +30,12 @@ std::string vehicle_at(Point2 at_in_map, const Surroundings& around) {
   std::string id;
   for (const Standing& standing : around.standing) {
     const double d = geometry::distance(standing.disc.position, at_in_map) - standing.disc.radius_m;
-    if (d < nearest_m) nearest_m = d, id = standing.vehicle_id;
+    if (d < nearest_m) {
+      nearest_m = d;
+      id = standing.vehicle_id;
+    }
   }
+
   return id;
 }
 
@@ -49,6 +53,7 @@ std::optional<Detour> Detours::look(const Moment& moment, const Surroundings& ar
   const double s_m = way.s_m();
   const auto obstructed = first_obstructed(way.lane(), s_m + kLookFromM, kLookForObstaclesM,
                                            moment.room(around, kObstructedWallM, kObstructedDiscM), 0.0);
+
   const bool is_off_lane = geometry::distance(moment.here(), way.lane().at(s_m)) > kOffLaneM;
   if (!obstructed && !is_off_lane) {
     blocked_.reset();
@@ -58,23 +63,29 @@ std::optional<Detour> Detours::look(const Moment& moment, const Surroundings& ar
   auto detour = search(moment, around, way, obstructed);
   if (detour) blocked_.reset();
   if (!detour && obstructed) blocked_ = Blocked{*obstructed, vehicle_at(obstructed->at_in_map, around)};
+
   return detour;
 }
 
 std::optional<Detour> Detours::search(const Moment& moment, const Surroundings& around, const Way& way,
                                       const std::optional<Obstructed>& obstructed) const {
   const Route& lane = way.lane();
+  // Where the detour ends: behind what obstructs the lane, or a metre ahead where the vehicle is off it.
   const double behind_m = obstructed ? obstructed->end_m : std::min(lane.length_m(), way.s_m() + kBackAheadM);
   if (behind_m > lane.length_m() || !moment.vehicle.turns_on_the_spot()) return std::nullopt;
 
   const double rejoin_m = std::min(lane.length_m(), behind_m + kRejoinM);
   const Point2 join = lane.at(rejoin_m);
+
   const auto accepts = [&](Point2 p) { return geometry::distance(p, join) < kJoinedM; };
+
   const Room usual = moment.room(around, lane_.margin_m, kUsualDiscM);
   const Room tight = moment.room(around, kTightWallM, kTightDiscM);
+
   auto points = search_way(usual, moment.here(), join, kReachM, accepts);
   if (points.empty()) points = search_way(tight, moment.here(), join, kReachM, accepts);
   if (points.empty()) return std::nullopt;
+
   return Detour{std::move(points), rejoin_m, obstructed.has_value()};
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,16 +32,20 @@ class Detours {
 
   /// A new lane: what was found of the old one says nothing.
   void begin();
+
   /// The next look is due at once.
   void hasten() { searched_ = {}; }
 
-  /// @pre no way aside is being driven
+  /// A detour to drive now; none: none is needed, none was found, or it is not time to look. @pre no way aside is being
+  /// driven
   std::optional<Detour> look(const Moment& moment, const Surroundings& around, const Way& way);
 
   /// What obstructs the lane since the last look that found no way around.
   const std::optional<Blocked>& blocked() const { return blocked_; }
 
  private:
+  /// The lattice search with the usual margins, then with tight ones. Only vehicles that turn on the spot drive
+  /// detours.
   std::optional<Detour> search(const Moment& moment, const Surroundings& around, const Way& way,
                                const std::optional<Obstructed>& obstructed) const;
 

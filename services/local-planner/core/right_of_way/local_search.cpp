@@ -19,17 +19,20 @@ constexpr double kDearM = 0.3;        // less to spare than this is dearer, up t
 constexpr double kLeftM2 = 0.1;       // of the cross product: this and more is left of the line ahead,
 constexpr double kLeftDearer = 0.15;  // and by this share dearer
 
-/// A square of (2 n + 1)^2 nodes around the start.
+/// A square of (2 n + 1)^2 nodes around the start, numbered row by row; (0, 0) is the start.
 class Lattice {
  public:
   Lattice(Point2 center, double reach_m) : center_(center), half_(static_cast<int>(std::ceil(reach_m / kStepM))) {}
+
   int width() const { return 2 * half_ + 1; }
   std::size_t size() const { return static_cast<std::size_t>(width()) * static_cast<std::size_t>(width()); }
   bool contains(int x, int y) const { return std::abs(x) <= half_ && std::abs(y) <= half_; }
+
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y + half_) * static_cast<std::size_t>(width()) +
            static_cast<std::size_t>(x + half_);
   }
+
   int x_of(std::size_t i) const { return static_cast<int>(i) % width() - half_; }
   int y_of(std::size_t i) const { return static_cast<int>(i) / width() - half_; }
   Point2 at(std::size_t i) const { return {center_.x + kStepM * x_of(i), center_.y + kStepM * y_of(i)}; }
@@ -39,6 +42,7 @@ class Lattice {
   int half_;
 };
 
+/// From each kept point on to the farthest one, within 4 m, that can be reached straight.
 std::vector<Point2> straighten(const Room& room, const std::vector<Point2>& way) {
   std::vector<Point2> out{way.front()};
   std::size_t kept = 0;
@@ -47,9 +51,11 @@ std::vector<Point2> straighten(const Room& room, const std::vector<Point2>& way)
     while (next + 1 < way.size() && geometry::distance(way[kept], way[next + 1]) < kLongestPieceM &&
            room.is_line_free(way[kept], way[next + 1]))
       ++next;
+
     out.push_back(way[next]);
     kept = next;
   }
+
   return out;
 }
 
@@ -70,6 +76,7 @@ class WaySearch {
     const std::size_t start = lattice_.index(0, 0);
     cost_[start] = 0.0;
     open_.push({0.0, start});
+
     while (!open_.empty()) {
       const auto [so_far, i] = open_.top();
       open_.pop();
@@ -77,6 +84,7 @@ class WaySearch {
       if (accepts(lattice_.at(i)) && spare_at(i) >= 0.0) return way_to(i);
       expand(i, so_far);
     }
+
     return {};
   }
 
@@ -84,21 +92,30 @@ class WaySearch {
   static constexpr double kUnknown = -std::numeric_limits<double>::infinity();
   using Entry = std::pair<double, std::size_t>;  // cost, node
 
+  /// The room at a node, looked up when it is first asked for.
   double spare_at(std::size_t i) {
     if (spare_[i] == kUnknown) spare_[i] = room_.spare_m(lattice_.at(i));
+
     return spare_[i];
   }
 
+  /// Reaches the neighbours that this node makes cheaper.
   void expand(std::size_t i, double so_far) {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const int x = lattice_.x_of(i) + dx;
         const int y = lattice_.y_of(i) + dy;
         if ((dx == 0 && dy == 0) || !lattice_.contains(x, y)) continue;
+
         const std::size_t k = lattice_.index(x, y);
         if (!may_step(i, k)) continue;
         const double total = so_far + kStepM * std::hypot(dx, dy) * dearness(k);
-        if (total < cost_[k]) cost_[k] = total, parent_[k] = i, open_.push({total, k});
+
+        if (total < cost_[k]) {
+          cost_[k] = total;
+          parent_[k] = i;
+          open_.push({total, k});
+        }
       }
   }
 
@@ -107,6 +124,7 @@ class WaySearch {
     const double here = spare_at(k);
     if (here < 0.0 && here < spare_at(i) + kRoundingM) return false;
     const bool is_tight = here >= 0.0 && here < kTightM && spare_at(i) >= 0.0;
+
     return !is_tight || room_.spare_m(0.5 * (lattice_.at(i) + lattice_.at(k))) >= 0.0;
   }
 
@@ -114,13 +132,16 @@ class WaySearch {
   double dearness(std::size_t k) {
     const double near = std::max(0.0, kDearM - spare_at(k)) / kDearM;
     const bool is_left = geometry::cross(ahead_, lattice_.at(k) - from_) > kLeftM2;
+
     return 1.0 + near + (is_left ? kLeftDearer : 0.0);
   }
 
+  /// The nodes from the start to this one.
   std::vector<Point2> way_to(std::size_t i) const {
     std::vector<Point2> way;
     for (std::size_t j = i; j != lattice_.size(); j = parent_[j]) way.push_back(lattice_.at(j));
     std::reverse(way.begin(), way.end());
+
     return way;
   }
 

@@ -31,7 +31,10 @@ std::vector<IntentPoint> claim_of(const Peer& peer, const Pose2& base_in_map, ti
   double best_m = kInfinity;
   for (std::size_t j = 0; j < peer.intent.size() && j < kPassedPoints; ++j) {
     const double d = geometry::distance(peer.intent[j].base_in_map.position(), base_in_map.position());
-    if (d < best_m) best_m = d, nearest = j;
+    if (d < best_m) {
+      best_m = d;
+      nearest = j;
+    }
   }
 
   for (std::size_t j = nearest + 1; j < peer.intent.size(); ++j)
@@ -40,6 +43,7 @@ std::vector<IntentPoint> claim_of(const Peer& peer, const Pose2& base_in_map, ti
   return claim;
 }
 
+/// Is it under way, in this phase?
 bool means_to_move(Phase phase) {
   return phase == Phase::kTurning || phase == Phase::kDriving || phase == Phase::kAvoiding || phase == Phase::kBlocked;
 }
@@ -50,22 +54,28 @@ PeerView PeerObserver::view(const Peer& peer, time::Stamp now) {
   PeerView view;
   const double age_s = time::seconds(now - peer.state_arrived);
   const bool silent = age_s > silent_s_;
+
   view.id = peer.id;
   view.radius_m = peer.radius_m;
+
+  // One that fell silent is taken to stand where it was.
   view.base_in_map =
       silent ? peer.state.base_in_map : kinematics::advance(peer.state.base_in_map, peer.state.twist, age_s);
   view.speed_mps = silent ? 0.0 : std::abs(peer.state.twist.linear_mps);
   view.stopping_m = kinematics::stopping_distance_m(view.speed_mps, peer.limits.max_deceleration_mps2);
 
+  // A peer that waits for others still has a goal.
   const bool yields = peer.phase == Phase::kWaiting && peer.reason == Reason::kYielding;
   view.has_goal = !silent && (means_to_move(peer.phase) || yields);
 
+  // Since when it stands: since it was first seen or last moved.
   auto [moved, first_seen] = moved_.try_emplace(peer.id, now);
   const bool turns = std::abs(peer.state.twist.angular_radps) > kMovingRadps && !silent;
   if (view.speed_mps > kMovingMps || turns) moved->second = now;
   view.standing_s = time::seconds(now - moved->second);
 
   view.claim = silent ? std::vector<IntentPoint>{{0.0, view.base_in_map}} : claim_of(peer, view.base_in_map, now);
+
   return view;
 }
 
@@ -77,8 +87,10 @@ Pose2 claimed_at(const std::vector<IntentPoint>& claim, double t_s) {
     const Pose2& a = claim[j - 1].base_in_map;
     const Pose2& b = claim[j].base_in_map;
     const Point2 p = a.position() + share * (b.position() - a.position());
+
     return {p.x, p.y, geometry::wrap(a.yaw + share * geometry::wrap(b.yaw - a.yaw))};
   }
+
   return claim.back().base_in_map;
 }
 

@@ -20,6 +20,7 @@ constexpr double kLookAgainS = 2.0;       // so often
 
 }  // namespace
 
+/// The arguments of one call of rule(), and its answer so far.
 struct RightOfWay::Cycle {
   const Moment& moment;
   const Surroundings& around;
@@ -78,12 +79,15 @@ void RightOfWay::ask(Cycle& cycle) {
   way.profile(*moment.inputs.clearance, moment.way_radius_m(), profile_limits(limits, settings_));
 
   const double speed_mps = std::max(0.0, cycle.in_force.linear_mps);
+
+  // How far it goes before it can stand: braking, after the time to react.
   const double stopping_m =
       kinematics::stopping_distance_m(speed_mps, limits.max_deceleration_mps2) + speed_mps * kReactionS;
   cycle.ruling.advice = advise({moment.vehicle.id, moment.vehicle.reach_m(), way.s_m(), speed_mps, stopping_m,
                                 moment.here(), way.current(), way.profile_mps()},
                                cycle.around.peers, settings_.traffic);
 
+  // Before what obstructs the lane it stops, whatever the rules say.
   cycle.ruling.stop_at_m = cycle.ruling.advice.stop_at_m;
   if (const Blocked* by = blocking(way))
     cycle.ruling.stop_at_m = std::min(cycle.ruling.stop_at_m, by->where.begin_m - kBeforeObstacleM);
@@ -94,6 +98,7 @@ void RightOfWay::come_back(Cycle& cycle) {
   const bool is_there = cycle.way.left_m() < kThereM && cycle.moment.motion.stands();
   if (!is_there && time::seconds(cycle.moment.now - stepped_aside_) <= kLongestAsideS) return;
   cycle.way.come_back();
+
   detours_.hasten();
   cycle.way.progress(cycle.moment.here());
   go_around(cycle);
@@ -112,17 +117,19 @@ void RightOfWay::make_room(Cycle& cycle) {
   if (is_due && step_aside(cycle, asking)) cycle.ruling.events.push_back({"steps aside for " + asking.front()});
 }
 
-/// Once trying has gone on for long enough: away from those that it is stuck with, or anywhere a metre away.
+/// Once trying has gone on for long enough: drives away from the peers that it is stuck with, or anywhere a metre away.
 void RightOfWay::back_off(Cycle& cycle) {
   const Advice& advice = cycle.ruling.advice;
   const bool waits = !advice.yields_to.empty() && !advice.follows;
   const bool is_closed = blocked() && blocked()->vehicle_id.empty();
   const double left_m = cycle.way.lane().length_m() - cycle.way.lane_s_m();
   const Attempt attempt{left_m, waits, cycle.way.is_aside(), is_closed, cycle.moment.vehicle.limits};
+
   if (!cycle.stuck.has_tried_enough(attempt, cycle.moment.now)) return;
 
   const std::vector<std::string> with = stuck_with(cycle.around, cycle.moment);
   if (!step_aside(cycle, with) && !with.empty()) step_aside(cycle, {});
+
   backs_off_ = cycle.way.is_aside();
   if (backs_off_) cycle.ruling.events.push_back({"backs off to try again"});
 }
@@ -131,9 +138,11 @@ bool RightOfWay::step_aside(Cycle& cycle, const std::vector<std::string>& for_wh
   stepped_aside_ = cycle.moment.now;
   const auto points = way_aside(cycle.moment, cycle.around, cycle.way, for_whom, settings_.traffic.margin_m);
   if (points.empty()) return false;
+
   cycle.way.step_aside(points);
   backs_off_ = false;
   ask(cycle);
+
   return true;
 }
 

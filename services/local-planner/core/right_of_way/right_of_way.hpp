@@ -1,4 +1,5 @@
 #pragma once
+
 #include <limits>
 #include <optional>
 #include <string>
@@ -32,21 +33,25 @@ class RightOfWay {
   /// @param knows_path false: no detours
   RightOfWay(const Settings& settings, bool knows_path);
 
-  /// A new lane.
+  /// There is a new lane.
   void begin() { detours_.begin(); }
 
+  /// One cycle: looks for detours, asks the rules, steps aside or comes back, backs off. Changes `way` and `stuck`.
   /// @param in_force the twist before this cycle's command
   Ruling rule(const Moment& moment, const Surroundings& around, const geometry::Twist2& in_force, Way& way,
               Stuck& stuck);
 
   /// What obstructs the lane, and no way was found around it.
   const std::optional<Blocked>& blocked() const { return detours_.blocked(); }
+
   /// What keeps the vehicle from going on along its current way; none while it drives aside.
   const Blocked* blocking(const Way& way) const;
+
   /// How far along its current way the vehicle claims it; infinity: as far as a claim reaches. A vehicle that follows
   /// claims the way beyond the one before it, too.
   double claim_end_m(const Advice& advice, const Way& way) const;
-  /// The way aside is a recovery, and no courtesy.
+
+  /// Is it on a way aside as a recovery, not as a courtesy?
   bool backs_off(const Way& way) const { return way.is_aside() && backs_off_; }
 
  private:
@@ -57,11 +62,14 @@ class RightOfWay {
   void make_room(Cycle& cycle);
   void come_back(Cycle& cycle);
   void back_off(Cycle& cycle);
+
+  /// Looks for a place aside, and sets off for it; false: there is none.
   bool step_aside(Cycle& cycle, const std::vector<std::string>& for_whom);
 
   Settings settings_;
   bool knows_path_;
   Detours detours_;
+
   time::Stamp stepped_aside_{};  // when a place aside was last looked for
   bool backs_off_{false};
 };

@@ -38,6 +38,7 @@ std::vector<std::string> asking_for_room(const Advice& advice, const Surrounding
   for (const std::string& id : advice.gives_way_to)
     for (const PeerView& peer : around.peers)
       if (peer.id == id && is_within(kAskingM, peer, moment)) asking.push_back(id);
+
   return asking;
 }
 
@@ -45,26 +46,33 @@ std::vector<std::string> stuck_with(const Surroundings& around, const Moment& mo
   std::vector<std::string> ids;
   for (const PeerView& peer : around.peers)
     if (peer.has_goal && is_within(kStuckWithM, peer, moment)) ids.push_back(peer.id);
+
   return ids;
 }
 
 std::vector<Point2> way_aside(const Moment& moment, const Surroundings& around, const Way& way,
                               const std::vector<std::string>& for_whom, double margin_m) {
   if (!moment.vehicle.turns_on_the_spot()) return {};
+
+  // Peers stand where they are, and what stands for good is in the way as well.
   std::vector<Disc> discs = around.standing_discs;
   for (const PeerView& peer : around.peers) discs.push_back({peer.base_in_map.position(), peer.radius_m});
   const Room room{*moment.inputs.clearance, discs, moment.vehicle.reach_m(), kWallMarginM, kDiscMarginM};
 
   const Point2 here = moment.here();
+  // A place that no claim comes near to which counts.
   const auto accepts = [&](Point2 p) {
     if (for_whom.empty() && geometry::distance(p, here) < kLeastAwayM) return false;
+
     return std::none_of(around.peers.begin(), around.peers.end(), [&](const PeerView& peer) {
       const double least_m = moment.vehicle.reach_m() + peer.radius_m + margin_m + kClaimSpareM;
       return counts(peer, for_whom, moment.vehicle.id) && is_claimed(peer.claim, p, least_m);
     });
   };
+
   const Point2 towards = way.lane().at(way.lane_s_m() + kTowardsM);
   auto points = search_way(room, here, towards, kReachM, accepts);
+
   return points.size() < 2 ? std::vector<Point2>{} : points;
 }
 
