@@ -36,8 +36,9 @@ constexpr int kPoints = 400 * 32;
 constexpr int kRounds = 15;
 constexpr int kCycles = 20;  // of ours a round
 constexpr double kHallM = 20.0;
-constexpr double kFarM =
-    7.0;  // from the vehicle: 3.84 m of way, 1.8 m of outline and 1 m of clearance that a critic may ask for
+
+/// From the vehicle: 3.84 m of way, 1.8 m of outline and 1 m of clearance that a critic may ask for.
+constexpr double kFarM = 7.0;
 
 /// Computing time of this thread.
 double cpu_ns() {

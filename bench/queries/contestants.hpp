@@ -16,8 +16,8 @@ struct Reply {
   double length_m{0.0};
   std::size_t expanded{0};
 
-  const std::vector<geometry::Point2>* waypoints_in_map{
-      nullptr};  // to be checked; null for peers that answer with a length only
+  /// To be checked; null for peers that answer with a length only.
+  const std::vector<geometry::Point2>* waypoints_in_map{nullptr};
 };
 
 /// A planner that answers queries on one map, ours or not. Arrays that it keeps between queries are

@@ -12,8 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr double kReach_m = 2.0;
-constexpr std::size_t kCellsOfFullLimit =
-    320000;  // on larger maps fewer queries, so that the slowest peers answer them all
+
+/// On larger maps fewer queries are asked, so that the slowest peers answer them all.
+constexpr std::size_t kCellsOfFullLimit = 320000;
 
 /// A map of the reference data.
 struct Known {

@@ -138,8 +138,9 @@ std::optional<Cell> touched_cell(const ClearanceField& clearance, const Axis& x,
   const Geometry& g = clearance.geometry();
   const Point2 here{g.origin_in_map.x + (x.at(time) + 0.5) * g.resolution_m,
                     g.origin_in_map.y + (y.at(time) + 0.5) * g.resolution_m};
-  const int reach =
-      std::clamp(static_cast<int>(std::ceil(radius_m / g.resolution_m - 0.5)), 0, 64);  // beyond it none can touch
+
+  // Cells to each side; beyond them none can touch.
+  const int reach = std::clamp(static_cast<int>(std::ceil(radius_m / g.resolution_m - 0.5)), 0, 64);
 
   const std::optional<Cell> likely = downhill(clearance, g.cell_at(here));
   if (likely && squared_distance(here, shrunk_cell(g, *likely)) < radius_m * radius_m) return likely;

@@ -70,7 +70,7 @@ bool PeerWatch::is_duplicate(const PeerHealth& peer, const Seen* seen, time::Sta
 }
 
 /// Judged by the newest start of the instance. An older start that still speaks is a duplicate; a newer
-/// one begins with a clean sheet.
+/// one is judged anew.
 std::vector<Finding> PeerWatch::take(const PeerHealth& peer, time::Stamp now, std::int64_t wall_clock_ns) {
   std::vector<Finding> findings;
   if (peer.boot_id == own_boot_id_ && peer.instance_id == own_instance_id_) return findings;

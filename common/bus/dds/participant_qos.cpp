@@ -202,8 +202,9 @@ fast::dds::DomainParticipantQos participant_qos(const Settings& settings) {
   if (!settings.participant_name.empty()) qos.name(settings.participant_name.c_str());
 
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
-  discovery.leaseDuration =
-      fast::duration(std::chrono::seconds(5));  // longer than a healthcheck lives: see docs/decisions/0006
+
+  // Longer than a healthcheck lives: see docs/decisions/0006.
+  discovery.leaseDuration = fast::duration(std::chrono::seconds(5));
   discovery.leaseDuration_announcementperiod = fast::duration(std::chrono::milliseconds(500));
   qos.allocation().send_buffers.preallocated_number = kSendBuffers;  // by default ten, of the largest message each
   qos.allocation().send_buffers.dynamic = true;

@@ -68,8 +68,8 @@ int TopicReader::matched_writers() const {
 
 /// Samples first, then the ends of writers that did not come back, then the counts of what went wrong.
 bool TopicReader::drain(const Report& report) {
-  const std::vector<WriterEvent> events =
-      listener_.take();  // before the samples: what a writer said last comes before its end
+  // Taken before the samples, handled after them: what a writer said last comes before its end.
+  const std::vector<WriterEvent> events = listener_.take();
   bool handled = drain_samples(report);
 
   for (std::size_t i = 0; i < events.size(); ++i) {

@@ -169,8 +169,9 @@ void ReaderEnd::check_deadlines() {
 bool ReaderEnd::drain(const Report& report) {
   if (!has_work()) return false;
 
-  const std::vector<WriterEvent> events = std::exchange(events_, {});  // before the samples: what a writer said last
-  bool handled = drain_samples(report);                                // comes before its end
+  // Taken before the samples, handled after them: what a writer said last comes before its end.
+  const std::vector<WriterEvent> events = std::exchange(events_, {});
+  bool handled = drain_samples(report);
 
   for (std::size_t i = 0; i < events.size(); ++i) {
     const bool returned =

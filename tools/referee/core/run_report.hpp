@@ -84,8 +84,9 @@ struct RunReport {
   Distribution map_edit_to_plan_ms;
   std::string ended_because;
   double person_clearance_m{0.0};  // that the scenario asks for
-  bool people_give_way{
-      true};  // false where people are recordings: these walk into vehicles that stand, which is not held against them
+
+  /// False where people are recordings: these walk into vehicles that stand, which is not held against the vehicles.
+  bool people_give_way{true};
 
   int count(GoalOutcome outcome) const;
 
