@@ -182,16 +182,16 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
     std::fprintf(stderr, "%s%s\n", prefix.c_str(), printable(line).c_str());
   };
 
-  const std::chrono::nanoseconds begun = process::cpu_time();
+  sim::Hooks hooks;
+  hooks.goes_on = [&](double t_s) {
+    progress.tell(fmt::format("run {} of {}: {:.0f} s of at most {:.0f} s simulated", run + 1, options.runs, t_s,
+                              setup.scenario.duration_s));
+    return !is_interrupted();
+  };
+  if (options.verbose) hooks.says = say;
 
-  const sim::Outcome outcome = sim::drive(
-      setup, faults,
-      [&](double t_s) {
-        progress.tell(fmt::format("run {} of {}: {:.0f} s of at most {:.0f} s simulated", run + 1, options.runs, t_s,
-                                  setup.scenario.duration_s));
-        return !is_interrupted();
-      },
-      options.verbose ? say : std::function<void(const std::string&)>{});
+  const std::chrono::nanoseconds begun = process::cpu_time();
+  const sim::Outcome outcome = sim::drive(setup, faults, hooks);
 
   if (is_interrupted()) return false;
 

@@ -27,10 +27,14 @@ struct Result {
   std::vector<Touch> touches;
   double least_clearance_m{kNothingNearM};  // of moving vehicles to anything within 2 m
   double distance_m{0.0};
-  double time_s{0.0};
+  double time_s{0.0};        // simulated, the site's start included
+  double first_goal_s{0.0};  // when the first goal was given
+  /// From the first goal given to the last one reached, or to the end of the run where one was missed: what drivers are
+  /// compared by. The site's start and the dispatcher's greeting are no part of it, its pauses between goals are.
+  double driven_s{0.0};
   std::vector<int> reached;    // goals of each vehicle
   std::vector<int> replanned;  // how often
-  std::vector<double> done_s;  // of each vehicle: when its last goal was reached; -1: never
+  std::vector<double> done_s;  // of each vehicle: when its last goal was reached, since the start of the run; -1: never
   double planned_m{0.0};       // length of the first plan of each goal
   int replans{0};
   int turn_sign_changes{0};      // of turn rates beyond 0.05 rad/s: dithering

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <deque>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "tools/sim/fault_schedule.hpp"
 #include "tools/sim/process.hpp"
 #include "tools/sim/services.hpp"
+#include "tools/sim/spectator.hpp"
 #include "tools/sim/sqlite_on_disk.hpp"
 
 namespace aisle::sim {
@@ -30,6 +32,7 @@ using std::chrono::seconds;
 
 constexpr milliseconds kBetweenStarts{7};  // as a supervisor starts processes: each has a boot id of its own
 constexpr milliseconds kLook{50};          // whether the run is over
+constexpr int kShowEvery = 2;              // looks from one snapshot to the next
 constexpr seconds kRestart{1};             // of a process that ended by itself
 constexpr const char* kReferee = "referee";
 
@@ -79,12 +82,10 @@ struct Burden {
 
 class Site {
  public:
-  using Says = std::function<void(const std::string&)>;
-
-  Site(const Setup& setup, const Faults& faults, Says says)
+  Site(const Setup& setup, const Faults& faults, const Hooks& hooks)
       : setup_(setup),
         faults_(faults),
-        says_(std::move(says)),
+        hooks_(hooks),
         log_(std::make_shared<spdlog::logger>("site", std::make_shared<LineSink>([this](const auto& l) { say(l); }))),
         default_logger_(log_),
         network_(setup.seed * 1'000'003 + faults.seed),
@@ -94,22 +95,23 @@ class Site {
         referee_shell_(*referee_bus_, {kReferee, kReferee, "", 1, kReferee, 1}, {log_->clone(kReferee), {}, {}}),
         referee_(*referee_bus_, referee_shell_.health(), walls_, expectation_of(setup.scenario)),
         recorder_(referee_shell_) {
-    log_->set_level(says_ ? spdlog::level::info : spdlog::level::off);
+    log_->set_level(hooks_.says ? spdlog::level::info : spdlog::level::off);
     put_sqlite_on_simulated_disks();
     referee_bus_->drive();
-    for (Blueprint& blueprint : blueprints_of(setup)) add(std::move(blueprint));
+    for (Blueprint& blueprint : blueprints_of(setup, seat_spectator())) add(std::move(blueprint));
     plan_faults();
   }
 
-  Outcome run(const std::function<bool(double)>& goes_on) {
+  Outcome run() {
     std::string because;
     double asked_s = -1.0;
-    while (because.empty()) {
+    for (int look = 0; because.empty(); ++look) {
       network_.advance_to(network_.now() + kLook);
       const double t_s = now_s();
       if (referee_.is_over()) because = "all missions are over";
       if (t_s >= setup_.scenario.duration_s) because = fmt::format("{:.0f} s are over", setup_.scenario.duration_s);
-      if (goes_on && t_s - asked_s >= 1.0 && !goes_on(asked_s = t_s)) because = "stopped";
+      if (hooks_.goes_on && t_s - asked_s >= 1.0 && !hooks_.goes_on(asked_s = t_s)) because = "stopped";
+      if (spectator_ && look % kShowEvery == 0 && spectator_->sees_all_vehicles()) hooks_.watch(spectator_->look(t_s));
     }
     return outcome(because);
   }
@@ -124,7 +126,14 @@ class Site {
   double now_s() const { return std::chrono::duration<double>(network_.now() - begun_).count(); }
 
   void say(const std::string& text) {
-    if (says_) says_(fmt::format("{:8.3f} {}", now_s(), text));
+    if (hooks_.says) hooks_.says(fmt::format("{:8.3f} {}", now_s(), text));
+  }
+
+  /// Where nobody watches, nothing is heard for them.
+  HearsCycle seat_spectator() {
+    if (!hooks_.watch) return {};
+    spectator_.emplace(referee_shell_, setup_.scenario);
+    return [this](const std::string& agv_id, const local_planner::Output& output) { spectator_->hear(agv_id, output); };
   }
 
   void add(Blueprint blueprint) {
@@ -302,6 +311,19 @@ class Site {
     return all;
   }
 
+  /// The end of the run where no goal was given.
+  static double first_goal_s(const referee::RunReport& report) {
+    double first_s = report.duration_s;
+    for (const referee::GoalRecord& goal : report.goals) first_s = std::min(first_s, goal.assigned_s);
+    return first_s;
+  }
+
+  static double driven_s(const referee::RunReport& report) {
+    double last_s = report.goals_missed() > 0 ? report.duration_s : 0.0;
+    for (const referee::GoalRecord& goal : report.goals) last_s = std::max(last_s, goal.decided_s);
+    return std::max(0.0, last_s - first_goal_s(report));
+  }
+
   void fill_result(const referee::RunReport& report, Result& result) const {
     result.goals_assigned = report.goals_expected;
     result.goals_reached = report.count(referee::GoalOutcome::kReached);
@@ -312,6 +334,8 @@ class Site {
     const bool anybody_drove = result.distance_m > 0.0;  // else it is the scenario's clearance, not the drivers'
     result.least_clearance_m = anybody_drove ? report.clearances.overall_m().value_or(kNothingNearM) : kNothingNearM;
     result.time_s = report.duration_s;
+    result.first_goal_s = first_goal_s(report);
+    result.driven_s = driven_s(report);
     result.replans = report.replans();
     for (const scenario::Vehicle& vehicle : setup_.scenario.vehicles) {
       int reached = 0;
@@ -331,7 +355,7 @@ class Site {
 
   const Setup& setup_;
   const Faults& faults_;
-  Says says_;
+  const Hooks& hooks_;
   std::shared_ptr<spdlog::logger> log_;
   ScopedDefaultLogger default_logger_;
   Network network_;
@@ -341,6 +365,7 @@ class Site {
   service::Shell referee_shell_;
   referee::RefereeService referee_;
   DriveRecorder recorder_;
+  std::optional<Spectator> spectator_;
   std::vector<std::unique_ptr<Process>> processes_;
   std::map<std::string, nanoseconds> clock_offsets_;
   std::map<std::string, Burden> burdens_;                    // by process
@@ -350,9 +375,6 @@ class Site {
 
 }  // namespace
 
-Outcome drive(const Setup& setup, const Faults& faults, const std::function<bool(double t_s)>& goes_on,
-              const std::function<void(const std::string& line)>& says) {
-  return Site(setup, faults, says).run(goes_on);
-}
+Outcome drive(const Setup& setup, const Faults& faults, const Hooks& hooks) { return Site(setup, faults, hooks).run(); }
 
 }  // namespace aisle::sim

@@ -10,6 +10,7 @@
 #include "tools/sim/fault_plan.hpp"
 #include "tools/sim/result.hpp"
 #include "tools/sim/setup.hpp"
+#include "tools/sim/snapshot.hpp"
 
 namespace aisle::sim {
 
@@ -27,15 +28,19 @@ struct Outcome {
   std::uint64_t messages{0};                    // samples handed to services
 };
 
+/// What a caller hears of a run. Each may be empty; none changes the run, but that `goes_on` may end it.
+struct Hooks {
+  std::function<bool(double t_s)> goes_on{};            // asked each simulated second; false: the run ends there
+  std::function<void(const std::string& line)> says{};  // what is done to the site, and what services log
+  Watch watch{};                                        // ten times a simulated second, once all vehicles are there
+};
+
 /// Runs a scenario with all its services, as they are, on a simulated network in this thread: map, planners, tracker
 /// (or its stand-in, Perception::kTruth), fake vehicles and world, dispatcher, referee. Ends when the referee says so,
-/// when the scenario's time is over, or when `goes_on`, asked each simulated second, says no. The same setup and faults
-/// give the same outcome to the bit.
+/// when the scenario's time is over, or when `hooks.goes_on` says no. The same setup and faults give the same outcome
+/// to the bit.
 ///
-/// @param says gets a line for each thing that is done to the site, and, where the log level lets them through, what
-///   services log
 /// @throws config::BadInput for a fault plan that names a process which does not exist
-Outcome drive(const Setup& setup, const Faults& faults = {}, const std::function<bool(double t_s)>& goes_on = {},
-              const std::function<void(const std::string& line)>& says = {});
+Outcome drive(const Setup& setup, const Faults& faults = {}, const Hooks& hooks = {});
 
 }  // namespace aisle::sim

@@ -14,6 +14,7 @@ void Totals::add(const Result& result) {
   least_clearance_m = std::min(least_clearance_m, result.least_clearance_m);
   distance_m += result.distance_m;
   time_s += result.time_s;
+  driven_s += result.driven_s;
   replans += result.replans;
   omega_sign_changes += result.turn_sign_changes;
   jerk_squared_sum_ += result.jerk_squared_sum;
@@ -31,6 +32,7 @@ void Totals::add(const Totals& others) {
   least_clearance_m = std::min(least_clearance_m, others.least_clearance_m);
   distance_m += others.distance_m;
   time_s += others.time_s;
+  driven_s += others.driven_s;
   replans += others.replans;
   omega_sign_changes += others.omega_sign_changes;
   jerk_squared_sum_ += others.jerk_squared_sum_;

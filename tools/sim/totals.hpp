@@ -14,7 +14,8 @@ struct Totals {
   int contacts_moving_vehicle{0};
   double least_clearance_m{kNothingNearM};  // of moving vehicles to anything, in all runs
   double distance_m{0.0};
-  double time_s{0.0};  // simulated
+  double time_s{0.0};    // simulated
+  double driven_s{0.0};  // Result::driven_s, summed
   int replans{0};
   int omega_sign_changes{0};
   double jerk_rms{0.0};                               // m/s^3

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -89,6 +91,42 @@ TEST(Site, WithTracksHeldStillItDrivesWithoutPrediction) {
   EXPECT_NE(held_still.result.trace_hash, predicted.result.trace_hash);
 }
 
+TEST(Site, IsSeenTenTimesASecondAndDrivesTheSame) {
+  std::vector<double> times_s;
+  double nearest_m = 1e9;
+  bool had_plans = false, saw_a_track_move = false, was_faster = false;
+  Hooks hooks;
+  hooks.watch = [&](const Snapshot& now) {
+    times_s.push_back(now.t_s);
+    ASSERT_EQ(now.vehicles_in_map.size(), 2U);
+    ASSERT_EQ(now.outputs.size(), 2U);
+    nearest_m = std::min(nearest_m, geometry::distance(now.vehicles_in_map[0].position(), {13.0, 3.0}));
+    had_plans = had_plans || (now.plans.at(0) != nullptr && now.plans.at(0)->agv_id == "agv-1");
+    was_faster = was_faster || now.outputs[0].twist.linear_mps > 0.5;
+    for (const fleet::Track& track : now.tracks)
+      saw_a_track_move = saw_a_track_move || geometry::norm(track.velocity_in_map) > 0.5;
+    ASSERT_LE(now.things.size(), 1U);
+  };
+  const Outcome watched = drive(hall_with_two_vehicles(1), {}, hooks);
+  EXPECT_EQ(watched.result.trace_hash, drive(hall_with_two_vehicles(1)).result.trace_hash);
+  ASSERT_GT(times_s.size(), 50U);
+  EXPECT_LT(times_s.front(), 1.0);
+  for (std::size_t i = 1; i < times_s.size(); ++i) EXPECT_NEAR(times_s[i] - times_s[i - 1], 0.1, 1e-9);
+  EXPECT_LT(nearest_m, 0.3);
+  EXPECT_TRUE(had_plans && saw_a_track_move && was_faster);
+}
+
+TEST(Site, TimeOfDrivingCountsFromTheFirstGoal) {
+  const Result all_reached = drive(hall_with_two_vehicles(1)).result;
+  EXPECT_GT(all_reached.first_goal_s, 0.0);
+  EXPECT_LT(all_reached.first_goal_s, 1.0) << "people move from the start, so goals must come at once";
+  const double last_s = *std::max_element(all_reached.done_s.begin(), all_reached.done_s.end());
+  EXPECT_NEAR(all_reached.driven_s, last_s - all_reached.first_goal_s, 1e-9);
+
+  const Result stopped = drive(hall_with_two_vehicles(1), {}, {[](double t_s) { return t_s < 3.0; }}).result;
+  EXPECT_NEAR(stopped.driven_s, stopped.time_s - stopped.first_goal_s, 1e-9);
+}
+
 TEST(Site, AGoalInAWallFailsWithItsReason) {
   sim::Setup setup = hall_with_two_vehicles(1);
   setup.scenario.missions.front().goals_in_map = {{0.05, 0.05, 0.0}};
@@ -108,7 +146,7 @@ TEST(Site, AVehicleWithGoalsToComeIsNotDone) {
   setup.scenario.missions.front().goals_in_map = {{3.5, 3.0, 0.0}, {13.0, 3.0, 0.0}};
   bool was_there = false;
   for (const double end_s : {4.0, 6.0, 8.0, 10.0}) {
-    const Outcome outcome = drive(setup, {}, [&](double t_s) { return t_s < end_s; });
+    const Outcome outcome = drive(setup, {}, {[&](double t_s) { return t_s < end_s; }});
     was_there = was_there || outcome.result.reached.at(0) == 1;
     EXPECT_EQ(outcome.result.done_s.at(0), -1.0) << end_s;
   }
@@ -117,7 +155,7 @@ TEST(Site, AVehicleWithGoalsToComeIsNotDone) {
 }
 
 TEST(Site, EndsWhenItsUserHasEnough) {
-  const Outcome outcome = drive(hall_with_two_vehicles(1), {}, [](double t_s) { return t_s < 3.0; });
+  const Outcome outcome = drive(hall_with_two_vehicles(1), {}, {[](double t_s) { return t_s < 3.0; }});
   EXPECT_EQ(outcome.report.ended_because, "stopped");
   EXPECT_LT(outcome.report.duration_s, 5.0);
 }
@@ -148,7 +186,7 @@ TEST(SiteFaults, ALinkIsHarmedFromAMomentThatBinaryNumbersMissAndNoLongerThanToA
   plan.links[0].for_s = 2.01;
   plan.links[0].delay_ms = 20.0;
   const auto delayed_until = [&](double end_s) {
-    return drive(hall_with_two_vehicles(1), faults_of(plan), [&](double t_s) { return t_s < end_s; })
+    return drive(hall_with_two_vehicles(1), faults_of(plan), {[&](double t_s) { return t_s < end_s; }})
         .faults["delayed_packets"];
   };
   EXPECT_EQ(delayed_until(1.0), 0u);

@@ -1,0 +1,24 @@
+#pragma once
+#include <functional>
+#include <vector>
+
+#include "common/fleet/plan.hpp"
+#include "common/fleet/track.hpp"
+#include "common/geometry/body.hpp"
+#include "services/local-planner/core/local_planner.hpp"
+
+namespace aisle::sim {
+
+/// What can be seen at a moment of a run, for traces and drawings. Vehicles, outputs and plans are in the scenario's
+/// order.
+struct Snapshot {
+  double t_s{0.0};                               // since the start of the run
+  std::vector<geometry::Pose2> vehicles_in_map;  // true bases
+  std::vector<local_planner::Output> outputs;    // of each local planner's newest cycle
+  std::vector<geometry::Body> things;            // people and blocks, in the order of their ids
+  std::vector<fleet::Track> tracks;              // that live, as they were last told
+  std::vector<const fleet::Plan*> plans;         // valid while it is looked at; null: none yet
+};
+using Watch = std::function<void(const Snapshot&)>;
+
+}  // namespace aisle::sim
