@@ -60,6 +60,7 @@ void FakeVehicleService::listen() {
       .on_refused([this](const std::string& agv_id, const std::string&) {
         if (agv_id == agv_id_ && !yields_) shell_.count(std::string("refused_") + name(authority_.refuse_unread()));
       });
+
   // What cannot be decoded still counts as a refused command when it names this vehicle.
   shell_
       .inbox<topics::WorldObstacle>([this](const fleet::Obstacle& obstacle, const service::Sender& from) {

@@ -30,6 +30,7 @@ std::optional<Memory> recall(const std::filesystem::path& file, const std::strin
 
     memory.seconds = kept.at("seconds").get<double>();
     memory.present = kept.at("present").get<std::set<std::string>>();
+
     // As keep() writes them: [along_m, back, waited_s].
     for (const auto& [id, progress] : kept.at("walkers").items()) {
       memory.walkers[id] = {progress.at(0).get<double>(), progress.at(1).get<bool>(), progress.at(2).get<double>()};

@@ -58,7 +58,6 @@ class GlobalPlannerService {
   void work();
 
   /// No plan is asked for: the memory of searches, some bytes a cell of the map, is given back.
-
   void rest_after_searches();
 
   /// Has the search that began then taken too long? Also asserts liveliness meanwhile.

@@ -45,6 +45,7 @@ void Dispatcher::vehicle_heard(const std::string& agv_id, time::Stamp now) {
   Book& book = found->second;
 
   book.stage = Stage::kGreeting;
+
   // With a memory the mission goes on at once; without one the vehicle has greet_s to tell what it was doing.
   book.due = book.remembered ? now : now + time::from_seconds(settings_.greet_s);
 

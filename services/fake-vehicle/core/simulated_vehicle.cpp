@@ -103,6 +103,7 @@ kinematics::DriveState SimulatedVehicle::brake(double dt_s) const {
 void SimulatedVehicle::move(double dt_s, const Surroundings& around) {
   geometry::Twist2& twist = drive_.twist;
   const geometry::Footprint footprint = parameters_.footprint();
+
   // A disc on the spot, and a vehicle that stands, cannot press into anything.
   const bool is_on_the_spot = twist.linear_mps == 0.0 && twist.sideways_mps == 0.0;
 

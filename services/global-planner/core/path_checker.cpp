@@ -99,6 +99,7 @@ std::vector<Pose2> poses_along(const PlannedPath& plan, const Outline& outline) 
   const std::vector<Point2>& path = plan.waypoints_in_map;
 
   std::vector<Pose2> poses;
+
   // The plan's own headings.
   if (!path.empty() && plan.headings_rad.size() == path.size()) {
     for (std::size_t i = 0; i < path.size(); ++i) poses.push_back({path[i].x, path[i].y, plan.headings_rad[i]});

@@ -144,6 +144,7 @@ void TraversableBits::fill(const Drivable& drivable, const Window& window, Tight
       const int height = std::min(64, geometry.height - y0);
 
       Block block{};
+
       // Rows as they lie in memory; their transpose are the columns.
       for (int y = 0; y < height; ++y) {
         const grid::Cell first{x0, y0 + y};

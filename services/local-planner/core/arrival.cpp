@@ -43,6 +43,7 @@ std::optional<AtGoal> Arrival::look(const Moment& moment, const geometry::Twist2
 bool Arrival::is_there(const Moment& moment) {
   const Plan& plan = *moment.inputs.plan;
   const double distance_m = geometry::distance(moment.here(), plan.goal_in_map.position());
+
   // Once there, it stays there until it is pushed away.
   if (has_arrived_ && distance_m > kPushedAwayShare * plan.position_tolerance_m) has_arrived_ = false;
   if (has_arrived_) return true;

@@ -85,6 +85,7 @@ std::vector<std::string> Publication::ask(const fleet::MapRequest& request) {
 
 Batch Publication::requested(int most_tiles) {
   Batch batch;
+
   // The lowest indices first; the rest waits for the next call.
   const auto count = std::min<std::size_t>(static_cast<std::size_t>(most_tiles), requested_tiles_.size());
 

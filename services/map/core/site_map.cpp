@@ -117,6 +117,7 @@ std::string refusal_of(const MapEdit& edit, const SiteMap& map, const EditLimits
   std::string reason = refusal_of_form(edit);
 
   if (!reason.empty()) return reason;
+
   // Only now, as the shape is well formed, is it laid over the grid.
   std::int64_t cells = 0;
   for (const CellRun& run : rasterise(edit, map.grid().geometry())) cells += run.x_end - run.x_begin;

@@ -27,6 +27,7 @@ void join_neighbours(const Scan& scan, const std::vector<Hit>& hits, const Clust
   const std::size_t n = hits.size();
   for (std::size_t i = 0; i < n; ++i) {
     const double own_reach_m = reach_m(hits[i], scan, clustering);
+
     // Beyond this angle no hit can be within reach of this one, whatever its range.
     const double ratio = own_reach_m / hits[i].range_m;
     const double widest_rad = ratio < 1.0 ? std::asin(ratio) : geometry::kPi;

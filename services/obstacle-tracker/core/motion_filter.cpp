@@ -21,6 +21,7 @@ std::string filter_names() {
 Gaussian<4> first_belief(const MotionModel& motion, const Eigen::Vector2d& position,
                          const Eigen::Matrix2d& covariance) {
   Gaussian<4> first;
+
   // Where it was measured, and standing: nothing is known of its velocity but how fast things are.
   first.mean.head<2>() = position;
   first.covariance.topLeftCorner<2, 2>() = covariance;

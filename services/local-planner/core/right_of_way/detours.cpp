@@ -70,6 +70,7 @@ std::optional<Detour> Detours::look(const Moment& moment, const Surroundings& ar
 std::optional<Detour> Detours::search(const Moment& moment, const Surroundings& around, const Way& way,
                                       const std::optional<Obstructed>& obstructed) const {
   const Route& lane = way.lane();
+
   // Where the detour ends: behind what obstructs the lane, or a metre ahead where the vehicle is off it.
   const double behind_m = obstructed ? obstructed->end_m : std::min(lane.length_m(), way.s_m() + kBackAheadM);
   if (behind_m > lane.length_m() || !moment.vehicle.turns_on_the_spot()) return std::nullopt;

@@ -60,6 +60,7 @@ std::vector<Point2> way_aside(const Moment& moment, const Surroundings& around, 
   const Room room{*moment.inputs.clearance, discs, moment.vehicle.reach_m(), kWallMarginM, kDiscMarginM};
 
   const Point2 here = moment.here();
+
   // A place that no claim comes near to which counts.
   const auto accepts = [&](Point2 p) {
     if (for_whom.empty() && geometry::distance(p, here) < kLeastAwayM) return false;

@@ -63,6 +63,7 @@ class InteractingMix final : public MotionFilter {
     Weights later{};
     for (std::size_t j = 0; j < kModes; ++j) {
       Weights from{};
+
       // p(i -> j) p_i, and their sum over i: the probability of mode j now.
       for (std::size_t i = 0; i < kModes; ++i) {
         from[i] = (i == j ? 1.0 - 2.0 * other : other) * probability_[i];
