@@ -1,4 +1,5 @@
 #pragma once
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,22 +12,28 @@
 // overestimate.
 namespace aisle::global_planner {
 
+/// Shortest way of 8 neighbours: straight and diagonal steps.
 inline std::uint32_t octile(grid::Cell a, grid::Cell b) {
   const auto dx = static_cast<std::uint32_t>(std::abs(a.x - b.x));
   const auto dy = static_cast<std::uint32_t>(std::abs(a.y - b.y));
+
   return kStraightCost * std::max(dx, dy) + (kDiagonalCost - kStraightCost) * std::min(dx, dy);
 }
 
+/// The greater of both differences.
 inline std::uint32_t chebyshev(grid::Cell a, grid::Cell b) {
   return kStraightCost * static_cast<std::uint32_t>(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)));
 }
 
+/// In cells, not in cost units.
 inline float euclidean_cells(grid::Cell a, grid::Cell b) {
   const auto dx = static_cast<float>(a.x - b.x);
   const auto dy = static_cast<float>(a.y - b.y);
+
   return std::sqrt(dx * dx + dy * dy);
 }
 
+/// The sum of both differences, in cells.
 inline float manhattan_cells(grid::Cell a, grid::Cell b) {
   return static_cast<float>(std::abs(a.x - b.x) + std::abs(a.y - b.y));
 }
@@ -35,6 +42,7 @@ inline float manhattan_cells(grid::Cell a, grid::Cell b) {
 inline std::uint32_t euclidean(grid::Cell a, grid::Cell b) {
   const double dx = a.x - b.x;
   const double dy = a.y - b.y;
+
   return static_cast<std::uint32_t>(std::sqrt(dx * dx + dy * dy) * kStraightCost);
 }
 

@@ -20,9 +20,8 @@ using time::from_seconds;
 using time::Stamp;
 
 constexpr std::size_t kLongestDetail = 256;  // as in the IDL
-constexpr double kChecked_cells =
-    0.12;  // a plan is checked for this much less: what ClearanceField may understate between cells
-constexpr double kOffPath_m = 0.3;  // farther from its plan a blocked vehicle gets one from where it stands
+constexpr double kChecked_cells = 0.12;      // a plan is checked for so much less: see ClearanceField between cells
+constexpr double kOffPath_m = 0.3;           // farther from its plan a blocked vehicle gets one from where it stands
 constexpr double kStandsWithin_m = 0.05;
 constexpr std::size_t kMost = 1024;           // vehicles, static tracks
 constexpr std::size_t kMostWaypoints = 4096;  // as in the IDL
@@ -31,10 +30,12 @@ std::string shortened(std::string text) {
   return text.size() <= kLongestDetail ? text : text.substr(0, kLongestDetail);
 }
 
+/// Is the goal that the vehicle says to have reached this one?
 bool is_arrived(const std::optional<NavigationStatus>& navigation, const std::optional<Goal>& goal) {
   return navigation && goal && navigation->phase == Phase::kArrived && navigation->goal_id == goal->id;
 }
 
+/// As it goes out on the wire.
 PlanOutcome outcome_of(Outcome searched) {
   switch (searched) {
     case Outcome::kFound:
@@ -50,17 +51,20 @@ PlanOutcome outcome_of(Outcome searched) {
     case Outcome::kOutOfTime:
       return PlanOutcome::kOutOfTime;
   }
+
   return PlanOutcome::kNoPath;
 }
 
 }  // namespace
 
 VehicleShape shape_of(const geometry::Footprint& footprint, const kinematics::Limits& limits) {
-  constexpr double kWider = 2.0;
+  constexpr double kWider = 2.0;  // than the tightest arc, so that the vehicle can correct what it drives
   const double reach_m = geometry::reach_m(footprint);
   const double turning_radius_m = kinematics::least_turning_radius_m(limits);
   if (!(turning_radius_m > 0.0)) return {reach_m, reach_m, 0.0, {}};
+
   const geometry::CoveringDiscs discs = geometry::covering_discs(footprint);
+
   return {discs.radius_m, reach_m, kWider * turning_radius_m, discs.ahead_m};
 }
 
@@ -70,9 +74,11 @@ FleetPlanner::FleetPlanner(const FleetSettings& settings, std::unique_ptr<Planne
 void FleetPlanner::set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid,
                            grid::Cell low, grid::Cell high) {
   const bool is_same_place = map_revision_ > 0 && map_id == map_id_ && grid.geometry() == clearance_.geometry();
+
   grid_ = &grid;
   map_id_ = map_id;
   map_revision_ = revision;
+
   if (is_same_place) {
     clearance_.update(*grid_, low, high);
   } else {
@@ -85,11 +91,13 @@ void FleetPlanner::rebuild_clearance() { clearance_ = grid::ClearanceField(*grid
 void FleetPlanner::set_vehicle(const std::string& agv_id, const VehicleShape& shape) {
   VehicleEntry* v = vehicle(agv_id);
   if (v == nullptr) return;
+
   v->radius_m = shape.radius_m;
   v->shape = shape;
   if (shape.turning_radius_m > 0.0 && !steered_) steered_ = find_variant("hybrid")->make();
   const double needed_m = std::max(shape.radius_m + settings_.margin_m + 0.5, settings_.preferred_clearance_m);
   if (needed_m <= reach_m_) return;
+
   reach_m_ = needed_m;
   if (map_revision_ > 0) rebuild_clearance();
 }
@@ -98,10 +106,12 @@ void FleetPlanner::set_pose(const std::string& agv_id, const geometry::Pose2& ba
   VehicleEntry* const known = vehicle(agv_id);
   if (known == nullptr) return;
   VehicleEntry& v = *known;
+
   if (!v.pose.seen() || geometry::distance(v.stands_at, base_in_map.position()) > kStandsWithin_m) {
     v.stands_at = base_in_map.position();
     v.stands_since = now;
   }
+
   v.pose.set(base_in_map, now);
 }
 
@@ -110,6 +120,7 @@ void FleetPlanner::set_goal(const Goal& goal) {
   if (known == nullptr) return;
   VehicleEntry& v = *known;
   if (v.goal && *v.goal == goal) return;
+
   v.goal = goal;
   v.next_attempt = Stamp{};
   v.wait_s = 0.0;
@@ -119,13 +130,17 @@ void FleetPlanner::set_navigation(const NavigationStatus& navigation, Stamp now)
   VehicleEntry* const known = vehicle(navigation.agv_id);
   if (known == nullptr) return;
   VehicleEntry& v = *known;
+
   v.navigation = navigation;
   v.navigation_arrived = now;
   if (navigation.phase != Phase::kBlocked || navigation.reason != Reason::kObstacle) return;
   const Disc disc{navigation.blocked_at_in_map, navigation.blocked_radius_m > 0.0 ? navigation.blocked_radius_m : 0.3};
+
+  // A block that was reported near here before is the same one.
   const auto same = std::find_if(v.reports.begin(), v.reports.end(), [&](const Report& report) {
     return geometry::distance(report.disc.center_in_map, disc.center_in_map) < 0.3;
   });
+
   if (same != v.reports.end()) {
     *same = {disc, now};
   } else {
@@ -140,12 +155,14 @@ void FleetPlanner::adopt(const Plan& plan) {
   VehicleEntry* const known = vehicle(plan.agv_id);
   if (known == nullptr) return;
   VehicleEntry& v = *known;
+
   v.plan = plan;
   v.planned_for = {
       plan.agv_id,        plan.goal_id, plan.goal_in_map, plan.position_tolerance_m, plan.yaw_tolerance_rad,
       plan.is_cancelled()};
   v.leads_to_nearest = false;  // not said: a plan to another place than the goal is none for that goal
   v.is_adopted = true;
+
   v.progress = PathProgress(plan.waypoints_in_map);
 }
 
@@ -161,44 +178,56 @@ FleetPlanner::VehicleEntry* FleetPlanner::vehicle(const std::string& agv_id) {
   const auto known = vehicles_.find(agv_id);
   if (known != vehicles_.end()) return &known->second;
   if (vehicles_.size() >= kMost) return nullptr;
+
   VehicleEntry& v = vehicles_[agv_id];
   v.id = agv_id;
+
   return &v;
 }
 
 std::optional<Plan> FleetPlanner::step(Stamp now, const OutOfTime& out_of_time) {
+  // Vehicles take turns, from the one after the last that was attended to; one that needs a search ends the step.
   auto turn = vehicles_.upper_bound(last_attended_);
   for (std::size_t i = 0; i < vehicles_.size(); ++i, ++turn) {
     if (turn == vehicles_.end()) turn = vehicles_.begin();
+
     const std::uint64_t before = searches_;
     std::optional<Plan> plan = attend(turn->second, now, out_of_time);
     if (!plan && searches_ == before) continue;
+
     last_attended_ = turn->first;
     return plan;
   }
+
   return {};
 }
 
 std::optional<Plan> FleetPlanner::attend(VehicleEntry& v, Stamp now, const OutOfTime& out_of_time) {
   if (!v.goal) return {};
   if (v.goal->is_cancelled) return cancel(v);
+
   const geometry::Pose2* pose = v.pose.fresh(now, from_seconds(settings_.state_life_s));
   if (map_revision_ == 0 || !v.radius_m || pose == nullptr) return {};
   if (!v.plan && is_arrived(v.navigation, v.goal)) return {};  // reached in a former life of this planner
+
   if (!v.plan || v.planned_for != *v.goal)
     return publish(v, plan_anew(v, PlanTrigger::kNewGoal, now, out_of_time), now);
+
   v.progress.advance(pose->position());
   if (v.is_adopted || v.plan->map_revision != map_revision_ || v.plan->map_id != map_id_)
     return check_map(v, now, out_of_time);
+
   if (is_arrived(v.navigation, v.goal)) return {};
   return v.plan->outcome == PlanOutcome::kFound ? check_obstacles(v, now, out_of_time) : retry(v, now, out_of_time);
 }
 
 std::optional<Plan> FleetPlanner::cancel(VehicleEntry& v) {
   if (v.plan && v.planned_for == *v.goal && !v.is_adopted) return {};
+
   Plan plan = blank_plan(v);
   plan.outcome = PlanOutcome::kCancelled;
   plan.detail = fmt::format("goal {} was cancelled", v.goal->id);
+
   return publish(v, std::move(plan), Stamp{});
 }
 
@@ -208,13 +237,16 @@ std::optional<Plan> FleetPlanner::check_map(VehicleEntry& v, Stamp now, const Ou
   if (!is_kept)
     return publish(v, plan_anew(v, v.is_adopted ? PlanTrigger::kTakeover : PlanTrigger::kMapChanged, now, out_of_time),
                    now);
+
   v.plan->map_id = map_id_;
   v.plan->map_revision = map_revision_;
+
   if (v.is_adopted) {
     v.is_adopted = false;
     v.plan->id = next_plan_id_++;
     v.plan->trigger = PlanTrigger::kTakeover;
   }
+
   return v.plan;
 }
 
@@ -222,7 +254,9 @@ std::optional<Plan> FleetPlanner::retry(VehicleEntry& v, Stamp now, const OutOfT
   if (now < v.next_attempt) return {};
   Plan plan = plan_anew(v, v.plan->trigger, now, out_of_time);
   if (plan.outcome != v.plan->outcome) return publish(v, std::move(plan), now);
+
   put_off(v, now);
+
   return {};
 }
 
@@ -232,7 +266,9 @@ std::optional<Plan> FleetPlanner::check_obstacles(VehicleEntry& v, Stamp now, co
   const Obstacle* on_the_way = first_on_the_way(v, around);
   const bool is_off_path =
       v.progress.off_path_m() > kOffPath_m || (v.navigation && v.navigation->reason == Reason::kOffPath);
+
   const bool is_stuck = is_blocked_on_its_plan(v, now) && is_off_path;
+
   if (on_the_way == nullptr && !is_stuck) return {};
 
   const PlannedPath found = search(v, around, out_of_time);
@@ -241,18 +277,21 @@ std::optional<Plan> FleetPlanner::check_obstacles(VehicleEntry& v, Stamp now, co
       events_.push_back(fmt::format("{}: no way around {}; plan {} is kept", v.id,
                                     on_the_way ? on_the_way->name : "what blocks it", v.plan->id));
     }
+
     put_off(v, now);
     return {};
   }
+
   Plan plan = blank_plan(v);
   plan.trigger = on_the_way != nullptr ? on_the_way->trigger : PlanTrigger::kVehicleBlocked;
   plan.waypoints_in_map = found.waypoints_in_map;
   plan.length_m = found.length_m;
   if (on_the_way != nullptr) plan.detail = shortened("around " + on_the_way->name);
+
   return publish(v, std::move(plan), now);
 }
 
-/// For the vehicle's goal, checked against the newest map, without a way yet.
+/// A plan for the vehicle's goal, checked against the newest map, without a way yet.
 Plan FleetPlanner::blank_plan(const VehicleEntry& v) const {
   Plan plan;
   plan.agv_id = v.id;
@@ -260,44 +299,57 @@ Plan FleetPlanner::blank_plan(const VehicleEntry& v) const {
   plan.goal_in_map = v.goal->pose_in_map;
   plan.position_tolerance_m = v.goal->position_tolerance_m;
   plan.yaw_tolerance_rad = v.goal->yaw_tolerance_rad;
+
   plan.map_id = map_id_;
   plan.map_revision = map_revision_;
+
   return plan;
 }
 
 Plan FleetPlanner::plan_anew(const VehicleEntry& v, PlanTrigger trigger, Stamp now, const OutOfTime& out_of_time) {
   Plan plan = blank_plan(v);
   plan.trigger = trigger;
+
+  // Around everything; without what the map does not show; to the nearest point.
   const std::vector<Obstacle> around = obstacles_for(v, now);
   PlannedPath found = search(v, around, out_of_time);
+
   if (found.outcome != Outcome::kFound && !around.empty()) {
     found = search(v, {}, out_of_time);
     if (found.outcome == Outcome::kFound)
       plan.detail = shortened("no way around " + around.front().name + (around.size() > 1 ? " and others" : ""));
   }
+
   if (found.outcome != Outcome::kFound) plan.detail = shortened(why(v, found.outcome, out_of_time));
+
   if (settings_.to_nearest && (found.outcome == Outcome::kNoPath || found.outcome == Outcome::kGoalBlocked)) {
     PlannedPath nearest = search_nearest(v, out_of_time);
+
     if (nearest.outcome == Outcome::kFound) {
       found = std::move(nearest);
       const Point2 end = found.waypoints_in_map.back();
       plan.goal_in_map = {end.x, end.y, plan.goal_in_map.yaw};
     }
   }
+
   plan.outcome = outcome_of(found.outcome);
   plan.waypoints_in_map = std::move(found.waypoints_in_map);
   plan.length_m = found.length_m;
+
   return plan;
 }
 
 std::optional<Plan> FleetPlanner::publish(VehicleEntry& v, Plan plan, Stamp now) {
   plan.id = next_plan_id_++;
+
   v.planned_for = *v.goal;
   v.leads_to_nearest = plan.goal_in_map.position() != v.goal->pose_in_map.position();
   v.progress = PathProgress(plan.waypoints_in_map);
+
   v.is_adopted = false;
   v.wait_s = 0.0;
   v.next_attempt = now + from_seconds(settings_.replan_s);
+
   events_.push_back(plan.outcome == PlanOutcome::kFound
                         ? fmt::format("{}: plan {} to {} ({}): {:.2f} m, {} points{}{}", v.id, plan.id, plan.goal_id,
                                       name(plan.trigger), plan.length_m, plan.waypoints_in_map.size(),
@@ -305,6 +357,7 @@ std::optional<Plan> FleetPlanner::publish(VehicleEntry& v, Plan plan, Stamp now)
                         : fmt::format("{}: plan {} to {} ({}): {}: {}", v.id, plan.id, plan.goal_id, name(plan.trigger),
                                       name(plan.outcome), plan.detail));
   v.plan = std::move(plan);
+
   return v.plan;
 }
 
@@ -320,6 +373,7 @@ Problem FleetPlanner::problem_of(const VehicleEntry& v, Point2 start_in_map, Poi
   if (!(v.shape.turning_radius_m > 0.0)) return problem;
   problem.steering = {v.shape.turning_radius_m, v.pose.any()->yaw, {}, false, v.shape.discs_ahead_m};
   if (v.goal->yaw_tolerance_rad > 0.0) problem.steering.goal_yaw_rad = v.goal->pose_in_map.yaw;
+
   return problem;
 }
 
@@ -338,6 +392,7 @@ PlannedPath FleetPlanner::search(const VehicleEntry& v, const std::vector<Obstac
   if (plan.waypoints_in_map.size() > kMostWaypoints)
     passes::greedy_line_of_sight(Drivable(problem), plan.waypoints_in_map);
   if (plan.waypoints_in_map.size() > kMostWaypoints) return {};
+
   return plan;
 }
 
@@ -354,6 +409,7 @@ PlannedPath FleetPlanner::search_nearest(const VehicleEntry& v, const OutOfTime&
   const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
   const std::optional<Point2> point = nearest_reachable(problem, parts_, out_of_time);
   if (!point) return {};
+
   return planner_->plan(problem_of(v, problem.start_in_map, *point), out_of_time);
 }
 
@@ -369,12 +425,14 @@ bool FleetPlanner::is_rest_free(const VehicleEntry& v) const {
   for (std::size_t i = 1; i < rest.size(); ++i) {
     if (!drivable.is_line_free(rest[i - 1], rest[i])) return false;
   }
+
   return drivable.is_free(rest.back());
 }
 
 std::string FleetPlanner::why(const VehicleEntry& v, Outcome outcome, const OutOfTime& out_of_time) {
   const Point2 start = v.pose.any()->position();
   const Point2 goal = v.goal->pose_in_map.position();
+
   const grid::Geometry& geometry = clearance_.geometry();
   const auto nearest = [&] {
     const std::optional<Point2> point = nearest_reachable(problem_of(v, start, goal), parts_, out_of_time);
@@ -382,6 +440,7 @@ std::string FleetPlanner::why(const VehicleEntry& v, Outcome outcome, const OutO
                                point->y, geometry::distance(*point, goal))
                  : std::string{};
   };
+
   switch (outcome) {
     case Outcome::kStartBlocked:
       return fmt::format("the vehicle at ({:.2f}, {:.2f}) has {:.2f} m of clearance in the map, its radius is {:.2f} m",
@@ -395,6 +454,7 @@ std::string FleetPlanner::why(const VehicleEntry& v, Outcome outcome, const OutO
                          is_in_map(geometry, goal) ? start.x : goal.x, is_in_map(geometry, goal) ? start.y : goal.y,
                          geometry.origin_in_map.x, geometry.origin_in_map.x + geometry.width * geometry.resolution_m,
                          geometry.origin_in_map.y, geometry.origin_in_map.y + geometry.height * geometry.resolution_m);
+
     case Outcome::kOutOfTime:
       return fmt::format("the search from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) took too long", start.x, start.y, goal.x,
                          goal.y);
@@ -402,6 +462,7 @@ std::string FleetPlanner::why(const VehicleEntry& v, Outcome outcome, const OutO
     case Outcome::kFound:
       break;
   }
+
   return fmt::format("no way from ({:.2f}, {:.2f}) to ({:.2f}, {:.2f}) that is {:.2f} m wide{}", start.x, start.y,
                      goal.x, goal.y, 2.0 * (*v.radius_m + settings_.margin_m), nearest());
 }
@@ -412,11 +473,13 @@ std::string FleetPlanner::waits_for(Stamp now) const {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (map_revision_ == 0) add("map_info and map_tile");
+
   for (const auto& [id, v] : vehicles_) {
     if (!v.goal || v.goal->is_cancelled) continue;
     if (!v.radius_m) add("vehicle_info of " + id);
     if (v.pose.fresh(now, from_seconds(settings_.state_life_s)) == nullptr) add("vehicle_state of " + id);
   }
+
   return shortened(text);
 }
 

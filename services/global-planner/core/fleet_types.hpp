@@ -1,4 +1,5 @@
 #pragma once
+
 // What comes into the fleet planner and what goes out, in its own types. Everything in map, metres, radians.
 #include <cstdint>
 #include <string>
@@ -11,6 +12,7 @@
 
 namespace aisle::global_planner {
 
+/// Margins, times and distances of the fleet planner.
 struct FleetSettings {
   double margin_m{0.10};       // kept free beside the vehicle's radius
   double tight_range_m{1.5};   // around a start or goal too near to something for the margin

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -7,6 +8,7 @@
 
 namespace aisle::global_planner {
 
+/// A step to a neighbouring cell, and its cost.
 struct Step {
   int dx;
   int dy;
@@ -27,16 +29,21 @@ inline constexpr std::array<Step, 8> kSteps{{{1, 0, kStraightCost},
 using NeighbourRule = std::array<std::uint8_t, 256>;
 
 namespace detail {
+
+/// A diagonal only between two open orthogonal neighbours.
 constexpr NeighbourRule drivable_diagonals() {
   NeighbourRule rule{};
   for (unsigned mask = 0; mask < 256; ++mask) {
     unsigned allowed = mask & 0x0FU;
+
     for (unsigned i = 0; i < 4; ++i) {
       const unsigned both = (1U << i) | (1U << ((i + 1U) % 4U));  // the diagonal between step i and the next one
       if ((mask & both) == both) allowed |= mask & (0x10U << i);
     }
+
     rule[mask] = static_cast<std::uint8_t>(allowed);
   }
+
   return rule;
 }
 }  // namespace detail
@@ -68,25 +75,33 @@ class StepTable {
       for (unsigned nine = 0; nine < 512; ++nine) {
         unsigned open = 0;
         for (unsigned i = 0; i < 8; ++i) open |= ((nine >> kBitInNine[i]) & 1U) << i;
+
         const unsigned worth = looks_back || direction == kStart ? 0xFFU : ahead(direction, open);
         steps_[direction][nine] = static_cast<std::uint8_t>(rule[open] & worth);
       }
     }
   }
 
+  /// @param direction of the step that led to the cell, or kStart
+  /// @param nine which of the nine cells are traversable, as Surroundings::nine() has them
   unsigned steps(std::size_t direction, unsigned nine) const { return steps_[direction][nine]; }
 
  private:
+  /// The steps worth taking after this one.
   static unsigned ahead(std::size_t direction, unsigned open) {
     const auto straight = [](std::size_t d) { return 1U << (d % 4); };
     const auto diagonal_after = [](std::size_t d) { return 0x10U << (d % 4); };  // between straight step d and the next
     if (direction >= 4) return diagonal_after(direction) | straight(direction) | straight(direction + 1);
+
     unsigned worth = straight(direction);
+
     // The cells beside the one before this: blocked, they hide what lies beside this one.
     const bool is_left_hidden = (open & diagonal_after(direction + 1)) == 0;
     const bool is_right_hidden = (open & diagonal_after(direction + 2)) == 0;
+
     if (is_left_hidden) worth |= straight(direction + 1) | diagonal_after(direction);
     if (is_right_hidden) worth |= straight(direction + 3) | diagonal_after(direction + 3);
+
     return worth;
   }
 

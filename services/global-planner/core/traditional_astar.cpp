@@ -36,6 +36,7 @@ std::unique_ptr<Planner> traditional_astar(Heuristic heuristic, Moves moves) {
     case Heuristic::kOctile:
       break;
   }
+
   return best_first<CostAndDistance<octile>>(Closed::kReopen, rule, {});
 }
 
