@@ -40,31 +40,36 @@ LocalPlannerService::LocalPlannerService(service::Shell& shell, const ServiceCon
       planner_(config.settings, config.variant),
       commands_(shell.outbox<topics::VelocityCommand>()),
       statuses_(shell.outbox<topics::NavigationStatus>()) {
-  // What is gone from the bus still stands where it was, and a plan outlives its planner: only tracks end.
+  // Vehicles that are gone from the bus still stand where they were, and a plan outlives its planner: only tracks end.
   shell.inbox<topics::VehicleInfo>([this](const fleet::Vehicle& vehicle) { take(vehicle); });
   shell.inbox<topics::VehicleState>(
       [this](const fleet::VehicleState& state, const Sender& from) { take(state, from.arrived); });
   shell.inbox<topics::NavigationStatus>(
       [this](const fleet::NavigationStatus& status, const Sender& from) { take(status, from.arrived); });
   shell.inbox<topics::Plan>([this](const fleet::Plan& plan, const Sender& from) { take(plan, from.by); });
+
   shell
       .inbox<topics::Track>([this](const fleet::Track& track, const Sender& from) {
         tracks_[track.id] = {{track, from.arrived}, from.by.source_id};
       })
       .on_gone([this](std::uint64_t track_id, service::End) { tracks_.erase(track_id); });
+
   shell.inbox<topics::TrackingStatus>([this](const fleet::TrackingStatus& status, const Sender& from) {
     take_status(status, from.by.source_id, from.arrived);
   });
+
   shell.every(kPeriod, [this] { cycle(); });
   shell.report([this](service::Health& health) { report(health); });
 }
 
 Peer& LocalPlannerService::peer(const std::string& agv_id) {
   const auto [entry, is_new] = peers_.try_emplace(agv_id);
+
   if (is_new) {
     entry->second.id = agv_id;
     entry->second.radius_m = kUnknownRadiusM;
   }
+
   return entry->second;
 }
 
@@ -73,6 +78,7 @@ void LocalPlannerService::take(const fleet::Vehicle& vehicle) {
     inputs_.vehicle = vehicle;
     return;
   }
+
   Peer& entry = peer(vehicle.id);
   entry.radius_m = vehicle.reach_m();
   entry.limits = vehicle.limits;
@@ -81,6 +87,7 @@ void LocalPlannerService::take(const fleet::Vehicle& vehicle) {
 
 void LocalPlannerService::take(const fleet::VehicleState& state, time::Stamp arrived) {
   if (state.agv_id == agv_id_) return take_own(state, arrived);
+
   Peer& entry = peer(state.agv_id);
   entry.state = state.motion;
   entry.state_arrived = arrived;
@@ -88,6 +95,7 @@ void LocalPlannerService::take(const fleet::VehicleState& state, time::Stamp arr
 
 void LocalPlannerService::take(const fleet::NavigationStatus& status, time::Stamp arrived) {
   if (status.agv_id == agv_id_) return;
+
   Peer& entry = peer(status.agv_id);
   entry.phase = status.phase;
   entry.reason = status.reason;
@@ -97,12 +105,15 @@ void LocalPlannerService::take(const fleet::NavigationStatus& status, time::Stam
 
 void LocalPlannerService::take_own(const fleet::VehicleState& state, time::Stamp arrived) {
   inputs_.state.set(state.motion, arrived);
+
   if (!epoch_) {
     epoch_ = state.accepted_epoch + 1;
+
     // The planner that is heard on the wire is the one that is obeyed: a later epoch owns the topic.
     commands_.claim(*epoch_, static_cast<int>(std::min(*epoch_, kMostStrength)));
     shell_.log().info("drives {} with epoch {}", agv_id_, *epoch_);
   }
+
   if (state.accepted_epoch > *epoch_ && !inputs_.authority_lost) {
     inputs_.authority_lost = true;
     std::string& error = shell_.health().last_error;
@@ -113,12 +124,14 @@ void LocalPlannerService::take_own(const fleet::VehicleState& state, time::Stamp
 
 void LocalPlannerService::take(const fleet::Plan& plan, const fleet::Origin& by) {
   if (plan.agv_id != agv_id_) return plan_authority_.hear(by.epoch);
+
   const fleet::PlanVerdict verdict = plan_authority_.judge(by.epoch, by.boot_id, by.sequence_number);
   if (verdict == fleet::PlanVerdict::kAccepted) {
     inputs_.plan = plan;
     inputs_.plan->position_tolerance_m = std::max(kLeastTolerance_m, plan.position_tolerance_m);
     return;
   }
+
   shell_.count(std::string("refused_plan_") + name(verdict));
   shell_.warn(std::string("plan ") + name(verdict),
               fmt::format("plan refused: {} (plan {} of {}, epoch {}; newest epoch heard {})", name(verdict), plan.id,
@@ -129,15 +142,18 @@ void LocalPlannerService::take_status(const fleet::TrackingStatus& status, const
                                       time::Stamp arrived) {
   inputs_.tracker_heard = arrived;
   const std::vector<std::uint64_t>& live = status.live_track_ids;
+
   for (const fleet::ScanUse& use : status.newest_scans) {
     if (use.agv_id != agv_id_) continue;
     scan_stamp_ns_ = std::max(scan_stamp_ns_, use.scan_stamp_ns);
+
     // Another number is another scan, also the 1 of a vehicle that was restarted. The first one heard may be of long
     // ago.
     const auto [known, is_first] = own_scans_.try_emplace(source, use.scan_sequence);
     if (!is_first && std::exchange(known->second, use.scan_sequence) != use.scan_sequence)
       inputs_.tracker_alive = arrived;
   }
+
   for (auto entry = tracks_.begin(); entry != tracks_.end();) {
     const bool listed = std::find(live.begin(), live.end(), entry->first) != live.end();
     const bool lost =
@@ -149,7 +165,9 @@ void LocalPlannerService::take_status(const fleet::TrackingStatus& status, const
 void LocalPlannerService::cycle() {
   inputs_.tracks.clear();
   for (const auto& [id, entry] : tracks_) inputs_.tracks.push_back(entry.seen);
+
   inputs_.peers.clear();
+
   for (const auto& [id, peer] : peers_)
     if (peer.state_arrived != time::Stamp{}) inputs_.peers.push_back(peer);
 
@@ -161,13 +179,16 @@ void LocalPlannerService::cycle() {
   const bool silent = inputs_.authority_lost;
   if (!silent) write_command(output);
   if (changed || (!silent && cycles_ % kStatusEvery == 0)) write_status(output);
+
   for (const Event& event : output.events) shell_.log().info("{}", event.text);
   if (changed)
     shell_.log().info("{}: {}{}{}", name(output.phase), name(output.reason), output.detail.empty() ? "" : ": ",
                       output.detail);
+
   phase_ = output.phase;
   reason_ = output.reason;
   ++cycles_;
+
   if (changed) shell_.report_now();
   if (on_cycle_) on_cycle_(output);
 }
@@ -175,34 +196,42 @@ void LocalPlannerService::cycle() {
 void LocalPlannerService::write_command(const Output& output) {
   fleet::VelocityCommand command;
   command.agv_id = agv_id_;
+
   if (inputs_.plan) {
     command.goal_id = inputs_.plan->goal_id;
     command.plan_id = inputs_.plan->id;
     command.map_revision = inputs_.plan->map_revision;
   }
+
   command.twist = output.twist;
   command.scan_stamp_ns = scan_stamp_ns_;
   command.control_ms = control_ms_;
+
   commands_.write(command);
 }
 
 void LocalPlannerService::write_status(const Output& output) {
   fleet::NavigationStatus status;
   status.agv_id = agv_id_;
+
   if (inputs_.plan) {
     status.goal_id = inputs_.plan->goal_id;
     status.plan_id = inputs_.plan->id;
   }
+
   status.map_revision = inputs_.map_revision;
   status.phase = output.phase;
   status.reason = output.reason;
   status.detail = output.detail;
+
   status.distance_left_m = output.distance_left_m;
   status.time_left_s = output.time_left_s;
   status.blocked_at_in_map = output.blocked_at_in_map;
   status.blocked_radius_m = output.blocked_radius_m;
+
   status.control_ms = control_ms_;
   status.intent = output.intent;
+
   statuses_.write(status);
 }
 
@@ -211,6 +240,7 @@ void LocalPlannerService::report(service::Health& health) const {
   health.counters["epoch"] = epoch_.value_or(0);
   health.counters["plan_epoch"] = plan_authority_.epoch();
   if (cycles_ == 0) return health.wait_for("its first cycle");
+
   switch (reason_) {
     case Reason::kNoState:
       health.wait_for((inputs_.vehicle ? "vehicle_state of " : "vehicle_info of ") + agv_id_);

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -15,6 +16,7 @@ namespace aisle::local_planner {
 /// The variant of this name in core/variants. @throws config::BadInput when there is none
 const Variant& chosen_variant(const std::string& name);
 
+/// What the process takes from its config file and its command line.
 struct ServiceConfig {
   Variant variant{wang()};
   Settings settings;
@@ -46,21 +48,39 @@ class LocalPlannerService {
   void on_cycle(std::function<void(const Output&)> handler) { on_cycle_ = std::move(handler); }
 
  private:
+  /// A track, and the tracker that wrote it.
   struct TrackEntry {
     SeenTrack seen;
     std::string source_id;
   };
 
+  /// Own vehicle, or a peer's outline.
   void take(const fleet::Vehicle& vehicle);
+
+  /// Own state, or a peer's.
   void take(const fleet::VehicleState& state, time::Stamp arrived);
+
+  /// A peer's phase and intent.
   void take(const fleet::NavigationStatus& status, time::Stamp arrived);
+
+  /// A plan for this vehicle, if its planner has the authority.
   void take(const fleet::Plan& plan, const fleet::Origin& by);
+
+  /// Begins to command once the vehicle was heard, and ends when it obeys another source.
   void take_own(const fleet::VehicleState& state, time::Stamp arrived);
+
+  /// Does the tracker live, does it see this vehicle's scans, and which tracks has it lost?
   void take_status(const fleet::TrackingStatus& status, const std::string& source, time::Stamp arrived);
+
+  /// One cycle: inputs, core, command and status.
   void cycle();
+
   void write_command(const Output& output);
   void write_status(const Output& output);
+
   void report(service::Health& health) const;
+
+  /// The entry of a peer, made when it is new.
   Peer& peer(const std::string& agv_id);
 
   service::Shell& shell_;
@@ -69,6 +89,7 @@ class LocalPlannerService {
   LocalPlanner planner_;
   std::function<void(const Output&)> on_cycle_;  // may be empty
   Inputs inputs_;
+
   fleet::PlanAuthority plan_authority_;
   std::map<std::string, Peer> peers_;
   std::map<std::uint64_t, TrackEntry> tracks_;

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <limits>
 #include <string>
 #include <vector>
@@ -14,11 +15,14 @@ struct Aim {
   double wall_cap_m{0.2};          // more room than this earns nothing; no more than the way itself has
   double mover_cap_m{0.6};         // the same from tracks and peers
   geometry::Point2 sub_target_in_map{};  // the way's point nearest to the vehicle, a look-ahead further on
-  // The way from there to the horizon, every 0.2 m; empty: path distance is not computed.
+
+  /// The way from there to the horizon, every 0.2 m; empty: path distance is not computed.
   std::vector<geometry::Point2> path_in_map{};
+
   double radius_m{0.35};  // of the vehicle
   double step_s{0.1};     // of the trajectory
-  // Walls count for so long, at most to the horizon: beyond the target no arc is what will be driven.
+
+  /// Walls count for so long, at most to the horizon: beyond the target no arc is what will be driven.
   double walls_s{std::numeric_limits<double>::infinity()};
 };
 
@@ -43,11 +47,13 @@ extern const Critic sub_target_distance_critic;  // C6
 extern const Critic static_clearance_critic;     // C7
 extern const Critic dynamic_clearance_critic;    // C8
 
+/// A critic and its weight among the variant's.
 struct WeightedCritic {
   Critic critic;
   double weight;
 };
 
+/// Radians.
 inline constexpr double from_degrees(double degrees) { return degrees * geometry::kPi / 180.0; }
 
 /// The vehicle of a paper, for experiments beside its figures; a real vehicle has its own limits.
@@ -68,9 +74,11 @@ struct Variant {
   bool knows_path{true};  // else it drives straight at the goal (the papers' traditional DWA)
   PaperLimits paper{};
   std::string summary{};  // one line
-  // WU: aims at a local sub-target while driving on along the path would end in a collision.
+
+  /// WU: aims at a local sub-target while driving on along the path would end in a collision.
   bool has_rolling_window{false};
 
+  /// Does one of its critics look at this?
   bool asks_for(const Critic& critic) const;
 };
 

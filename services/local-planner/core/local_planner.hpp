@@ -1,4 +1,5 @@
 #pragma once
+
 #include "services/local-planner/core/arrival.hpp"
 #include "services/local-planner/core/command_following.hpp"
 #include "services/local-planner/core/guard.hpp"
@@ -32,12 +33,19 @@ class LocalPlanner {
  private:
   struct Decision;  // what a cycle wants, and says
 
+  /// The cycle's decision: what keeps the vehicle from driving, its goal, or its way.
   Decision decide(const Moment& moment);
+
   Decision hold(const Stopped& stopped, time::Stamp now);
+
+  /// Takes up the newest plan; another lane or goal begins everything anew.
   void adopt_plan(const Moment& moment);
+
   Decision stay(const AtGoal& at_goal, time::Stamp now);
   Decision drive(const OnWay& on_way, const Ruling& ruling);
   Output drive_to(const Target& target, const OnWay& on_way, const Ruling& ruling);
+
+  /// The surroundings as the dynamic window sees them, with this cycle's highest speed.
   Scene scene_towards(const Target& target, const OnWay& on_way, const Ruling& ruling) const;
 
   Settings settings_;

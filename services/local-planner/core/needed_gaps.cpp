@@ -16,15 +16,18 @@ std::vector<Point2> centers_in_map(const Scene& scene) {
   std::vector<Point2> centers;
   for (const double ahead_m : scene.discs_ahead_m)
     centers.push_back(ahead_m == 0.0 ? scene.base_in_map.position() : scene.base_in_map.position() + ahead_m * heading);
+
   return centers;
 }
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+/// Between the nearest two of them.
 double least_distance_m(const std::vector<Point2>& a, const std::vector<Point2>& b) {
   double least2 = kInfinity;
   for (const Point2 p : a)
     for (const Point2 q : b) least2 = std::min(least2, geometry::dot(p - q, p - q));
+
   return std::sqrt(least2);
 }
 
@@ -47,17 +50,21 @@ double fastest_point_in_window_mps(const Scene& scene, double window_s) {
   const bool can_turn_at_once = limits.model == kinematics::Model::kTricycle;  // by its steering
   const double turn_radps = std::abs(scene.twist.angular_radps) + limits.max_turn_acceleration_radps2 * window_s;
   const double most_radps = std::max(limits.max_turn_radps, std::abs(scene.twist.angular_radps));
+
   return fastest_base_in_window_mps(scene, window_s) +
          swing_m(scene) * (can_turn_at_once ? most_radps : std::min(turn_radps, most_radps));
 }
 
 }  // namespace
 
+// From then on the velocity changes by a t, up to a greatest change: half a t^2, then that change times the time.
 double Mover::reach_m(double t_s) const {
   if (!may_walk) return 0.0;
   const double change_mps2 = velocity_in_map == Point2{} ? kStartMps2 : kTurnMps2;
   const double changing_s = kMostChangeMps / change_mps2;
+
   const double since_s = unseen_s + t_s;
+
   return since_s < changing_s ? 0.5 * change_mps2 * since_s * since_s : kMostChangeMps * (since_s - 0.5 * changing_s);
 }
 
@@ -81,17 +88,22 @@ double standing_since_s(double was_mps, double speed_mps, double dt_s) {
 DiscGaps wall_gaps_m(const Scene& scene) {
   DiscGaps gaps_m;
   gaps_m.fill(kInfinity);
+
   const std::vector<Point2> centers = centers_in_map(scene);
   for (std::size_t i = 0; i < centers.size(); ++i) gaps_m[i] = scene.clearance.clearance_m(centers[i]) - scene.radius_m;
+
   return gaps_m;
 }
 
 Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
+  // What the vehicle can come near to, at most: while braking, and within the horizon.
   const std::vector<Point2> here = centers_in_map(scene);
   const double braking_mps2 = settings.braking_share * scene.limits.max_deceleration_mps2;
   const double fastest_mps = fastest_point_in_window_mps(scene, settings.window_s);
+
   const double stopping_m = fastest_mps * settings.step_s + kinematics::stopping_distance_m(fastest_mps, braking_mps2);
   const double stopping_s = settings.step_s + fastest_mps / braking_mps2;
+
   const double foreseen_m = fastest_base_in_window_mps(scene, settings.window_s) * settings.horizon_s +
                             2.0 * swing_m(scene) + kForeseenReserveM;
 
@@ -99,6 +111,7 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
   needed.wall_gaps_m = wall_gaps_m(scene);
   needed.wall =
       std::min(settings.wall_margin_m, *std::min_element(needed.wall_gaps_m.begin(), needed.wall_gaps_m.end()));
+
   for (const PeerMotion& peer : scene.peers) {
     const double gap_m = least_distance_m(here, peer.stopping_in_map) - scene.radius_m - peer.radius_m;
     if (gap_m < settings.peer_margin_m + stopping_m)
@@ -106,16 +119,19 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
     if (least_distance_m(here, peer.intended_in_map) < scene.radius_m + peer.radius_m + foreseen_m)
       needed.met.push_back(&peer);
   }
+
   for (const Mover& mover : scene.movers) {
     const double mps = std::sqrt(geometry::dot(mover.velocity_in_map, mover.velocity_in_map));
     const double gap_m =
         least_distance_m(here, {mover.position_in_map}) - scene.radius_m - mover.radius_m - mover.margin_m;
+
     // Beside a walking person the vehicle stands until they are past, whichever way they go.
     if (mps > 0.0 && gap_m + mover.margin_m < kBesideM) needed.is_person_beside = true;
     if (gap_m < stopping_m + (mps + mover.growth_mps) * stopping_s + mover.reach_m(stopping_s))
       needed.movers.emplace_back(&mover, std::min(0.0, gap_m));
     if (gap_m < (mps + mover.growth_mps) * settings.horizon_s + foreseen_m) needed.foreseen.push_back(&mover);
   }
+
   return needed;
 }
 

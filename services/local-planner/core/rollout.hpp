@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@ inline constexpr double kTinyM = 1e-6;     // a gap may be less than the needed 
 inline constexpr int kPathEverySteps = 4;  // of a smooth trajectory that is enough to compare it with the path
 inline constexpr double kBesidePersonMps = 0.5 * kStandingMps;  // faster is moving while a person touches the vehicle
 
+/// The dynamic window: how far it looks, how finely, and what it keeps free.
 struct DwaSettings {
   double horizon_s{2.0};
   double step_s{0.1};
@@ -25,9 +27,10 @@ struct DwaSettings {
   double braking_share{0.9};  // of the deceleration limit, where stopping is promised
   double change_worth{0.01};  // another speed than the one in force must earn so much more, of a sample's mean score
 
-  /// Of a trajectory.
+  /// Steps of a trajectory, and the step at which the heading critics look.
   int steps() const;
   int look_step() const;
+
   /// Walls count up to this step.
   int last_wall_step(const Aim& aim) const;
 };
@@ -44,6 +47,8 @@ struct Needed {
   std::vector<const PeerMotion*> met;
   bool is_person_beside{false};  // a person walks right beside the vehicle
 };
+
+/// Made at the begin of a cycle.
 Needed needed_gaps(const Scene& scene, const DwaSettings& settings);
 
 /// From each of the vehicle's discs, where it is now, to the nearest wall, in metres; negative: overlaps.

@@ -1,4 +1,5 @@
 #pragma once
+
 #include "services/local-planner/core/dwa.hpp"
 #include "services/local-planner/core/lane.hpp"
 #include "services/local-planner/core/right_of_way/traffic.hpp"

@@ -17,8 +17,10 @@ constexpr int kSidewaysSamples = 3;
 std::vector<double> spread(double low, double high, int count) {
   std::vector<double> values;
   values.reserve(static_cast<std::size_t>(std::max(count, 1)) + 1);
+
   if (high - low < kNoSpread || count < 2) return {high};
   for (int i = 0; i < count; ++i) values.push_back(low + (high - low) * i / (count - 1));
+
   return values;
 }
 
@@ -27,21 +29,28 @@ std::vector<double> spread(double low, double high, int count) {
 std::vector<double> turns_at(const Scene& scene, double v, const DwaSettings& settings) {
   const kinematics::Limits& limits = scene.limits;
   std::vector<double> turns;
+
   if (limits.model == kinematics::Model::kTricycle) {
     const double reach = limits.axle.max_steering_rate_radps * settings.heading_s;
     const double low = std::max(-limits.axle.max_steering_rad, scene.steering_rad - reach);
     const double high = std::min(limits.axle.max_steering_rad, scene.steering_rad + reach);
+
     for (const double steering : spread(low, high, v > 0.0 ? settings.angular_samples : 1))
       turns.push_back(kinematics::turn_rate_radps(limits.axle, v, steering));
+
     if (low < 0.0 && high > 0.0) turns.push_back(0.0);
+
     return turns;
   }
+
   const double w0 = scene.twist.angular_radps;
   const double reach = limits.max_turn_acceleration_radps2 * settings.window_s;
   const double low = std::max(-limits.max_turn_radps, w0 - reach);
   const double high = std::min(limits.max_turn_radps, w0 + reach);
+
   turns = spread(low, high, settings.angular_samples);
   if (low < 0.0 && high > 0.0) turns.push_back(0.0);
+
   return turns;
 }
 
@@ -49,11 +58,14 @@ std::vector<double> turns_at(const Scene& scene, double v, const DwaSettings& se
 std::vector<double> sideways_of(const Scene& scene, const DwaSettings& settings) {
   const kinematics::Limits& limits = scene.limits;
   if (limits.model != kinematics::Model::kOmnidirectional) return {0.0};
+
   const double reach = limits.max_acceleration_mps2 * settings.window_s;
   const double most = std::min(scene.speed_cap_mps, limits.max_speed_mps);
   std::vector<double> speeds = spread(std::max(-most, scene.twist.sideways_mps - reach),
                                       std::min(most, scene.twist.sideways_mps + reach), kSidewaysSamples);
+
   if (std::find(speeds.begin(), speeds.end(), 0.0) == speeds.end()) speeds.push_back(0.0);
+
   return speeds;
 }
 
@@ -67,6 +79,7 @@ std::vector<double> forwards_of(const Scene& scene, const DwaSettings& settings)
                                               scene.speed_cap_mps, limits.max_speed_mps}));
   std::vector<double> speeds = spread(low, high, settings.linear_samples);
   if (low < v0 && v0 < high) speeds.insert(std::lower_bound(speeds.begin(), speeds.end(), v0), v0);
+
   return speeds;
 }
 
@@ -75,19 +88,24 @@ std::vector<double> forwards_of(const Scene& scene, const DwaSettings& settings)
 std::vector<Twist2> speed_window(const Scene& scene, const DwaSettings& settings) {
   constexpr std::size_t kTogether = 8;  // speeds
   const std::vector<double> speeds = forwards_of(scene, settings), sideways = sideways_of(scene, settings);
+
   std::vector<std::vector<double>> turns;
   std::size_t most_turns = 0;
   for (const double v : speeds) {
     turns.push_back(turns_at(scene, v, settings));
     most_turns = std::max(most_turns, turns.back().size());
   }
+
   std::vector<Twist2> samples;
   samples.reserve(speeds.size() * most_turns * sideways.size());
+
+  // Eight speeds at a time, by turn rates: what ends at the same walls stands together.
   for (std::size_t first = 0; first < speeds.size(); first += kTogether)
     for (std::size_t w = 0; w < most_turns; ++w)
       for (std::size_t v = first; v < std::min(first + kTogether, speeds.size()); ++v)
         for (std::size_t s = 0; w < turns[v].size() && s < sideways.size(); ++s)
           samples.push_back({speeds[v], turns[v][w], sideways[s]});
+
   return samples;
 }
 

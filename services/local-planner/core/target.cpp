@@ -30,10 +30,13 @@ double least_spare_m(const OnWay& on_way, double s_m, double horizon_s, double m
   const Route& route = on_way.way.current();
   const double ahead_m = std::max(kLeastSpareAheadM, on_way.in_force.linear_mps * horizon_s);
   const double end_m = std::min(route.length_m(), s_m + ahead_m);
+
   double least_m = most_m;
+
   for (double s = s_m; s <= end_m + kRoundingM; s += kSpareStepM)
     least_m =
         std::min(least_m, on_way.moment.inputs.clearance->clearance_m(route.at(s)) - on_way.moment.discs.radius_m);
+
   return least_m;
 }
 
@@ -54,15 +57,19 @@ Point2 target_in_sight(const OnWay& on_way, bool knows_path) {
   const double wanted_m =
       std::clamp(kLookAheadM + kLookAheadS * on_way.in_force.linear_mps, kLeastLookAheadM, kMostLookAheadM);
   const Room room = on_way.moment.room(on_way.around, kSightMarginM, kSightMarginM);
+
+  // Nearer and nearer, until it is in sight.
   double ahead_m = std::min(wanted_m, route.length_m() - s_m);
   while (ahead_m > kShortestM && !room.is_line_free(on_way.moment.here(), route.at(s_m + ahead_m)))
     ahead_m -= kShorterM;
+
   return route.at(s_m + std::max(ahead_m, kLeastTargetM));
 }
 
 std::optional<Point2> sub_target_beside(const OnWay& on_way, const Scene& scene, Point2 target_in_map) {
   if (on_way.way.is_aside() || !on_way.moment.vehicle.turns_on_the_spot()) return std::nullopt;
   const Room room = on_way.moment.room(on_way.around, kSightMarginM, kSightMarginM);
+
   return avoid({scene, room, on_way.way.current(), on_way.way.s_m()}, target_in_map);
 }
 
@@ -77,6 +84,7 @@ Aim aim_at(Point2 target_in_map, const OnWay& on_way, const Variant& variant, co
   aim.sub_target_in_map = route.at(nearest_m + kSubTargetM);
   aim.radius_m = on_way.moment.vehicle.reach_m();
   aim.step_s = settings.step_s;
+
   if (variant.knows_path) {
     const double to_target_m = geometry::distance(then, target_in_map);
     aim.walls_s = to_target_m / std::max(kStandingMps, on_way.in_force.linear_mps) + settings.window_s;

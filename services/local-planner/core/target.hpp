@@ -1,4 +1,5 @@
 #pragma once
+
 #include <optional>
 
 #include "services/local-planner/core/critic.hpp"
@@ -23,6 +24,8 @@ struct Target {
   double error_rad{0.0};  // from the heading to it, to the left
   double distance_m{0.0};
 };
+
+/// A point in map as the target of this cycle.
 Target target_at(geometry::Point2 in_map, const OwnMotion& motion);
 
 /// The way's farthest point that is in sight, 0.7 to 1.8 m ahead, the farther the faster: from there straight on there
