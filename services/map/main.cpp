@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
   using namespace aisle;
   map::MapConfig config;
 
+  // Flags win over the config file, which has the same keys.
   const auto options = [&](CLI::App& app) {
     service::bind_config(config);
     app.add_option("--map", config.map, "map file: ROS .yaml, Moving AI .map, or a text grid .txt");

@@ -9,8 +9,8 @@ namespace aisle::map {
 namespace {
 
 constexpr std::chrono::milliseconds kRequestPeriod{10};
-constexpr int kTilesPerPeriod = 128;  // 4 kB each: 50 MB/s at most
-constexpr int kLogLinesPerSecond = 20;
+constexpr int kTilesPerPeriod = 128;    // 4 kB each: 50 MB/s at most
+constexpr int kLogLinesPerSecond = 20;  // about edits; counters tell of all
 
 }  // namespace
 
@@ -42,6 +42,7 @@ MapService::MapService(service::Shell& shell, MapStore store)
 void MapService::take(const fleet::MapRequest& request) {
   shell_.count("map_requests");
 
+  // What is wrong with a request is the mirror's fault, and no reason to fail.
   for (const std::string& reason : publication_.ask(request)) {
     shell_.count("bad_map_request." + first_word(reason));
     shell_.warn("map_request", "map_request of " + request.requester_id + ": " + reason);
@@ -59,7 +60,9 @@ void MapService::answer(const fleet::MapEditResult& result) {
 }
 
 void MapService::write(const Batch& batch) {
+  // The order is the contract: tiles, then the summary that completes them, then the results.
   const SiteMap& map = store().map();
+
   for (const int tile : batch.tiles) tiles_.write(map.tile(tile));
   shell_.count("tiles_written", batch.tiles.size());
 

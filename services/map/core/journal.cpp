@@ -39,6 +39,7 @@ class Statement {
   Statement(const Statement&) = delete;
   Statement& operator=(const Statement&) = delete;
 
+  /// Binds the next value: a number, a text, or doubles as a blob. @throws SqlError
   Statement& bind(std::int64_t value) { return check(sqlite3_bind_int64(statement_, ++bound_, value)); }
   Statement& bind(double value) { return check(sqlite3_bind_double(statement_, ++bound_, value)); }
   Statement& bind(const std::string& value) {
@@ -58,6 +59,7 @@ class Statement {
     return code == SQLITE_ROW;
   }
 
+  /// Values of the present row. @pre step() was true
   std::int64_t integer(int column) const { return sqlite3_column_int64(statement_, column); }
   double real(int column) const { return sqlite3_column_double(statement_, column); }
 
@@ -109,6 +111,7 @@ std::string stored(sqlite3* database, const std::string& name) {
   return statement.step() ? statement.text(0) : std::string();
 }
 
+/// Adds a value to the table `about`. @throws SqlError
 void store(sqlite3* database, const std::string& name, const std::string& value) {
   Statement(database, "INSERT INTO about(name, value) VALUES(?, ?)").bind(name).bind(value).step();
 }

@@ -53,6 +53,7 @@ class Journal {
   /// @throws JournalError
   void append(const JournalEntry& entry);
 
+  /// For messages.
   const std::filesystem::path& file() const { return file_; }
 
  private:

@@ -37,6 +37,7 @@ class MapStore {
   /// `source_id`: the client; `stamp_ns`: now, nanoseconds since the Unix epoch.
   Answer take(const fleet::MapEdit& edit, const std::string& source_id, std::int64_t stamp_ns);
 
+  /// The map with all edits applied.
   const SiteMap& map() const { return map_; }
 
   /// Edits that were applied, those of the journal included.

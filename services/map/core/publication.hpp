@@ -34,6 +34,7 @@ class Publication {
  public:
   explicit Publication(MapStore store) : store_(std::move(store)) {}
 
+  /// The map as it is now.
   const MapStore& store() const { return store_; }
 
   /// The whole map, for the start.

@@ -17,6 +17,7 @@ class SiteMap {
   /// @pre the grid fits into 16384 tiles of 64 x 64, as every map file that was read does; revision > 0
   SiteMap(std::string map_id, grid::OccupancyGrid grid, std::uint64_t revision = 1);
 
+  /// Identity, revision and content, as `map_info` says them.
   const std::string& map_id() const { return summary_.map_id; }
   std::uint64_t revision() const { return summary_.revision; }
 
