@@ -11,9 +11,10 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kTick{20};
-constexpr milliseconds kKeepPeriod{100};
+constexpr milliseconds kTick{20};         // between two positions of a thing
+constexpr milliseconds kKeepPeriod{100};  // between two writes of the state file
 
+/// All vehicles of the scenario; its second zero is when all of them are heard.
 std::vector<std::string> vehicle_ids(const scenario::Scenario& scenario) {
   std::vector<std::string> ids;
 
@@ -62,6 +63,7 @@ FakeWorldService::FakeWorldService(service::Shell& shell, const ServiceConfig& c
       world_(config.scenario, read_recordings(config.scenario), config.seed, memory_ ? &*memory_ : nullptr),
       obstacles_(shell.outbox<topics::WorldObstacle>()) {
   shell.inbox<topics::WorldObstacle>([this](const fleet::Obstacle& obstacle) { take(obstacle); });
+
   shell.every(kTick, [this] { tick(); });
   shell.report([this](service::Health& health) { report(health); });
   if (!config_.state_file.empty()) shell.every(kKeepPeriod, [this] { keep_memory(); });
@@ -82,6 +84,7 @@ void FakeWorldService::tick() {
   const std::optional<double> seconds = clock_.seconds(shell_.now(), shell_.wall_clock_ns());
   if (!seconds || *seconds < 0.0) return;
 
+  // Courteous people look where the vehicles are.
   std::vector<geometry::Body> vehicles;
   for (const auto& [id, body] : vehicles_) vehicles.push_back(body);
 

@@ -52,7 +52,7 @@ class FakeWorldService {
 
   service::Shell& shell_;
   ServiceConfig config_;
-  std::string run_;
+  std::string run_;  // scenario and seed: names the state file's content
   std::optional<Memory> memory_;
 
   scenario::ScenarioClock clock_;

@@ -24,7 +24,7 @@ void Walker::step(double dt_s, const std::vector<geometry::Body>& vehicles) {
 
   walks_ = !at_the_end && length_m() > 0.0 && !(mover_.courteous && must_wait(vehicles));
 
-  // Walking resets the patience; one who loops and has waited too long turns back.
+  // Walking resets the patience; a walker that loops and has waited too long turns back.
   if (walks_) {
     progress_.waited_s = 0.0;
     walk(mover_.speed_mps * dt_s);

@@ -37,7 +37,7 @@ class Walker {
 
   static constexpr double kCourtesyM = 0.6;  // free space that they leave to a vehicle
 
-  static constexpr double kPatienceS = 6.0;  // then one who loops turns back
+  static constexpr double kPatienceS = 6.0;  // then a walker that loops turns back
 
  private:
   /// Unit vector of the walk; 0 on a segment without length.

@@ -61,6 +61,7 @@ class World {
   /// Adds the thing unless it is new and too near to a vehicle.
   void show(Thing thing, const std::vector<geometry::Body>& vehicles);
 
+  /// Adds the walkers, and the recorded people of this second.
   void show_walkers(const std::vector<geometry::Body>& vehicles);
   void show_people(const std::vector<geometry::Body>& vehicles);
 
