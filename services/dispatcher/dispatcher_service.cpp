@@ -11,8 +11,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kTick{50};
+constexpr milliseconds kTick{50};  // of the dispatcher: goals need not be quicker
 
+/// All vehicles of the scenario; its second zero is when all of them are heard.
 std::vector<std::string> vehicle_ids(const scenario::Scenario& scenario) {
   std::vector<std::string> ids;
 
@@ -53,11 +54,13 @@ DispatcherService::DispatcherService(service::Shell& shell, const ServiceConfig&
       goals_(shell.outbox<topics::Goal>()),
       map_edits_(shell.outbox<topics::MapEdit>()) {
   listen();
+
   shell.every(kTick, [this] { tick(); });
   shell.report([this](service::Health& health) { report(health); });
 }
 
 void DispatcherService::listen() {
+  // A vehicle that is heard, and what it says about its goal.
   shell_.inbox<topics::VehicleInfo>([this](const fleet::Vehicle& vehicle) {
     clock_.vehicle_heard(vehicle.id, shell_.now(), shell_.wall_clock_ns());
     dispatcher_.vehicle_heard(vehicle.id, shell_.now());
@@ -73,6 +76,7 @@ void DispatcherService::listen() {
     if (by_another && goal.is_cancelled) dispatcher_.cancelled(goal.agv_id, goal.id);
   });
 
+  // Edits name the map that is served, and are repeated until they are answered.
   shell_.inbox<topics::MapInfo>([this](const grid::MapSummary& summary) { map_id_ = summary.map_id; });
   shell_.inbox<topics::MapEditResult>([this](const fleet::MapEditResult& result) { take(result); });
 }
@@ -94,6 +98,7 @@ void DispatcherService::take(const fleet::MapEditResult& result) {
 
 void DispatcherService::tick() {
   const time::Stamp now = shell_.now();
+  // One step of the missions; its events go to the log, its orders to the vehicles.
   const std::vector<Order> orders = dispatcher_.step(now);
 
   for (const Event& event : dispatcher_.take_events()) log(event);

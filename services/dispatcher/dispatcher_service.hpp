@@ -34,6 +34,7 @@ struct ServiceConfig {
 /// and missions_done (1 when nothing is left to do) on `service_health`.
 class DispatcherService {
  public:
+  /// Recalls the state file, registers topics and timers with `shell`, which must outlive this object.
   DispatcherService(service::Shell& shell, const ServiceConfig& config);
   DispatcherService(const DispatcherService&) = delete;
   DispatcherService& operator=(const DispatcherService&) = delete;
@@ -48,7 +49,10 @@ class DispatcherService {
   /// One step of the dispatcher; writes its orders and the map edits that are due.
   void tick();
 
+  /// Writes an order as a goal, and logs it.
   void write(const Order& order);
+
+  /// One line for each event; a failure is also the service's last error.
   void log(const Event& event);
 
   /// Writes the state file when its text changed.

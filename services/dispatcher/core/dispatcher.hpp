@@ -132,8 +132,11 @@ class Dispatcher {
     std::string reason;
   };
 
+  /// Goals of the mission in all, over its loops.
   std::uint64_t goal_count(const Book& book) const;
   std::string goal_id(const Book& book) const;
+
+  /// The order to drive to the mission's present goal.
   Order order_of(const Book& book) const;
 
   /// The first status of a vehicle.

@@ -24,6 +24,7 @@ class EditSchedule {
   /// Notes the answer to an edit, whatever it says. True when it was an edit of this schedule and still open.
   bool answered(const std::string& edit_id);
 
+  /// Every edit was answered.
   bool all_done() const;
 
   /// Ids of the answered edits, for a restart.
