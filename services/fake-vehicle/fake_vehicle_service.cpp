@@ -13,8 +13,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kTick{20};
-constexpr milliseconds kKeepPeriod{100};
+constexpr milliseconds kTick{20};         // between two states
+constexpr milliseconds kKeepPeriod{100};  // between two writes of the state file
 
 /// What the state file holds of this run; without it the start.
 VehicleMemory memory_of(const service::Shell& shell, const ServiceConfig& config) {
@@ -48,6 +48,7 @@ FakeVehicleService::FakeVehicleService(service::Shell& shell, const ServiceConfi
       truths_(shell.outbox<topics::WorldObstacle>()),
       started_(shell.now()) {
   listen();
+
   shell.every(kTick, [this] { tick(); });
   shell.report([this](service::Health& health) { report(health); });
   if (!config_.state_file.empty()) shell.every(kKeepPeriod, [this] { keep_memory(); });
@@ -134,6 +135,7 @@ void FakeVehicleService::tick() {
         {agv_id_, vehicle.footprint(), vehicle.limits, vehicle.lidar.range_max_m, vehicle.command_timeout_s});
   }
 
+  // Without a map it stands: nothing is known of its walls.
   bodies_.forget_old_world(now);
   if (map_.has_map()) vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});
 
@@ -155,6 +157,7 @@ fleet::VehicleState FakeVehicleService::state() {
   state.motion = {with_noise(vehicle_.base_in_map(), config_.vehicle, random_), vehicle_.twist(),
                   vehicle_.steering_rad()};
 
+  // What it obeys: the command in force, the epoch, and how many commands it refused.
   state.hold = vehicle_.hold();
   state.command = command_;
   state.accepted_epoch = authority_.accepted_epoch();
@@ -217,6 +220,7 @@ void FakeVehicleService::report(service::Health& health) const {
     return;
   }
 
+  // A duplicate is a fault of the site: both processes say so.
   health.is_degraded = true;
   health.last_error =
       fmt::format("two processes are {}: boot {} and this one, which {}", agv_id_, duplicates_.other_boot_id(),

@@ -36,6 +36,7 @@ struct ServiceConfig {
 /// nothing under the vehicle's name, and does not move, until the other is gone.
 class FakeVehicleService {
  public:
+  /// Recalls the state file, registers topics and timers with `shell`, which must outlive this object.
   FakeVehicleService(service::Shell& shell, const ServiceConfig& config);
   FakeVehicleService(const FakeVehicleService&) = delete;
   FakeVehicleService& operator=(const FakeVehicleService&) = delete;
@@ -58,8 +59,10 @@ class FakeVehicleService {
   /// Writes the state, and the true body.
   void publish();
 
+  /// One turn of the scanner, with the pose that the vehicle believes.
   void publish_scan();
 
+  /// The state to publish now; draws an error of the pose.
   fleet::VehicleState state();
 
   /// False while it listens and while another process is this vehicle. Logs when the latter changes.
