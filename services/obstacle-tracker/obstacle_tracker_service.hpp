@@ -34,6 +34,7 @@ struct ServiceParams {
 /// `vehicle_info` has not introduced are dropped, as are all scans before the map is there. Runs in the shell's loop.
 class ObstacleTrackerService {
  public:
+  /// Registers topics and timers with `shell`, which must outlive this object.
   ObstacleTrackerService(service::Shell& shell, const ServiceParams& params);
   ObstacleTrackerService(const ObstacleTrackerService&) = delete;
   ObstacleTrackerService& operator=(const ObstacleTrackerService&) = delete;
@@ -76,13 +77,16 @@ class ObstacleTrackerService {
   /// Newest scan of each vehicle, live tracks and counters. `took`: time spent on the scan.
   void write_status(time::Stamp now, time::Stamp took);
 
+  /// Writes the coverage tiles that are due.
   void write_coverage();
 
   /// The map has another extent: coverage begins anew and its old tiles end.
   void set_ground(const grid::Geometry& geometry);
 
+  /// Gives up overdue tracks when no scans come.
   void tend();
 
+  /// Counters, and what is waited for.
   void report(service::Health& health) const;
 
   /// All vehicles for the tracker; one whose state was never heard gets a stamp so old that it explains nothing.

@@ -47,6 +47,7 @@ class Sweep {
     ray_period_s_ = rays > 1.0 ? scan.sweep_s / (rays - 1.0) : 0.0;
   }
 
+  /// When the ray was measured, and where the vehicle was then; from the scan's stamp.
   double offset_s(std::size_t ray) const { return ray_period_s_ * static_cast<double>(ray); }
 
   Pose2 base_in_map(double offset_s) const {

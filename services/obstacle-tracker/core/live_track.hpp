@@ -59,6 +59,7 @@ class LiveTrack {
   /// A thing just found. `moment`: when the detection was measured, and the moment of the state.
   LiveTrack(std::uint64_t id, const Detection& detection, const MotionModel& motion, time::Stamp moment);
 
+  /// As published; never given twice.
   std::uint64_t id() const { return id_; }
   const MotionFilter& filter() const { return *filter_; }
   double radius_m() const { return radius_m_; }
@@ -75,6 +76,7 @@ class LiveTrack {
   /// Seen by so many scans that its velocity means something.
   bool knows_its_speed() const { return seen_scans_ >= kScansToKnowTheSpeed; }
 
+  /// When a scan last saw something of it.
   time::Stamp last_seen() const { return last_seen_; }
 
   geometry::Point2 position_in_map() const { return {filter_->state().x(), filter_->state().y()}; }

@@ -40,6 +40,7 @@ class Outbox {
     time::Stamp at{};
   };
 
+  /// Is this track worth a sample now?
   bool is_due(const Track& track, bool is_seen, time::Stamp now) const;
 
   Params params_;

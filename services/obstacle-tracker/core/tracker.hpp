@@ -103,6 +103,7 @@ class Tracker {
   std::optional<DropReason> why_drop(const Scan& scan, const std::vector<KnownVehicle>& vehicles,
                                      const grid::ClearanceField* clearance, time::Stamp now);
 
+  /// Forgets the scans of vehicles that are not among these.
   void forget_who_left(const std::vector<KnownVehicle>& vehicles);
   bool has_usual_count(Sensor& sensor, std::size_t rays) const;
 
@@ -126,6 +127,7 @@ class Tracker {
   /// Tells the tracks that no detection was matched with whether the scan's rays went through them.
   void look_for_unmatched(const Scan& scan, const SortedScan& sorted, const Matching& matching);
 
+  /// Of two tracks of one obstacle the younger is dropped, unless only that one is confirmed.
   void merge_doubles(const std::vector<Detection>& detections, const Matching& matching);
 
   /// Removes the tracks for which `is_gone` is true; adds the ids of the published ones to `lost`.

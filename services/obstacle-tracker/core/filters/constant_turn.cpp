@@ -9,6 +9,7 @@
 namespace aisle::obstacle_tracker {
 namespace {
 
+/// State (x, y, vx, vy, w).
 class ConstantTurn final : public MotionFilter {
  public:
   ConstantTurn(const MotionModel& motion, const Gaussian<4>& first) : MotionFilter(first), motion_(motion) {

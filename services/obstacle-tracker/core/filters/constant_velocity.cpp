@@ -8,6 +8,7 @@
 namespace aisle::obstacle_tracker {
 namespace {
 
+/// State (x, y, vx, vy).
 class ConstantVelocity final : public MotionFilter {
  public:
   ConstantVelocity(const MotionModel& motion, const Gaussian<4>& first)

@@ -37,6 +37,8 @@ Gaussian<4> moments_of(const Beliefs& beliefs, const Weights& weights) {
   return mixed;
 }
 
+/// One belief and one probability a mode. Before each move they are mixed; after each measurement the modes that
+/// expected it gain probability.
 class InteractingMix final : public MotionFilter {
  public:
   InteractingMix(const MotionModel& motion, const Gaussian<4>& first) : MotionFilter(first), motion_(motion) {
