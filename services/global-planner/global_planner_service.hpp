@@ -49,6 +49,7 @@ class GlobalPlannerService {
   /// Epochs that other services have heard of, so that a restarted planner begins above them.
   void hear(const fleet::ServiceHealth& health, const fleet::Origin& by);
 
+  /// Is this planner the one whose plans are heard?
   bool leads() const { return leadership_.role() == fleet::Leadership::Role::kLeading; }
 
   /// Leads or stands by, as the leadership says, and claims or releases the topic when that changes.
@@ -63,6 +64,7 @@ class GlobalPlannerService {
   /// Has the search that began then taken too long? Also asserts liveliness meanwhile.
   bool is_too_late(time::Stamp begun);
 
+  /// Counters, and what keeps vehicles from being planned for.
   void report(service::Health& health) const;
 
   service::Shell& shell_;

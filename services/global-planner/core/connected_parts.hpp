@@ -40,6 +40,7 @@ class ConnectedParts {
   /// Appends the runs of row y.
   void add_row(int y);
 
+  /// Joins the runs of row y to those that they touch in row y - 1.
   void join_to_row_below(int y);
 
   /// Index of the first run of the part, as far as it is known.

@@ -20,6 +20,7 @@ class Drivable {
  public:
   explicit Drivable(const Problem& problem);
 
+  /// Of the grid: size, resolution and origin.
   const grid::Geometry& geometry() const { return geometry_; }
 
   /// May the vehicle's centre be at the centre of this cell? False outside the grid.
@@ -67,6 +68,7 @@ class Drivable {
   /// vehicle.
   TightEnd tight_end(const Problem& problem, geometry::Point2 end_in_map) const;
 
+  /// is_traversable() for a cell with less than the full radius, near an end with an exception.
   bool is_traversable_at_tight_end(float clearance_m, grid::Cell c) const;
 
   /// The radius to keep at this point.

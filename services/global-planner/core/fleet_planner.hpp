@@ -63,6 +63,7 @@ class FleetPlanner {
   /// What a vehicle says about its way: reports of blocks are remembered, `arrived` ends the goal.
   void set_navigation(const NavigationStatus& navigation, time::Stamp now);
 
+  /// Drops all that is known of a vehicle.
   void forget_vehicle(const std::string& agv_id);
 
   /// A static obstacle that the tracker sees; it stays until dropped.
@@ -149,6 +150,7 @@ class FleetPlanner {
   /// A plan around what stands on the way, if there is one.
   std::optional<Plan> check_obstacles(VehicleEntry& vehicle, time::Stamp now, const OutOfTime& out_of_time);
 
+  /// A plan for the vehicle's goal that has no way yet.
   Plan blank_plan(const VehicleEntry& vehicle) const;
 
   /// Searches with obstacles, without them, and to the nearest point, until one is found.
@@ -163,6 +165,7 @@ class FleetPlanner {
   /// To the point nearest to the goal that can be reached.
   PlannedPath search_nearest(const VehicleEntry& v, const OutOfTime& out_of_time);
 
+  /// Do start and goal lie in different parts of the map, as far as the parts are known?
   bool is_known_unreachable(const Problem& problem) const;
 
   /// Searches with the discs of `around` stamped into the clearance field.
@@ -175,14 +178,17 @@ class FleetPlanner {
   /// Why there is no plan, for people.
   std::string why(const VehicleEntry& vehicle, Outcome outcome, const OutOfTime& out_of_time);
 
+  /// What stands in this vehicle's way and is in no map.
   std::vector<Obstacle> obstacles_for(const VehicleEntry& vehicle, time::Stamp now) const;
 
   /// Does it stand where it will stay: silent, without a goal, arrived, held or failed?
   const Obstacle* first_on_the_way(const VehicleEntry& vehicle, const std::vector<Obstacle>& obstacles) const;
   bool is_parked(const VehicleEntry& vehicle, time::Stamp now) const;
 
+  /// Does the vehicle say, of the plan that it has, that it is blocked?
   bool is_blocked_on_its_plan(const VehicleEntry& vehicle, time::Stamp now) const;
 
+  /// The clearance field anew, up to reach_m_.
   void rebuild_clearance();
 
   /// The entry of the vehicle, made when it is new; null when there are too many.

@@ -11,6 +11,7 @@ namespace {
 using geometry::Point2;
 using geometry::Pose2;
 
+/// "touches an obstacle at (1.000, 2.000)"
 std::string at(const char* what, Point2 p) {
   char text[160];
   std::snprintf(text, sizeof text, "%s at (%.3f, %.3f)", what, p.x, p.y);

@@ -14,6 +14,7 @@ namespace {
 
 using geometry::Point2;
 
+/// A point in metres, for messages.
 std::string text(Point2 p) { return fmt::format("({:.2f}, {:.2f})", p.x, p.y); }
 
 /// Start or goal is outside; names the map's extent.

@@ -40,6 +40,7 @@ class SearchNodes {
     generation_ = 0;
   }
 
+  /// Was the cell reached in this search?
   bool is_known(std::size_t index) const { return nodes_[index].mark >> kShift == generation_; }
 
   /// @pre is_known(index)
@@ -60,6 +61,7 @@ class SearchNodes {
     nodes_[index] = {cost, (generation_ << kShift) | static_cast<std::uint32_t>(direction)};
   }
 
+  /// The cell was expanded. @pre is_known(index)
   void close(std::size_t index) { nodes_[index].mark |= kClosed; }
 
  private:
@@ -149,6 +151,7 @@ class BucketQueue {
     return true;
   }
 
+  /// Rank of the entry popped last.
   std::uint32_t rank() const { return current_; }
 
  private:

@@ -57,6 +57,7 @@ class TraversableBits {
   /// Makes the bits of this problem.
   void make(const Drivable& drivable);
 
+  /// @pre the cell is in the map, and the bits were made
   bool is_open(grid::Cell c) const { return rows_.is_open(c.y, c.x); }
   const BitLines& rows() const { return rows_; }
   const BitLines& columns() const { return columns_; }
