@@ -39,6 +39,7 @@ AISLE_BATCHED void add_weighted(const PerSample& scores, double factor, PerSampl
 
 double sum_of(const PerSample& numbers) { return std::accumulate(numbers.begin(), numbers.end(), 0.0); }
 
+/// A zero for each sample of so many blocks.
 std::vector<PerSample> zeros(std::size_t blocks) {
   std::vector<PerSample> out(blocks);
   for (PerSample& numbers : out) numbers.fill(0.0);

@@ -32,6 +32,7 @@ struct Moment {
   OwnMotion motion;
   time::Stamp now;
 
+  /// Where the vehicle is now.
   geometry::Point2 here() const { return motion.base_now.position(); }
 
   /// Radius to be kept from walls along the way: the whole vehicle's where it may turn anywhere; half the width of a

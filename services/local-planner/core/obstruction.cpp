@@ -20,6 +20,7 @@ using geometry::Twist2;
 /// something. The first thing touched is what obstructs it.
 class BrakingBlock {
  public:
+  /// The first step is set, and samples are done of which nothing need be looked at.
   BrakingBlock(const Scene& scene, const Needed& needed, const DwaSettings& settings, const Twist2* wanted,
                std::size_t count)
       : scene_(scene),

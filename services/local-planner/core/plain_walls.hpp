@@ -47,6 +47,7 @@ class Walls {
   /// Looks up one disc of all four.
   void look_up(Watched* four, const Arc<double>* arcs, std::size_t disc, bool is_near_already);
 
+  /// Centre of one disc of the footprint.
   geometry::Point2 center_in_map(const Arc<double>& arc, std::size_t disc) const;
 
   const Scene& scene_;

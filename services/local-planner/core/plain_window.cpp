@@ -30,7 +30,9 @@ class Vehicles {
     for (Arc<double>& arc : arcs_) arc.begin(scene.base_in_map);
   }
 
+  /// Metres from the base to the farthest disc centre.
   double swing() const { return swing_; }
+
   const Twist2& wanted(std::size_t i) const { return wanted_[i]; }
   const Twist2& twist(std::size_t i) const { return states_[i].twist; }
   const std::vector<Arc<double>>& arcs() const { return arcs_; }
@@ -57,6 +59,7 @@ class Vehicles {
     return changes || is_steering_;
   }
 
+  /// Vehicle i has this twist now.
   void set(std::size_t i, const Twist2& twist) { states_[i].twist = twist; }
 
   /// The next steps are driven with these twists.
@@ -74,6 +77,7 @@ class Vehicles {
     }
   }
 
+  /// One step along the arcs that were set.
   void step() {
     for (Arc<double>& arc : arcs_) arc.step(sideways_);
   }
@@ -252,6 +256,7 @@ class Block {
     }
   }
 
+  /// Drives all to the horizon: take up the twist, step, look at walls, then at all else.
   void run() {
     bool is_changing = true;
     for (int k = 1; k <= settings_.steps(); ++k) {

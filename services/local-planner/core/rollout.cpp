@@ -109,6 +109,7 @@ class RolloutBlock {
     begin(aim);
   }
 
+  /// Drives all to the horizon: take up the twist, step, look at walls, movers, peers and the path.
   void run() {
     const int steps = static_cast<int>(predicted_.size()) - 1;
     for (int k = 1; k <= steps && left_ > 0; ++k) {

@@ -18,6 +18,7 @@ class Route {
   /// Points closer than 1 cm to the one before are dropped.
   explicit Route(const std::vector<geometry::Point2>& points_in_map);
 
+  /// Without any point.
   bool empty() const { return points_.empty(); }
   double length_m() const { return empty() ? 0.0 : along_m_.back(); }
   const std::vector<geometry::Point2>& points() const { return points_; }

@@ -44,6 +44,7 @@ struct PeerMotion {
   std::vector<geometry::Point2> stopping_in_map;
   std::vector<geometry::Point2> intended_in_map;  // one a step from now on; it stays at the last
 
+  /// Where it says that it will be after so many steps.
   geometry::Point2 intended_at(std::size_t step) const {
     return intended_in_map[std::min(step, intended_in_map.size() - 1)];
   }

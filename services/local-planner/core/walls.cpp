@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kNeverM = std::numeric_limits<double>::infinity();
 
+/// Of the four numbers of a batch.
 [[gnu::always_inline]] inline double least_of(const Batch& batch) {
   return least(least(batch[0], batch[1]), least(batch[2], batch[3]));
 }

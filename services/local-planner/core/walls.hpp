@@ -68,6 +68,7 @@ class Outlines {
   /// @pre both live as long; the outlines follow the arcs
   Outlines(const Scene& scene, const ArcBlock& arcs) : scene_(scene), arcs_(arcs), is_disc_(is_disc(scene)) {}
 
+  /// The scene that the vehicles are in.
   const Scene& scene() const { return scene_; }
 
   /// Unit vectors of the headings, for distance2(): to be called after each step.

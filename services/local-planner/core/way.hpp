@@ -32,6 +32,7 @@ class Way {
   void come_back() { aside_.reset(); }
   void drop_aside() { aside_.reset(); }
 
+  /// Is a way aside being driven?
   bool is_aside() const { return aside_.has_value(); }
   const Route& current() const { return aside_ ? aside_->route : lane_.route; }
 
@@ -43,6 +44,7 @@ class Way {
   double s_m() const { return aside_ ? aside_->s_m : lane_.s_m; }
   double left_m() const { return current().length_m() - s_m(); }
 
+  /// Is the vehicle still on the part of the lane that a detour took the place of?
   bool is_on_detour() const { return lane_.s_m < detour_end_m_; }
 
   /// Speeds in m/s at the current route's points, and between them.

@@ -57,6 +57,7 @@ class RightOfWay {
  private:
   struct Cycle;  // the arguments of `rule`
 
+  /// The parts of rule(), in its order.
   void go_around(Cycle& cycle);
   void ask(Cycle& cycle);
   void make_room(Cycle& cycle);

@@ -22,6 +22,7 @@ bool contains(const std::vector<std::string>& ids, const std::string& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 
+/// From this vehicle, between the bases.
 bool is_within(double distance_m, const PeerView& peer, const Moment& moment) {
   return geometry::distance(peer.base_in_map.position(), moment.here()) < distance_m;
 }

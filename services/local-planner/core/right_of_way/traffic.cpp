@@ -33,11 +33,13 @@ struct Box {
   Point2 low{kInfinity, kInfinity};
   Point2 high{-kInfinity, -kInfinity};
 
+  /// Grows so that the point lies within.
   void hold(Point2 p) {
     low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
 
+  /// Is the point, or any point of another box, nearer than this? True also for one that is farther by a rounding.
   bool is_within(double distance_m, Point2 p) const { return is_within(distance_m, Box{p, p}); }
 
   bool is_within(double distance_m, const Box& other) const {
@@ -55,6 +57,7 @@ struct Box {
 /// passed over.
 class ClaimedWay {
  public:
+  /// @param claim not empty; must outlive this object
   explicit ClaimedWay(const std::vector<IntentPoint>& claim) : claim_(claim) {
     for (std::size_t first = 0; first < claim.size(); first += kGroup) {
       Group group{first, {}};
