@@ -91,6 +91,7 @@ void add_map_save(CLI::App& parent, Cli& cli);
 void add_experiment_all(CLI::App& parent, Cli& cli);
 void add_experiment_global(CLI::App& parent, Cli& cli);
 void add_experiment_local(CLI::App& parent, Cli& cli);
+void add_experiment_suite(CLI::App& parent, Cli& cli);
 void add_experiment_tracking(CLI::App& parent, Cli& cli);
 void add_plan(CLI::App& parent, Cli& cli);
 void add_doctor(CLI::App& parent, Cli& cli);

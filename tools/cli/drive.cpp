@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <functional>
@@ -11,7 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
 #include "common/process/exit_code.hpp"
 #include "common/process/output_file.hpp"
@@ -20,6 +20,7 @@
 #include "services/local-planner/core/critic.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/json.hpp"
+#include "tools/cli/known_names.hpp"
 #include "tools/cli/progress_line.hpp"
 #include "tools/cli/text.hpp"
 #include "tools/referee/core/walls.hpp"
@@ -46,31 +47,8 @@ struct Options {
   bool truth{false};
   bool paper_limits{false};
   bool verbose{false};
+  double trace_s{0.0};  // 0: no trace
 };
-
-/// With commas between.
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-/// @throws config::BadInput with the nearest name when it is none of `known`
-void check_name(const char* flag, const std::string& name, const std::vector<std::string>& known) {
-  for (const std::string& candidate : known)
-    if (candidate == name) return;
-
-  const std::string nearest = config::nearest_name(name, known);
-  throw config::BadInput(fmt::format("{}: '{}' is unknown; {}there are {}", flag, name,
-                                     nearest.empty() ? "" : "did you mean '" + nearest + "'? ", listed(known)));
-}
-
-template <class Variant>
-std::vector<std::string> names_of(const std::vector<Variant>& variants) {
-  std::vector<std::string> names;
-  for (const Variant& variant : variants) names.push_back(variant.name);
-  return names;
-}
 
 /// `id` as it is. @throws config::BadInput when it is neither empty nor a vehicle of the scenario
 std::string known_vehicle(const std::string& id, const scenario::Scenario& scenario) {
@@ -171,6 +149,38 @@ sim::Faults faults_of(const Options& options, std::uint64_t seed) {
   return {};
 }
 
+/// Poses, commands, things and tracks, as lines of one moment.
+std::string text_of(const sim::Snapshot& now, const scenario::Scenario& scenario) {
+  std::string text;
+  for (std::size_t i = 0; i < now.outputs.size(); ++i) {
+    const geometry::Pose2& base = now.vehicles_in_map[i];
+    const local_planner::Output& output = now.outputs[i];
+    text += fmt::format("{:8.2f} {} ({:.2f} {:.2f} {:.2f}) v {:.2f} w {:.2f} left {:.2f} {}/{} {}\n", now.t_s,
+                        scenario.vehicles[i].id, base.x, base.y, base.yaw, output.twist.linear_mps,
+                        output.twist.angular_radps, output.distance_left_m, name(output.phase), name(output.reason),
+                        printable(output.detail));
+  }
+
+  for (const geometry::Body& thing : now.things)
+    text += fmt::format("{:8.2f} thing ({:.2f} {:.2f})\n", now.t_s, thing.base_in_map.x, thing.base_in_map.y);
+  for (const fleet::Track& track : now.tracks)
+    text += fmt::format("{:8.2f} track {} ({:.2f} {:.2f}) v ({:.2f} {:.2f}) r {:.2f}{}\n", now.t_s, track.id,
+                        track.position_in_map.x, track.position_in_map.y, track.velocity_in_map.x,
+                        track.velocity_in_map.y, track.radius_m, track.is_static ? " static" : "");
+  return text;
+}
+
+/// Prints on stderr what can be seen, every `period_s`.
+sim::Watch tracer(const scenario::Scenario& scenario, double period_s, ProgressLine& progress) {
+  constexpr double kHalfLookS = 0.05;  // looks come every 0.1 s, give or take rounding
+  return [&scenario, &progress, period_s, next_s = 0.0](const sim::Snapshot& now) mutable {
+    if (now.t_s < next_s - kHalfLookS) return;
+    next_s = now.t_s + period_s;
+    progress.clear();
+    std::fputs(text_of(now, scenario).c_str(), stderr);
+  };
+}
+
 /// One run, with its picture where one is asked for. @returns false when the user stopped it
 bool drive_once(const Options& options, int run, ProgressLine& progress, Driven& driven) {
   const sim::Setup setup = setup_of(options, run);
@@ -189,6 +199,7 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
     return !is_interrupted();
   };
   if (options.verbose) hooks.says = say;
+  if (options.trace_s > 0.0) hooks.watch = tracer(setup.scenario, options.trace_s, progress);
 
   const std::chrono::nanoseconds begun = process::cpu_time();
   const sim::Outcome outcome = sim::drive(setup, faults, hooks);
@@ -257,6 +268,8 @@ void add_drive(CLI::App& parent, Cli& cli) {
       .option("--faults", options->faults, "file that says what goes wrong, e.g. deploy/faults/loss.yaml")
       .option("--fault-seed", options->fault_seed, 1, 1'000'000'000,
               "makes such a plan up, the same for the same number")
+      .option("--trace", options->trace_s, 0.0, 3600.0,
+              "s; so often poses, commands, things and tracks are printed on stderr; 0: never")
       .flag("--truth", options->truth, "tracks from the truth in sight, not from simulated scans")
       .flag("--paper-limits", options->paper_limits, "vehicles as in the local planner's paper")
       .flag("--verbose", options->verbose, "what happened, on stderr")

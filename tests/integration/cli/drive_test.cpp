@@ -58,6 +58,35 @@ TEST(Drive, AFaultPlanIsRepeatedExactlyAndWhatWasDoneIsCounted) {
   EXPECT_TRUE(drive({"--scenario", "crossing", "--seed", "3"})["faults"].is_object());
 }
 
+TEST(Drive, PrintsWhatCanBeSeenWhereATraceIsAskedFor) {
+  ChildProcess aisle(
+      {test_support::program("aisle"), "drive", "--truth", "--json", "--scenario", "crossing", "--trace", "1"});
+  EXPECT_EQ(aisle.wait(seconds(120)), 0) << aisle.err();
+  EXPECT_TRUE(nlohmann::json::accept(aisle.out())) << "the trace goes elsewhere";
+  EXPECT_THAT(aisle.err(), HasSubstr(" agv-4 ("));
+  EXPECT_THAT(aisle.err(), HasSubstr("driving/none"));
+}
+
+TEST(Suite, DrivesTheFamiliesAskedForAndPrintsOneOfEach) {
+  ChildProcess aisle({test_support::program("aisle"), "experiment", "suite", "--local", "wu", "--family", "corridor",
+                      "--family", "overtaking", "--runs", "1", "--json"});
+  EXPECT_EQ(aisle.wait(seconds(120)), 0) << aisle.err();
+  const nlohmann::json report = nlohmann::json::parse(aisle.out());
+  EXPECT_EQ(report["local"], "wu");
+  ASSERT_EQ(report["families"].size(), 2U);
+  EXPECT_EQ(report["families"][1]["family"], "overtaking");
+  EXPECT_TRUE(report["families"][0]["bad"].empty());
+  EXPECT_EQ(report["all"]["goals_reached"], 2);
+  EXPECT_EQ(report["all"]["contacts_moving_vehicle"], 0);
+  EXPECT_GT(report["all"]["mean_time_s"], 10.0);
+}
+
+TEST(Suite, NamesTheNearestFamily) {
+  ChildProcess aisle({test_support::program("aisle"), "experiment", "suite", "--family", "coridor"});
+  EXPECT_EQ(aisle.wait(seconds(20)), 2);
+  EXPECT_THAT(aisle.err(), HasSubstr("did you mean 'corridor'"));
+}
+
 TEST(Drive, TakesPlannersByNameAndDrawsThePicture) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("aisle-drive-" + std::to_string(getpid()) + ".svg");

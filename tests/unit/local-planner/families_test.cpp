@@ -1,4 +1,4 @@
-// Closed loop, in lock-step: the services' own cores from simulated scans to wheels. No moving vehicle touches
+// Closed loop, on the simulated site: the services' own cores from simulated scans to wheels. No moving vehicle touches
 // anything, every goal is reached.
 #include "tools/sim/scenarios/families.hpp"
 
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "common/config/reader.hpp"
-#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/site.hpp"
 
 namespace aisle::sim {
 namespace {
@@ -17,7 +17,7 @@ class Family : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(Family, ReachesEveryGoalAndTouchesNothing) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
-    const Result result = lockstep::run(make_setup(GetParam(), seed));
+    const Result result = drive(make_setup(GetParam(), seed)).result;
     std::string log;
     for (const std::string& line : result.log) log += line + "\n";
     EXPECT_GT(result.goals_assigned, 0);
@@ -34,15 +34,15 @@ INSTANTIATE_TEST_SUITE_P(All, Family, ::testing::Values("crossing", "head-on-wid
                            return name;
                          });
 
-TEST(Lockstep, TheSameSeedGivesTheSameTrace) {
-  const Result once = lockstep::run(make_setup("crossing", 3));
-  const Result again = lockstep::run(make_setup("crossing", 3));
-  const Result other = lockstep::run(make_setup("crossing", 4));
+TEST(Families, TheSameSeedGivesTheSameTrace) {
+  const Result once = drive(make_setup("crossing", 3)).result;
+  const Result again = drive(make_setup("crossing", 3)).result;
+  const Result other = drive(make_setup("crossing", 4)).result;
   EXPECT_EQ(once.trace_hash, again.trace_hash);
   EXPECT_NE(once.trace_hash, other.trace_hash);
 }
 
-TEST(Lockstep, SaysWhichFamiliesThereAre) {
+TEST(Families, SaysWhichFamiliesThereAre) {
   for (const auto setup_of : {&make_setup, &named_setup}) try {
       setup_of("crosing", 1);
       FAIL() << "a family that is not there";

@@ -1,5 +1,5 @@
 // A few scenarios of the suite; all of them are `aisle experiment local`.
-#include "tools/lockstep/suite.hpp"
+#include "tools/sim/suite.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ std::string name_of(const testing::TestParamInfo<std::string>& of) {
 class Suite : public testing::TestWithParam<std::string> {};
 
 TEST_P(Suite, ReachesItsGoalsInTimeAndTouchesNothing) {
-  const lockstep::SuiteRow row = lockstep::run_family(GetParam(), "wang", 1, 1);
+  const SuiteRow row = run_family(GetParam(), "wang", 1, 1);
   EXPECT_EQ(row.totals.goals_reached, row.totals.goals_assigned) << (row.bad.empty() ? "" : row.bad.front());
   EXPECT_EQ(row.totals.contacts_moving_vehicle, 0) << (row.bad.empty() ? "" : row.bad.front());
 }
@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(Families, Suite,
 class Fused : public testing::TestWithParam<std::string> {};
 
 TEST_P(Fused, AvoidsPeopleWhoCross) {
-  const lockstep::SuiteRow row = lockstep::run_family("person-crossing", GetParam(), 1, 1);
+  const SuiteRow row = run_family("person-crossing", GetParam(), 1, 1);
   EXPECT_EQ(row.totals.goals_reached, 1) << (row.bad.empty() ? "" : row.bad.front());
   EXPECT_EQ(row.totals.contacts_moving_vehicle, 0) << (row.bad.empty() ? "" : row.bad.front());
 }
@@ -45,7 +45,7 @@ TEST_P(Fused, AvoidsPeopleWhoCross) {
 INSTANTIATE_TEST_SUITE_P(Planners, Fused, testing::Values("li", "wu", "qu", "yu"), name_of);
 
 TEST(SuiteScenarios, LeadEverybodyToTheirGoal) {
-  for (const std::string& family : lockstep::suite_families()) {
+  for (const std::string& family : suite_families()) {
     if (family == "crowd") continue;  // needs the reference data
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
       for (const double seconds : free_run_s(make_setup(family, seed)))
@@ -81,11 +81,11 @@ TEST(SuiteScenarios, CountAGoalBehindAClosedAisleAsMissed) {
   wall.center_in_map = {10.0, 2.0, 0.0};
   wall.width_m = 6.0;
   setup.scenario.blocks.push_back(wall);
-  const double limit_s = lockstep::kFreeRuns * free_run_s(setup).front();
-  const Result result = lockstep::run_in_time(setup, "wang");
+  const double limit_s = kFreeRuns * free_run_s(setup).front();
+  const Result result = run_in_time(setup, "wang");
   EXPECT_EQ(result.goals_reached, 0);
   EXPECT_EQ(result.contacts, 0);
-  EXPECT_NEAR(result.time_s, limit_s, 0.1);
+  EXPECT_NEAR(result.driven_s, limit_s, 0.1);
 }
 
 }  // namespace

@@ -1,17 +1,17 @@
-// Closed loop, in lock-step, of vehicles that are no differential discs.
+// Closed loop, on the simulated site, of vehicles that are no differential discs.
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "tests/support/places.hpp"
-#include "tools/lockstep/simulation.hpp"
 #include "tools/sim/scenarios/families.hpp"
+#include "tools/sim/site.hpp"
 
 namespace aisle::sim {
 namespace {
 
 void expect_good(const Setup& setup) {
-  const Result result = lockstep::run(setup);
+  const Result result = drive(setup).result;
   std::string log;
   for (const std::string& line : result.log) log += line + "\n";
   EXPECT_GT(result.goals_assigned, 0);

@@ -1,4 +1,4 @@
-// What deploy/scenarios/around-the-corner.yaml promises, in lock-step; tests/e2e proves it over DDS.
+// What deploy/scenarios/around-the-corner.yaml promises, on the simulated site; tests/e2e proves it over DDS.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 #include "common/geometry/body.hpp"
 #include "tests/support/places.hpp"
-#include "tools/lockstep/simulation.hpp"
 #include "tools/sim/scenarios/families.hpp"
+#include "tools/sim/site.hpp"
 
 namespace aisle::sim {
 namespace {
@@ -19,19 +19,21 @@ struct Pass {
 };
 
 /// `later_s`: how much later than the scenario says agv-1 comes to the corner, seen from the person.
-Pass drive(const std::string& only_scans_of, double later_s, double& asked_m) {
+Pass pass_the_corner(const std::string& only_scans_of, double later_s, double& asked_m) {
   Setup setup = read_setup(test_support::source_folder() / "deploy/scenarios/around-the-corner.yaml", 1);
   setup.only_scans_of = only_scans_of;
   setup.scenario.movers.front().start_s -= later_s;
   asked_m = setup.scenario.person_clearance_m;
   Pass pass;
-  pass.result = lockstep::run(setup, [&](const lockstep::Snapshot& now) {
+  Hooks hooks;
+  hooks.watch = [&](const Snapshot& now) {
     for (const geometry::Body& person : now.things) {
-      const double gap_m =
-          geometry::distance_m(person, now.vehicles.front().position()) - setup.scenario.vehicles.front().radius_m;
+      const double gap_m = geometry::distance_m(person, now.vehicles_in_map.front().position()) -
+                           setup.scenario.vehicles.front().radius_m;
       pass.person_clearance_m = std::min(pass.person_clearance_m, gap_m);
     }
-  });
+  };
+  pass.result = drive(setup, {}, hooks).result;
   return pass;
 }
 
@@ -39,7 +41,7 @@ class AroundTheCorner : public ::testing::TestWithParam<double> {};
 
 TEST_P(AroundTheCorner, IsDrivenClearOfThePersonWithWhatBothVehiclesSee) {
   double asked_m = 0.0;
-  const Pass pass = drive("", GetParam(), asked_m);
+  const Pass pass = pass_the_corner("", GetParam(), asked_m);
   EXPECT_EQ(pass.result.goals_reached, pass.result.goals_assigned);
   EXPECT_EQ(pass.result.contacts, 0);
   ASSERT_GT(asked_m, 0.0);
@@ -48,7 +50,7 @@ TEST_P(AroundTheCorner, IsDrivenClearOfThePersonWithWhatBothVehiclesSee) {
 
 TEST_P(AroundTheCorner, MeetsThePersonTooLateWithWhatOneVehicleSees) {
   double asked_m = 0.0;
-  const Pass pass = drive("agv-1", GetParam(), asked_m);
+  const Pass pass = pass_the_corner("agv-1", GetParam(), asked_m);
   EXPECT_LT(pass.person_clearance_m, asked_m) << "the scenario does not need what agv-2 sees";
 }
 

@@ -4,14 +4,14 @@
 #include "tools/lab/driving/suite_tables.hpp"
 #include "tools/lab/driving/window_cases.hpp"
 #include "tools/lab/page/templates.hpp"
-#include "tools/lockstep/suite.hpp"
+#include "tools/sim/suite.hpp"
 
 namespace aisle::lab {
 
 FilledPage local_section(const LocalExperiment& orders, const Progress& progress) {
   Texts texts;
   texts["seeds"] = std::to_string(orders.seeds);
-  texts["scenarios"] = std::to_string(orders.seeds * static_cast<int>(lockstep::suite_families().size()));
+  texts["scenarios"] = std::to_string(orders.seeds * static_cast<int>(sim::suite_families().size()));
   texts["suite"] = orders.seeds > 0 ? suite_tables(orders.seeds, progress) : "";
 
   const FusionTables fusion = fusion_tables(orders.maps, orders.pictures, orders.pictures_from_page, progress);

@@ -7,12 +7,12 @@
 #include "common/config/reader.hpp"
 #include "services/local-planner/core/critic.hpp"
 #include "tools/lab/page/markdown.hpp"
-#include "tools/lockstep/suite.hpp"
+#include "tools/sim/suite.hpp"
 
 namespace aisle::lab {
 namespace {
 
-using lockstep::SuiteRow;
+using sim::SuiteRow;
 using sim::Totals;
 
 const std::vector<std::string> kHeading{"goals",
@@ -31,7 +31,7 @@ std::vector<std::string> cells(const std::string& first, const Totals& t) {
           std::to_string(t.contacts_moving_vehicle),
           std::to_string(t.contacts - t.contacts_moving_vehicle),
           digits(t.least_clearance_m, 3),
-          digits(t.time_s / runs, 1),
+          digits(t.driven_s / runs, 1),
           digits(t.distance_m / runs, 1),
           digits(t.omega_sign_changes / runs, 1),
           digits(t.jerk_rms, 2)};
@@ -52,10 +52,10 @@ std::string suite_tables(int seeds, const Progress& progress) {
   for (const local_planner::Variant& variant : local_planner::all_variants()) {
     Totals all;
     std::vector<std::vector<std::string>> rows{heading("family")};
-    for (const std::string& family : lockstep::suite_families()) {
+    for (const std::string& family : sim::suite_families()) {
       progress("suite: " + variant.name + ", " + family);
       try {
-        const SuiteRow row = lockstep::run_family(family, variant.name, 1, seeds);
+        const SuiteRow row = sim::run_family(family, variant.name, 1, seeds);
         rows.push_back(cells(family, row.totals));
         all.add(row.totals);
       } catch (const config::BadInput& missing) {
