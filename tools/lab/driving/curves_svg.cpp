@@ -20,31 +20,39 @@ constexpr int kBetweenPx = 40;
 constexpr int kKeyPx = 280;  // from one curve's name to the next
 constexpr const char* kZeroLine = "#9aa5b1";
 
+/// The box with lines at round values.
 std::string axes(const draw::Chart& chart, const std::string& label) {
   std::string svg = draw::chart_box(chart) + "\n" + draw::text(kLeftPx, chart.top_px - 6, "", label) + "\n";
   const double step = draw::round_step(chart.high - chart.low, 6);
+
   for (int i = static_cast<int>(std::ceil(chart.low / step - 1e-9)); i * step <= chart.high + 1e-9; ++i)
     svg += draw::value_line(chart, i * step, i == 0 ? kZeroLine : draw::kGridLine, "text-anchor=\"end\"") + "\n";
+
   return svg;
 }
 
+/// One member of the points over time.
 std::string curve(const draw::Chart& chart, const std::vector<DrivePoint>& points, double DrivePoint::*of,
                   const char* colour) {
   std::vector<draw::Sample> samples;
   for (const DrivePoint& p : points) samples.push_back({p.t_s, p.*of});
+
   return draw::path(draw::curve(chart, samples),
                     std::string("fill=\"none\" stroke=\"") + colour +
                         "\" stroke-width=\"1.5\" stroke-linejoin=\"round\" opacity=\"0.85\"") +
          "\n";
 }
 
+/// Round seconds below the lower chart.
 std::string time_axis(const draw::Chart& chart) {
   std::string svg;
   const double step_s = draw::round_step(chart.duration_s, 8);
+
   for (int i = 0; i * step_s <= chart.duration_s; ++i)
     svg += draw::text(static_cast<int>(std::lround(chart.x(i * step_s))), chart.bottom_px() + 18,
                       "text-anchor=\"middle\"", std::to_string(std::lround(i * step_s))) +
            "\n";
+
   return svg +
          draw::text((kLeftPx + chart.right_px()) / 2, chart.bottom_px() + 36, "text-anchor=\"middle\"", "time, s") +
          "\n";
@@ -71,6 +79,7 @@ std::string curves_svg(const std::string& title, const std::vector<NamedDrive>& 
     body += curve(turn, drives[i].figures->points, &DrivePoint::angular_radps, colour);
     body += draw::curve_key(kLeftPx + kKeyPx * static_cast<int>(i), 40, colour, drives[i].name);
   }
+
   body += time_axis(turn);
   return draw::document({kWidthPx, turn.bottom_px() + 46, std::string(draw::kSansSerif) + " font-size=\"12\""}, body);
 }

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
@@ -6,12 +7,14 @@
 
 namespace aisle::lab {
 
+/// A drive under the name that the legend shows.
 struct NamedDrive {
   std::string name;
   const DriveFigures* figures;
 };
 
-/// Speed above, turn rate below, over time; one colour a drive, with a legend. As an SVG file's text.
+/// Speed above, turn rate below, over time; one colour a drive, with a legend. @returns an SVG file's
+/// text
 std::string curves_svg(const std::string& title, const std::vector<NamedDrive>& drives);
 
 }  // namespace aisle::lab

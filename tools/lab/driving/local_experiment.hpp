@@ -1,4 +1,5 @@
 #pragma once
+
 #include <filesystem>
 #include <string>
 
@@ -7,6 +8,7 @@
 
 namespace aisle::lab {
 
+/// What the section is made from.
 struct LocalExperiment {
   std::filesystem::path maps;      // folder of the papers' maps
   std::filesystem::path pictures;  // folder that pictures are written to; must exist

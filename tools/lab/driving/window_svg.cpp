@@ -43,10 +43,13 @@ std::string way(const draw::MapFrame& frame, const std::vector<Point2>& points, 
                 const Beside& beside) {
   std::string outlines;
   std::optional<Point2> last;
+
   for (std::size_t i = 0; i < points.size(); i += kOutlineEvery) {
     const Point2 p = points[i];
     if (last && geometry::distance(p, *last) < kOutlineApartM) continue;
+
     last = p;
+
     outlines +=
         draw::disc(frame, p, radius_m,
                    fmt::format("fill=\"{0}\" fill-opacity=\"0.12\" stroke=\"{0}\" stroke-width=\"0.8\"", colour)) +
@@ -55,6 +58,7 @@ std::string way(const draw::MapFrame& frame, const std::vector<Point2>& points, 
                    fmt::format("{:.0f} s", kLookS * static_cast<double>(i))) +
         "\n";
   }
+
   const std::string stroke =
       fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\"", colour);
   return outlines + draw::polyline(frame, points, stroke) + "\n";
@@ -63,17 +67,21 @@ std::string way(const draw::MapFrame& frame, const std::vector<Point2>& points, 
 std::string aims(const draw::MapFrame& frame, const WindowScene& scene) {
   const std::string stroke = fmt::format("stroke=\"{}\" stroke-width=\"0.5\" opacity=\"0.6\"", kSubTarget);
   std::string svg;
+
   for (const WindowScene::Aimed& aimed : scene.sub_targets)
     svg += draw::line(frame, aimed.from_in_map, aimed.at_in_map, stroke) +
            draw::circle(frame.x(aimed.at_in_map.x), frame.y(aimed.at_in_map.y), 2.5, filled(kSubTarget)) + "\n";
+
   return svg;
 }
 
 std::string nearest(const draw::MapFrame& frame, const WindowScene& scene) {
   const std::size_t moments = std::min(scene.driven_in_map.size(), scene.mover_in_map.size());
   if (moments == 0) return "";
+
   std::size_t best = 0;
   const auto apart_m = [&](std::size_t i) { return geometry::distance(scene.driven_in_map[i], scene.mover_in_map[i]); };
+
   for (std::size_t i = 1; i < moments; ++i)
     if (apart_m(i) < apart_m(best)) best = i;
 
@@ -98,10 +106,12 @@ std::string legend(const draw::MapFrame& frame, const WindowScene& scene) {
   constexpr int kEntryPx = 190;
   const double y_px = kTopPx + frame.height_px() + 24.0;
   draw::Legend legend(10, static_cast<int>(std::lround(y_px)), 34, filled(draw::kSoftInk));
+
   const auto stroke = [](const char* colour, const char* dashes) {
     return draw::path("M0 0h26",
                       fmt::format("stroke=\"{}\" stroke-width=\"2\" stroke-dasharray=\"{}\"", colour, dashes));
   };
+
   legend.add(stroke(draw::kFaint, "6 4"), "path", kEntryPx);
   legend.add(stroke(kVehicle, "none"), "vehicle, every 2 s", kEntryPx);
   if (!scene.mover_in_map.empty()) legend.add(stroke(kMover, "none"), "mover, every 2 s", kEntryPx);
@@ -124,6 +134,7 @@ std::string boxes(const draw::MapFrame& frame, const std::vector<WindowScene::Bo
                       (box.high_in_map.x - box.low_in_map.x) * frame.px_per_m,
                       (box.high_in_map.y - box.low_in_map.y) * frame.px_per_m, kBox) +
            "\n";
+
   return svg;
 }
 
@@ -134,6 +145,7 @@ std::string ways(const draw::MapFrame& frame, const WindowScene& scene) {
       mover.empty() || std::abs(mover.back().y - mover.front().y) > std::abs(mover.back().x - mover.front().x);
   const double mover_px = scene.mover_radius_m * frame.px_per_m;
   const double vehicle_px = scene.vehicle_radius_m * frame.px_per_m;
+
   return way(frame, mover, scene.mover_radius_m, kMover,
              is_across ? Beside{mover_px + 4.0, 4.0, "start"} : Beside{0.0, -mover_px - 4.0, "middle"}) +
          way(frame, scene.driven_in_map, scene.vehicle_radius_m, kVehicle,
@@ -148,9 +160,11 @@ std::string window_svg(const grid::OccupancyGrid& grid, const WindowScene& scene
       draw::text(10, 22, fmt::format("font-size=\"15\" font-weight=\"bold\" fill=\"{}\"", draw::kSoftInk), scene.title);
   const std::string walls =
       draw::path(draw::boxes_path(frame, draw::obstacles(grid), draw::Digits::kTenth), filled(draw::kWall));
+
   const std::string path =
       draw::line(frame, scene.start_in_map, scene.goal_in_map,
                  fmt::format("stroke=\"{}\" stroke-width=\"1.5\" stroke-dasharray=\"6 4\"", draw::kFaint));
+
   return draw::document({static_cast<int>(std::lround(frame.width_px())),
                          static_cast<int>(std::lround(kTopPx + frame.height_px() + kBottomPx)),
                          std::string(draw::kSansSerif) + " font-size=\"13\""},

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
@@ -16,18 +17,23 @@ struct WindowScene {
   std::vector<geometry::Point2> driven_in_map;
   double mover_radius_m{0.25};
   std::vector<geometry::Point2> mover_in_map;  // empty: there is none
+
   struct Aimed {
     geometry::Point2 from_in_map, at_in_map;
   };
+
   std::vector<Aimed> sub_targets;  // where it aimed instead of along the path; moments without one are left out
+
   struct Box {
     geometry::Point2 low_in_map, high_in_map;
   };
+
   std::vector<Box> boxes;
 };
 
-/// Both with their outlines and the time, every two seconds while they move; the local sub-targets, each with where it
-/// was aimed at from; where they came nearest; a scale in metres; as an SVG file's text.
+/// The picture of the scene: vehicle and mover with their outlines and the time, every two seconds
+/// while they move; local sub-targets, each with the place from which it was aimed at; the place where
+/// the two came nearest; a scale in metres. @returns an SVG file's text
 std::string window_svg(const grid::OccupancyGrid& grid, const WindowScene& scene);
 
 }  // namespace aisle::lab

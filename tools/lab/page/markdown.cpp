@@ -12,11 +12,14 @@ std::string markdown_table(const std::vector<std::vector<std::string>>& rows) {
     text += "|";
     for (const std::string& cell : rows[i]) text += " " + cell + " |";
     text += "\n";
+
     if (i > 0) continue;
+
     text += "|";
     for (std::size_t column = 0; column < rows[0].size(); ++column) text += column == 0 ? " --- |" : " ---: |";
     text += "\n";
   }
+
   return text + "\n";
 }
 
@@ -28,8 +31,10 @@ std::string with_section(const std::string& page, const std::string& name, const
   const std::string begin = "<!-- " + name + ": begin -->\n";
   const std::string end = "<!-- " + name + ": end -->\n";
   const std::size_t from = page.find(begin);
+
   const std::size_t to = from == std::string::npos ? std::string::npos : page.find(end, from);
   if (to == std::string::npos) return page + (page.empty() ? "# Experiments\n\n" : "\n") + begin + text + end;
+
   return page.substr(0, from) + begin + text + page.substr(to);
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,8 +12,9 @@ std::string markdown_table(const std::vector<std::vector<std::string>>& rows);
 /// "12.34"; "-" for what is not a number.
 std::string digits(double value, int after_point);
 
-/// The page with everything between the lines `<!-- name: begin -->` and `<!-- name: end -->` replaced by `text`; a
-/// section that is not there yet is added at the end, so that several experiments share a page.
+/// The page with everything between the lines `<!-- name: begin -->` and `<!-- name: end -->` replaced
+/// by `text`. A section that is not there yet is added at the end. So several experiments share one
+/// page.
 std::string with_section(const std::string& page, const std::string& name, const std::string& text);
 
 }  // namespace aisle::lab

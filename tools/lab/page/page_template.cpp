@@ -26,6 +26,10 @@ struct Block {
   std::optional<std::string> refuted;  // why the claim was left out
 };
 
+/// Reads a template line by line and collects paragraphs.
+///
+/// How: a stack of open blocks says whether lines are shown. Lines of a claim that does not hold are
+/// collected apart, to be told.
 class Filling {
  public:
   explicit Filling(const Texts& texts) {
@@ -33,6 +37,7 @@ class Filling {
     for (const auto& [name, text] : texts_) arguments_.push_back(fmt::arg(name.c_str(), text));
   }
 
+  /// The next line of the template.
   void add(const std::string& line) {
     if (line.empty()) return end_paragraph();
     if (begins_with(line, ":")) return direct(line);
@@ -40,6 +45,7 @@ class Filling {
     if (!is_shown() && blocks_.back().refuted) append(left_out_, line);
   }
 
+  /// To be called once, after the last line.
   FilledPage page() {
     if (!blocks_.empty()) throw std::invalid_argument("a block has no :end");
     end_paragraph();
@@ -67,10 +73,12 @@ class Filling {
     paragraph_.clear();
   }
 
+  /// A line that begins with a colon.
   void direct(const std::string& line) {
     const std::size_t blank = line.find(' ');
     const std::string word = line.substr(0, blank);
     const std::string rest = blank == std::string::npos ? "" : line.substr(blank + 1);
+
     if (word == ":end")
       end_block();
     else if (word == ":claim")
@@ -89,8 +97,10 @@ class Filling {
 
   void end_block() {
     if (blocks_.empty()) throw std::invalid_argument("an :end too many");
+
     if (blocks_.back().refuted)
       page_.refuted.push_back("\"" + filled(left_out_) + "\" (" + *blocks_.back().refuted + ")");
+
     left_out_.clear();
     blocks_.pop_back();
   }

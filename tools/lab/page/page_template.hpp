@@ -1,4 +1,5 @@
 #pragma once
+
 #include <map>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@ namespace aisle::lab {
 /// What fills a template: markdown by the placeholder's name. Line ends at its end do not count.
 using Texts = std::map<std::string, std::string>;
 
+/// The result of fill().
 struct FilledPage {
   std::string text;
   std::vector<std::string> refuted;  // sentences that were left out, each with the condition that does not hold

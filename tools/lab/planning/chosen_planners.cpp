@@ -10,19 +10,24 @@ std::vector<const global_planner::Variant*> chosen_planners(const std::vector<st
   if (names.empty()) {
     for (const global_planner::Variant& variant : global_planner::all_variants()) chosen.push_back(&variant);
   }
+
   for (const std::string& name : names) {
     if (const global_planner::Variant* variant = global_planner::find_variant(name)) {
       chosen.push_back(variant);
       continue;
     }
+
     std::vector<std::string> known;
     for (const global_planner::Variant& variant : global_planner::all_variants()) known.push_back(variant.name);
+
     std::string all;
     for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
+
     const std::string nearest = config::nearest_name(name, known);
     throw config::BadInput("--planner: '" + name + "' is unknown" +
                            (nearest.empty() ? "." : "; did you mean " + nearest + "?") + " There are " + all);
   }
+
   return chosen;
 }
 

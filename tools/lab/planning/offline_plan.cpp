@@ -18,13 +18,16 @@ using Interrupted = std::function<bool()>;
 /// Discs that hold the vehicle: some along it for a planner that knows headings; else the one in which it can turn.
 void cover(const OfflineTask& task, const Variant& variant, Problem& problem) {
   problem.radius_m = task.outline.is_disc() ? task.radius_m : geometry::reach_m(task.outline);
+
   const bool is_steered = variant.knows_headings && task.turning_radius_m > 0.0;
   if (task.outline.is_disc() || !is_steered) return;
+
   const geometry::CoveringDiscs discs = geometry::covering_discs(task.outline);
   problem.radius_m = discs.radius_m;
   problem.steering.discs_ahead_m = discs.ahead_m;
 }
 
+/// One query as this planner gets it.
 Problem problem_of(const OfflineTask& task, const Variant& variant, const grid::ClearanceField& clearance,
                    const Query& query) {
   Problem problem{clearance, query.start_in_map, query.goal_in_map};
@@ -34,6 +37,7 @@ Problem problem_of(const OfflineTask& task, const Variant& variant, const grid::
   problem.steering.turning_radius_m = task.turning_radius_m;
   problem.steering.start_yaw_rad = task.start_yaw_rad.value_or(0.0);
   if (task.goal_yaw_rad) problem.steering.goal_yaw_rad = *task.goal_yaw_rad;
+
   return problem;
 }
 
@@ -43,6 +47,7 @@ double optimum_m(const Problem& problem, const Interrupted& is_interrupted) {
   return plan.outcome == Outcome::kFound ? plan.length_m : 0.0;
 }
 
+/// Can another goal help?
 bool is_helped_by_nearest(Outcome outcome) { return outcome == Outcome::kGoalBlocked || outcome == Outcome::kNoPath; }
 
 }  // namespace
@@ -60,26 +65,33 @@ OfflineResult plan_offline(const OfflineTask& task, const std::vector<const Vari
   for (const Variant* variant : planners) {
     Tally tally(variant->name);
     const std::unique_ptr<global_planner::Planner> planner = variant->make();
+
     for (std::size_t i = 0; i < queries.size() && !is_interrupted(); ++i) {
       Problem problem = problem_of(task, *variant, clearance, queries[i]);
       Answer answer = ask(*planner, problem, outline);
+
       if (task.goes_to_nearest && is_helped_by_nearest(answer.plan.outcome)) {
         problem.goal_in_map = global_planner::nearest_reachable(problem, is_interrupted).value_or(problem.goal_in_map);
         answer = ask(*planner, problem, outline);
       }
+
       tally.add(answer, queries[i].optimum_m > 0.0 ? queries[i].optimum_m
                         : queries.size() == 1      ? optimum_m(problem, is_interrupted)
                                                    : 0.0);
+
       if (i == 0 && answer.plan.outcome == Outcome::kFound)
         result.paths.push_back({variant->name, answer.plan.waypoints_in_map});
+
       if (answer.plan.outcome == Outcome::kFound || !result.refusal.empty()) continue;
 
       const global_planner::RefusalReport report =
           global_planner::explain(problem, answer.plan.outcome, is_interrupted);
       result.refusal = std::string(name(report.refusal)) + ": " + report.line;
     }
+
     result.tallies.push_back(std::move(tally));
   }
+
   return result;
 }
 

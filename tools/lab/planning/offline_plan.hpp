@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <optional>
 #include <string>
@@ -12,7 +13,7 @@
 
 namespace aisle::lab {
 
-/// What `aisle plan` asks planners, without a site. Lengths in metres, angles in radians.
+/// The questions of `aisle plan` to its planners, without a site. Lengths in metres, angles in radians.
 struct OfflineTask {
   std::vector<Query> queries;
   geometry::Footprint outline{geometry::disc(0.0)};
@@ -28,6 +29,7 @@ struct OfflineTask {
   double needed_clearance_m() const;
 };
 
+/// The answers of all planners.
 struct OfflineResult {
   std::vector<Tally> tallies;    // one a planner
   std::vector<DrawnPath> paths;  // of the first query

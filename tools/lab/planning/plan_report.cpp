@@ -10,6 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 std::string text(double value, int digits) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, digits) : "-";
 }
@@ -33,6 +34,7 @@ Json json_of(const std::vector<Tally>& tallies) {
                    {"time_us_p99", number(t.time_us(0.99))},
                    {"least_clearance_m", t.solved() > 0 ? number(t.least_clearance_m()) : Json(nullptr)}});
   }
+
   return all;
 }
 
@@ -47,6 +49,7 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<Tally>& tallies)
                     text(t.turning_angle_mean_rad(), 2), text(t.expanded_mean(), 0), text(t.time_us(0.5), 1),
                     text(t.time_us(0.99), 1), t.solved() > 0 ? text(t.least_clearance_m(), 3) : "-"});
   }
+
   return rows;
 }
 

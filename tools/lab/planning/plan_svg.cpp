@@ -25,6 +25,7 @@ std::string map_layers(const grid::OccupancyGrid& grid, const draw::MapFrame& fr
   const auto filled = [&](const std::vector<draw::Box>& boxes, const char* colour) {
     return draw::path(draw::boxes_path(frame, boxes, draw::Digits::kFine), fmt::format("fill=\"{}\"", colour)) + "\n";
   };
+
   return filled(layers.unknown, draw::kUnknown) + filled(layers.occupied, draw::kWall);
 }
 
@@ -36,6 +37,7 @@ std::string path_layer(const std::vector<geometry::Point2>& path, const draw::Ma
     if (path.size() <= kMostDots)
       svg += draw::circle(frame.x(p.x), frame.y(p.y), 3, fmt::format("fill=\"{}\"", colour));
   }
+
   return svg + "\n";
 }
 
@@ -46,10 +48,12 @@ std::string plan_svg(const grid::OccupancyGrid& grid, const std::vector<DrawnPat
   const int width_px = static_cast<int>(std::lround(frame.width_px()));
   std::string body = map_layers(grid, frame), legend;
   int y_px = kRowPx;
+
   for (std::size_t i = 0; i < paths.size(); ++i, y_px += kRowPx) {
     body += path_layer(paths[i].in_map, frame, draw::colour(i));
     legend += draw::curve_key(width_px + 10, y_px, draw::colour(i), paths[i].name);
   }
+
   const int height_px = std::max(static_cast<int>(std::lround(frame.height_px())), y_px + 10);
   return draw::document({width_px + kLegendPx, height_px, std::string(draw::kSansSerif) + " font-size=\"13\""},
                         body + legend);

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
@@ -6,6 +7,7 @@
 
 namespace aisle::lab {
 
+/// A planner's path.
 struct DrawnPath {
   std::string name;
   std::vector<geometry::Point2> in_map;

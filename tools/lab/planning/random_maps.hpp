@@ -1,5 +1,7 @@
 #pragma once
+
 // Random maps by seed: the same on every machine (only the engine's own numbers are used).
+
 #include <cstdint>
 #include <random>
 
@@ -21,6 +23,7 @@ inline grid::OccupancyGrid random_cells(std::mt19937& random, int width, int hei
       if (random_between(random, 0, 99) < occupied_percent) grid.set({x, y}, grid::Occupancy::kOccupied);
     }
   }
+
   return grid;
 }
 
@@ -33,6 +36,7 @@ inline grid::OccupancyGrid random_blocks(std::mt19937& random, int edge, int blo
     const int h = random_between(random, 1, longest);
     const int x0 = random_between(random, 0, edge - w);
     const int y0 = random_between(random, 0, edge - h);
+
     for (int y = y0; y < y0 + h; ++y) {
       for (int x = x0; x < x0 + w; ++x) {
         const bool is_corner = (x < 2 && y < 2) || (x >= edge - 2 && y >= edge - 2);
@@ -40,6 +44,7 @@ inline grid::OccupancyGrid random_blocks(std::mt19937& random, int edge, int blo
       }
     }
   }
+
   return grid;
 }
 

@@ -27,12 +27,14 @@ struct Contestant {
   int maps{0}, shorter{0}, straighter{0}, fewer_nodes{0}, fewer_expanded{0};
 };
 
+/// All planners but one that needs headings.
 std::vector<Contestant> contestants() {
   std::vector<Contestant> all;
   for (const global_planner::Variant& variant : global_planner::all_variants()) {
     if (variant.name != "hybrid")
       all.push_back({variant.name, variant.make(), Tally(variant.name)});  // as theta without headings
   }
+
   return all;
 }
 
@@ -46,6 +48,7 @@ void compare(Contestant& contestant, const Answer& answer, const Answer& astar) 
   contestant.fewer_expanded += answer.plan.expanded < astar.plan.expanded ? 1 : 0;
 }
 
+/// "-" of nothing.
 std::string percent(int part, int of) { return of == 0 ? "-" : digits(100.0 * part / of, 0) + " %"; }
 
 /// 0 of nothing.
@@ -68,6 +71,7 @@ struct Comparison {
   global_planner::Heuristic heuristic;
   global_planner::Moves moves;
 };
+
 constexpr Comparison kComparisons[] = {{"li", global_planner::Heuristic::kEuclidean, global_planner::Moves::kFour},
                                        {"wu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
                                        {"qu", global_planner::Heuristic::kEuclidean, global_planner::Moves::kEight},
@@ -81,46 +85,59 @@ std::string block_direction_table(const Progress& progress) {
       {"planner", "from", "maps", "length", "shorter", "fewer turns", "fewer nodes", "fewer expanded"}};
   for (const Comparison& claim : kComparisons) {
     progress(std::string("block maps, directions: ") + claim.planner);
+
     Contestant from_drawn{"A* as drawn", global_planner::traditional_astar(claim.heuristic, claim.moves),
                           Tally(claim.planner)};
     Contestant from_drivable{"an A* that cuts no corner", global_planner::find_variant("astar")->make(),
                              Tally(claim.planner)};
     const auto planner = global_planner::find_variant(claim.planner)->make();
+
     for (unsigned seed = 1; seed <= kBlockMaps; ++seed) {
       const grid::ClearanceField clearance(block_map(seed), 20.0);
       const Problem problem{clearance, {0.5, 0.5}, {19.5, 19.5}};
+
       const Answer ours = ask(*planner, problem);
       if (ours.plan.outcome != Outcome::kFound) continue;
+
       for (Contestant* baseline : {&from_drawn, &from_drivable})
         compare(*baseline, ours, ask(*baseline->planner, problem));
     }
+
     for (const Contestant* c : {&from_drawn, &from_drivable}) {
       table.push_back({claim.planner, c->name, std::to_string(c->maps), digits(c->tally.length_ratio_mean(), 4),
                        percent(c->shorter, c->maps), percent(c->straighter, c->maps), percent(c->fewer_nodes, c->maps),
                        percent(c->fewer_expanded, c->maps)});
     }
   }
+
   return markdown_table(table);
 }
 
 std::string block_map_table(const Progress& progress) {
   std::vector<std::vector<std::string>> table{{"planner", "quarter", "median", "three quarters", "maps"}};
   const auto traditional = global_planner::traditional_astar(global_planner::Heuristic::kChebyshev);
+
   for (const global_planner::Variant& variant : global_planner::all_variants()) {
     progress("block maps: " + variant.name);
+
     const auto planner = variant.make();
     std::vector<double> fewer;
+
     for (unsigned seed = 1; seed <= kBlockMaps; ++seed) {
       const grid::ClearanceField clearance(block_map(seed), 20.0);
       const Problem problem{clearance, {0.5, 0.5}, {19.5, 19.5}};
+
       const global_planner::PlannedPath ours = planner->plan(problem, nullptr);
       if (ours.outcome != Outcome::kFound) continue;
+
       fewer.push_back(100.0 - 100.0 * static_cast<double>(ours.expanded) /
                                   static_cast<double>(traditional->plan(problem, nullptr).expanded));
     }
+
     table.push_back({variant.name, digits(quantile(fewer, 0.25), 1) + " %", digits(quantile(fewer, 0.5), 1) + " %",
                      digits(quantile(fewer, 0.75), 1) + " %", std::to_string(fewer.size())});
   }
+
   return markdown_table(table);
 }
 
@@ -128,25 +145,33 @@ std::string random_map_table(int occupied_percent, int maps, const Progress& pro
   std::vector<Contestant> all = contestants();
   const auto astar = global_planner::find_variant("astar")->make();
   int solvable = 0;
+
   for (int i = 0; i < maps; ++i) {
     if (i % 50 == 0)
       progress("random maps, " + std::to_string(occupied_percent) + " %: " + std::to_string(i) + " of " +
                std::to_string(maps));
+
     std::mt19937 random(static_cast<unsigned>(occupied_percent * 100000 + i));
     const int edge = random_between(random, 20, 200);
     grid::OccupancyGrid grid = random_cells(random, edge, edge, occupied_percent);
+
     grid.set({0, 0}, grid::Occupancy::kFree);
     grid.set({edge - 1, edge - 1}, grid::Occupancy::kFree);
+
     const grid::ClearanceField clearance(grid, 5.0);
     const Problem problem{clearance, {0.5, 0.5}, {edge - 0.5, edge - 0.5}};
+
     const Answer baseline = ask(*astar, problem);
     if (baseline.plan.outcome != Outcome::kFound) continue;
+
     ++solvable;
+
     for (Contestant& contestant : all) {
       if (contestant.name == "ant-colony" && edge > kAntsUpTo) continue;
       compare(contestant, ask(*contestant.planner, problem), baseline);
     }
   }
+
   std::vector<std::vector<std::string>> table{{"planner", "maps", "faults", "length/optimum", "p99", "turns", "nodes",
                                                "expanded", "p99", "shorter", "fewer turns", "fewer nodes",
                                                "fewer expanded"}};
@@ -159,6 +184,7 @@ std::string random_map_table(int occupied_percent, int maps, const Progress& pro
                      percent(contestant.straighter, contestant.maps), percent(contestant.fewer_nodes, contestant.maps),
                      percent(contestant.fewer_expanded, contestant.maps)});
   }
+
   return std::to_string(solvable) + " of " + std::to_string(maps) + " maps have a path; seeds " +
          std::to_string(occupied_percent * 100000) + " to " + std::to_string(occupied_percent * 100000 + maps - 1) +
          ".\n\n" + markdown_table(table);

@@ -17,24 +17,30 @@ Answer ask(global_planner::Planner& planner, const global_planner::Problem& prob
            const global_planner::Outline& outline) {
   Answer answer;
   const auto begun = std::chrono::steady_clock::now();
+
   answer.plan = planner.plan(problem, nullptr);
   answer.time_us = 1e6 * std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 
   if (answer.plan.outcome != global_planner::Outcome::kFound) return answer;
+
   answer.figures = global_planner::path_figures(problem.clearance, answer.plan.waypoints_in_map);
   answer.fault = global_planner::why_not_drivable(problem, answer.plan, outline);
+
   return answer;
 }
 
 void Tally::add(const Answer& answer, double optimum_m) {
   ++asked_;
   time_us_.push_back(answer.time_us);
+
   if (answer.plan.outcome != global_planner::Outcome::kFound) return;
 
   ++solved_;
+
   if (!answer.fault.empty()) {
     if (checker_failures_++ == 0) first_fault_ = answer.fault;
   }
+
   if (optimum_m > 0.0) ratio_.push_back(answer.figures.length_m / optimum_m);
   length_m_.push_back(answer.figures.length_m);
   nodes_.push_back(answer.figures.nodes);

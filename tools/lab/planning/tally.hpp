@@ -1,4 +1,5 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct Answer {
 Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem,
            const global_planner::Outline& outline = {});
 
-/// What one planner did over many queries.
+/// What one planner did over many queries: counts, and means and quantiles of its figures over the
+/// solved ones.
 class Tally {
  public:
   explicit Tally(std::string planner) : planner_(std::move(planner)) {}
@@ -29,12 +31,16 @@ class Tally {
   void add(const Answer& answer, double optimum_m);
 
   const std::string& planner() const { return planner_; }
+
+  /// Counts of queries: asked, solved, and solved with a path that the checker refuses.
   int asked() const { return asked_; }
   int solved() const { return solved_; }
   int checker_failures() const { return checker_failures_; }
   const std::string& first_fault() const { return first_fault_; }
   double length_ratio_mean() const { return mean(ratio_); }
   double length_ratio_max() const;
+
+  /// Means over the solved queries; not a number when there are none.
   double length_mean_m() const { return mean(length_m_); }
   double nodes_mean() const { return mean(nodes_); }
   double turning_points_mean() const { return mean(turning_points_); }

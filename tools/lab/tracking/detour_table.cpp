@@ -23,12 +23,14 @@ struct Drives {
     totals.add(result);
     planned_m += result.planned_m;
   }
+
   void add(const Drives& others) {
     totals.add(others.totals);
     planned_m += others.planned_m;
   }
 };
 
+/// All seeds of one family.
 Drives drive(const std::string& family, Perception perception, int seeds) {
   Drives drives;
   for (int seed = 1; seed <= seeds; ++seed) {
@@ -37,9 +39,11 @@ Drives drive(const std::string& family, Perception perception, int seeds) {
     const std::string local = setup.local;
     drives.add(lockstep::run_in_time(std::move(setup), local));
   }
+
   return drives;
 }
 
+/// Means a run; goals, contacts and replans are sums.
 std::vector<std::string> cells(const std::string& family, const std::string& tracks, const Drives& drives) {
   const sim::Totals& t = drives.totals;
   return {family,
@@ -59,13 +63,17 @@ std::string detour_table(int seeds, const Progress& progress) {
   std::vector<std::vector<std::string>> table{{"family", "tracks", "goals", "contacts of a moving vehicle",
                                                "least clearance m", "length m", "beyond the plan m", "time s",
                                                "new plans"}};
+
   Drives predicted;
   Drives held_still;
+
   for (const char* family : {"person-crossing", "person-oncoming", "overtaking", "crowd"}) {
     progress(std::string("tracking: detours, ") + family);
+
     try {
       const Drives with = drive(family, Perception::kScans, seeds);
       const Drives without = drive(family, Perception::kScansHeldStill, seeds);
+
       table.push_back(cells(family, "predicted", with));
       table.push_back(cells(family, "held still", without));
       predicted.add(with);
@@ -74,10 +82,12 @@ std::string detour_table(int seeds, const Progress& progress) {
       table.push_back({family, "left out: the recordings are not there", "", "", "", "", "", "", ""});
     }
   }
+
   if (predicted.totals.runs > 0) {
     table.push_back(cells("all", "predicted", predicted));
     table.push_back(cells("all", "held still", held_still));
   }
+
   return markdown_table(table);
 }
 

@@ -20,6 +20,7 @@ struct Sums {
     for (std::size_t i = 1; i < rows.size(); ++i) {
       const double step_s = rows[i].t_s - rows[i - 1].t_s;
       const Point2 next = (1.0 / step_s) * (rows[i].in_map - rows[i - 1].in_map);
+
       speeds += geometry::norm(next);
       ++pieces;
       if (velocity) add(next - *velocity, jump);
@@ -28,13 +29,16 @@ struct Sums {
   }
 
  private:
+  /// `before`: the jump at the row before, if there was one.
   void add(Point2 jump, std::optional<Point2>& before) {
     squares += geometry::dot(jump, jump);
     ++jumps;
+
     if (before) {
       products += geometry::dot(jump, *before);
       ++pairs;
     }
+
     before = jump;
   }
 };
@@ -44,9 +48,12 @@ struct Sums {
 Jumps jumps_of(const std::filesystem::path& recording) {
   scenario::Recording of;
   of.file = recording;
+
   Sums sums;
   for (const fake_world::RecordedPerson& person : fake_world::read_recording(of)) sums.add(person.rows());
+
   if (sums.pairs == 0) return {};
+
   const double mean_square = sums.squares / sums.jumps;
   return {sums.speeds / sums.pieces, std::sqrt(mean_square), sums.products / sums.pairs / mean_square};
 }

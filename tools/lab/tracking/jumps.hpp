@@ -1,4 +1,5 @@
 #pragma once
+
 #include <filesystem>
 
 namespace aisle::tracking {
@@ -7,6 +8,7 @@ namespace aisle::tracking {
 struct Jumps {
   double mean_speed_mps{0.0};  // of all pieces between rows
   double rms_mps{0.0};         // root mean square of the jumps' lengths
+
   /// Of each jump with the one before: mean scalar product over mean square. Even walking, recorded with
   /// independent errors of the places, gives -2/3 (differences 1, -2, 1); independent jumps give 0.
   double correlation{0.0};

@@ -1,6 +1,7 @@
 // The baseline: the same hits, clustered by the gap to the neighbouring ray; a cluster's mean is the position; each
 // track takes the nearest one, greedily; velocity by an alpha-beta filter. Published at the third scan, given up half a
 // second after it was seen.
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,14 +29,21 @@ std::vector<Point2> means_of_clusters(const std::vector<Hit>& hits) {
   for (std::size_t i = 0; i < hits.size();) {
     Point2 sum = hits[i].in_map;
     std::size_t end = i + 1;
+
     for (; end < hits.size() && geometry::distance(hits[end - 1].in_map, hits[end].in_map) < kGap_m; ++end)
       sum = sum + hits[end].in_map;
+
     means.push_back((1.0 / static_cast<double>(end - i)) * sum);
     i = end;
   }
+
   return means;
 }
 
+/// Clusters of hits are given to the nearest track within a gate; an alpha-beta filter follows each
+///:
+///
+///     x' = x + alpha r,    v' = v + (beta / dt) r,    r = z - x, the residual to the predicted place
 class NearestNeighbour final : public Contestant {
  public:
   std::string name() const override { return "nearest-neighbour"; }
@@ -50,6 +58,7 @@ class NearestNeighbour final : public Contestant {
     for (const Point2 mean : means_of_clusters(sorted.hits)) give(mean);
 
     for (Entry& entry : entries_) entry.is_taken = false;
+
     const auto is_old = [&](const Entry& entry) { return time::seconds(moment_ - entry.seen) > kKeep_s; };
     entries_.erase(std::remove_if(entries_.begin(), entries_.end(), is_old), entries_.end());
   }
@@ -58,6 +67,7 @@ class NearestNeighbour final : public Contestant {
     std::vector<fleet::Track> tracks;
     for (const Entry& entry : entries_) {
       if (entry.scans < kConfirming) continue;
+
       fleet::Track track;
       track.id = entry.id;
       track.position_in_map = entry.position;
@@ -66,6 +76,7 @@ class NearestNeighbour final : public Contestant {
       track.unseen_s = time::seconds(moment_ - entry.seen);
       tracks.push_back(track);
     }
+
     return tracks;
   }
 
@@ -85,6 +96,7 @@ class NearestNeighbour final : public Contestant {
   void give(Point2 mean) {
     Entry* nearest = nullptr;
     double nearest_m = kGate_m;
+
     for (Entry& entry : entries_) {
       const double away_m = geometry::distance(entry.position, mean);
       if (entry.is_taken || away_m >= nearest_m) continue;
@@ -99,6 +111,7 @@ class NearestNeighbour final : public Contestant {
 
     const double dt_s = std::clamp(time::seconds(moment_ - nearest->seen), kShortestStep_s, kLongestStep_s);
     const Point2 residual = mean - nearest->position;
+
     nearest->position = nearest->position + kAlpha * residual;
     nearest->velocity = nearest->velocity + (kBeta / dt_s) * residual;
     nearest->seen = moment_;

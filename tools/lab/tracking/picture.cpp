@@ -17,6 +17,7 @@ constexpr double kEdgePx = 800.0;
 constexpr double kVehicleRadiusM = 0.35;
 constexpr std::size_t kTrackColours = 8;
 
+/// A way in one colour.
 std::string line(const std::vector<Point2>& way, const draw::MapFrame& frame, const char* colour, double width_px) {
   return draw::polyline(frame, way,
                         fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\"", colour,
@@ -24,7 +25,7 @@ std::string line(const std::vector<Point2>& way, const draw::MapFrame& frame, co
          "\n";
 }
 
-/// Points nearer than this to the one before are left out.
+/// Adds a point unless it is nearly the one before.
 void go_on(std::vector<Point2>& way, Point2 to) {
   constexpr double kStep_m = 0.1;
   if (way.empty() || geometry::distance(way.back(), to) >= kStep_m) way.push_back(to);
@@ -37,26 +38,32 @@ Picture::Picture(const grid::OccupancyGrid& walls, std::size_t contestant, doubl
 
 void Picture::look(const Glance& now) {
   if (now.t_s < begin_s_ || now.t_s > end_s_) return;
+
   for (const Walking& person : now.truth.people)
     go_on(people_[static_cast<std::uint64_t>(person.id)], person.position_in_map);
   for (std::size_t v = 0; v < now.truth.vehicles.size(); ++v)
     go_on(vehicles_[v], now.truth.vehicles[v].base_in_map.position());
+
   for (const fleet::Track& track : now.tracks[contestant_]) go_on(tracks_[track.id], track.position_in_map);
 }
 
 std::string Picture::svg() const {
   const draw::MapFrame frame = draw::fitted_frame(walls_.geometry(), kEdgePx);
+
   std::string body = draw::path(draw::boxes_path(frame, draw::grid_layers(walls_).occupied, draw::Digits::kFine),
                                 fmt::format("fill=\"{}\"", draw::kWall)) +
                      "\n";
   for (const auto& [id, way] : people_) body += line(way, frame, "#c4cad3", 5.0);
   for (const auto& [id, way] : tracks_) body += line(way, frame, draw::colour(id, kTrackColours), 1.5);
+
   for (const auto& [id, way] : vehicles_)
     body +=
         line(way, frame, "#111111", 1.0) + draw::disc(frame, way.front(), kVehicleRadiusM, "fill=\"#111111\"") + "\n";
+
   draw::Page page{static_cast<int>(std::lround(frame.width_px())), static_cast<int>(std::lround(frame.height_px()))};
   page.background = "#ffffff";
   page.fills_container = true;
+
   return draw::document(page, body);
 }
 

@@ -37,6 +37,7 @@ Area area_of(const std::vector<RecordedPerson>& people) {
       area.high = {std::max(area.high.x, row.in_map.x), std::max(area.high.y, row.in_map.y)};
     }
   }
+
   return area;
 }
 
@@ -47,16 +48,20 @@ grid::OccupancyGrid hall_around(const Area& area) {
   geometry.origin_in_map = area.low - Point2{kHallMargin_m, kHallMargin_m};
   geometry.width = static_cast<int>(std::ceil((area.high.x - area.low.x + 2.0 * kHallMargin_m) / kCell_m));
   geometry.height = static_cast<int>(std::ceil((area.high.y - area.low.y + 2.0 * kHallMargin_m) / kCell_m));
+
   if (geometry.cells() > 100'000'000) throw config::BadInput("the people's area is too large for a hall around it");
+
   grid::OccupancyGrid walls(geometry);
   for (int x = 0; x < geometry.width; ++x) {
     walls.set({x, 0}, grid::Occupancy::kOccupied);
     walls.set({x, geometry.height - 1}, grid::Occupancy::kOccupied);
   }
+
   for (int y = 0; y < geometry.height; ++y) {
     walls.set({0, y}, grid::Occupancy::kOccupied);
     walls.set({geometry.width - 1, y}, grid::Occupancy::kOccupied);
   }
+
   return walls;
 }
 
@@ -83,15 +88,20 @@ class Ellipse {
     const double before_m = along_m_[static_cast<std::size_t>(i - 1)];
     const double a = angle(i - 1) + (angle(i) - angle(i - 1)) * (left_m - before_m) / (*later - before_m);
     Carrier carrier;
+
     carrier.radius_m = kCarrierRadius_m;
+
     const Point2 at = point(a);
     carrier.base_in_map = {at.x, at.y, std::atan2(half_y_m_ * std::cos(a), -half_x_m_ * std::sin(a))};
+
     const double speed_of_angle = std::hypot(half_x_m_ * std::sin(a), half_y_m_ * std::cos(a));
     if (drives) carrier.twist = {kSpeed_mps, kSpeed_mps * half_x_m_ * half_y_m_ / std::pow(speed_of_angle, 3), 0.0};
+
     return carrier;
   }
 
  private:
+  /// Of step i of the ellipse, in radians.
   static double angle(int i) { return 2.0 * geometry::kPi * i / kSteps; }
   Point2 point(double a) const { return center_ + Point2{half_x_m_ * std::cos(a), half_y_m_ * std::sin(a)}; }
 
@@ -110,6 +120,7 @@ class RecordedPeople final : public Scene {
       people_.emplace_back(person.rows(), hurry);
       duration_s_ = std::max(duration_s_, people_.back().end_s());
     }
+
     ids_.resize(people_.size());
     for (std::size_t p = 0; p < people_.size(); ++p) ids_[p].id = next_id_++;
     choose_place();
@@ -122,25 +133,31 @@ class RecordedPeople final : public Scene {
   Moment at(double t_s) override {
     Moment moment;
     moment.vehicles = carriers(t_s, place_m_);
+
     for (std::size_t p = 0; p < people_.size(); ++p) {
       const auto motion = people_[p].at(t_s);
       if (!motion) continue;
+
       if (is_inside(motion->position_in_map, moment.vehicles)) {
         ids_[p].was_inside = true;
         continue;
       }
+
       if (ids_[p].was_inside) ids_[p] = {next_id_++, false};
       moment.people.push_back({ids_[p].id, motion->position_in_map, motion->velocity_in_map, kPersonRadius_m});
     }
+
     return moment;
   }
 
  private:
+  /// A recorded person's id, and whether it was within a vehicle at the moment before.
   struct Identity {
     int id{0};
     bool was_inside{false};
   };
 
+  /// All vehicles, evenly spread over the ellipse.
   std::vector<Carrier> carriers(double t_s, double place_m) const {
     std::vector<Carrier> carriers;
     for (int i = 0; i < vehicles_; ++i) {
@@ -148,9 +165,11 @@ class RecordedPeople final : public Scene {
       carriers.push_back(ellipse_.carrier_at(way_m, drive_));
       carriers.back().agv_id = "agv-" + std::to_string(i + 1);
     }
+
     return carriers;
   }
 
+  /// Does a person there overlap one of the vehicles?
   static bool is_inside(Point2 in_map, const std::vector<Carrier>& carriers) {
     return std::any_of(carriers.begin(), carriers.end(), [in_map](const Carrier& carrier) {
       return geometry::distance(carrier.base_in_map.position(), in_map) < carrier.radius_m + kPersonRadius_m;
@@ -162,9 +181,11 @@ class RecordedPeople final : public Scene {
     constexpr int kPlaces = 24;
     constexpr double kRow_s = 0.4;  // of the recordings
     std::size_t fewest = static_cast<std::size_t>(-1);
+
     for (int i = 0; i < kPlaces; ++i) {
       const double place_m = i * ellipse_.length_m() / (kPlaces * std::max(1, vehicles_));
       std::size_t inside = 0;
+
       for (double t_s = 0.0; t_s < duration_s_; t_s += kRow_s) {
         const std::vector<Carrier> there = carriers(t_s, place_m);
         for (const SmoothWalk& person : people_) {
@@ -172,7 +193,9 @@ class RecordedPeople final : public Scene {
           if (motion && is_inside(motion->position_in_map, there)) ++inside;
         }
       }
+
       if (inside >= fewest) continue;
+
       fewest = inside;
       place_m_ = place_m;
     }

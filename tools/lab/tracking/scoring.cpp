@@ -24,9 +24,11 @@ double share(std::int64_t part, std::int64_t whole) {
 std::vector<int> Scorer::match(const std::vector<Person>& people, const std::vector<Track>& claims) const {
   std::vector<int> claim_of(people.size(), -1);
   std::vector<char> is_taken(claims.size(), 0);
+
   for (std::size_t p = 0; p < people.size(); ++p) {
     const auto history = histories_.find(people[p].id);
     if (history == histories_.end() || !history->second.has_track) continue;
+
     for (std::size_t c = 0; c < claims.size(); ++c) {
       if (is_taken[c] || claims[c].id != history->second.track) continue;
       if (geometry::distance(people[p].position_in_map, claims[c].position_in_map) > gate_m_) continue;
@@ -49,6 +51,7 @@ std::vector<int> Scorer::match(const std::vector<Person>& people, const std::vec
   for (std::size_t p = 0; p < people.size(); ++p) {
     if (claim_of[p] < 0) claim_of[p] = rest[p];
   }
+
   return claim_of;
 }
 
@@ -73,6 +76,7 @@ void Scorer::weigh(const Person& person, const Track& claim) {
   const geometry::Point2 faster = claim.velocity_in_map - person.velocity_in_map;
   const Eigen::Vector2d place(away.x, away.y);
   const Eigen::Vector2d velocity(faster.x, faster.y);
+
   place_.add(place.dot(covariance.topLeftCorner<2, 2>().inverse() * place));
   velocity_.add(velocity.dot(covariance.bottomRightCorner<2, 2>().inverse() * velocity));
 }
@@ -81,13 +85,16 @@ void Scorer::weigh(const Person& person, const Track& claim) {
 void Scorer::judge(const Person& person, const Track* claim) {
   constexpr double kOldEnough_s = 1.0;
   History& history = histories_[person.id];
+
   if (person.is_counted) ++people_;
 
   if (claim == nullptr) {
     if (!person.is_counted) return;
+
     ++misses_;
     if (history.has_track) history.is_lost = true;
     if (!history.has_track) ++history.waited;
+
     return;
   }
 
@@ -97,6 +104,7 @@ void Scorer::judge(const Person& person, const Track* claim) {
     history.is_lost = false;
     ++matches_;
     distance_sum_m_ += geometry::distance(person.position_in_map, claim->position_in_map);
+
     if (claim->age_s > kOldEnough_s) {
       const geometry::Point2 error = claim->velocity_in_map - person.velocity_in_map;
       velocity_squares_ += geometry::dot(error, error);
@@ -116,13 +124,17 @@ void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Track
   for (std::size_t p = 0; p < people.size(); ++p) {
     if (claim_of[p] >= 0) person_of[static_cast<std::size_t>(claim_of[p])] = static_cast<int>(p);
   }
+
   for (std::size_t c = 0; c < claims.size(); ++c) {
     Life& life = lives_[claims[c].id];
     ++life.claimed;
     if (person_of[c] >= 0) ++life.right;
+
     if (person_of[c] >= 0 && !people[static_cast<std::size_t>(person_of[c])].is_counted) continue;
+
     ++claims_;
     if (person_of[c] < 0) ++false_claims_;
+
     for (const Person& person : people) {
       if (!person.is_counted || geometry::distance(person.position_in_map, claims[c].position_in_map) > gate_m_)
         continue;
@@ -133,10 +145,12 @@ void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Track
 
 void Scorer::look(const std::vector<Person>& people, const std::vector<Track>& claims) {
   ++moments_;
+
   const std::vector<int> claim_of = match(people, claims);
   for (std::size_t p = 0; p < people.size(); ++p) {
     judge(people[p], claim_of[p] >= 0 ? &claims[static_cast<std::size_t>(claim_of[p])] : nullptr);
   }
+
   note_ids(people, claims, claim_of);
 }
 
@@ -146,6 +160,7 @@ std::int64_t Scorer::ids_explained() const {
   std::map<int, int> rows;
   std::map<std::uint64_t, int> columns;
   std::vector<Candidate> candidates;
+
   for (const auto& [ids, moments] : together_) {
     const int row = rows.try_emplace(ids.first, static_cast<int>(rows.size())).first->second;
     const int column = columns.try_emplace(ids.second, static_cast<int>(columns.size())).first->second;
@@ -160,9 +175,12 @@ std::int64_t Scorer::ids_explained() const {
     if (track_of[static_cast<std::size_t>(candidate.row)] == candidate.column)
       explained += std::llround(-candidate.cost);
   }
+
   return explained;
 }
 
+/// CLEAR MOT: MOTA = 1 - (misses + false claims + switches) / people, MOTP = mean distance of the
+/// pairs. IDF1 = 2 IDTP / (people + claims), with IDTP the moments that ids_explained() finds.
 Score Scorer::score() const {
   Score score;
   score.people = people_;
@@ -183,6 +201,7 @@ Score Scorer::score() const {
     ++found;
     score.latency_scans += history.waited;
   }
+
   if (found > 0) score.latency_scans /= found;
 
   int false_tracks = 0;
@@ -191,6 +210,7 @@ Score Scorer::score() const {
     ++false_tracks;
     score.longest_false_s = std::max(score.longest_false_s, life.claimed * period_s_);
   }
+
   if (moments_ > 0) score.false_tracks_per_min = 60.0 * false_tracks / (moments_ * period_s_);
   return score;
 }

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <array>
 #include <cstdint>
 #include <map>
@@ -19,7 +20,8 @@ struct Person {
   bool is_counted{true};  // false: no ray met the person; a track of it is neither right nor wrong, and none is no miss
 };
 
-/// What a tracker says is there. A covariance of zeros: it does not say how sure it is.
+/// A tracker's claim that a person is there. A covariance of zeros: the tracker does not say how sure
+/// it is.
 using fleet::Track;
 
 /// How honest the covariances are: squared errors over what they should be (normalised estimation error squared), of
@@ -55,6 +57,8 @@ class Scorer {
 
   /// The next moment, `period_s` after the one before.
   void look(const std::vector<Person>& people, const std::vector<Track>& claims);
+
+  /// Of all moments so far.
   Score score() const;
 
  private:
@@ -65,18 +69,23 @@ class Scorer {
     bool is_lost{false};     // missed since
     int waited{0};           // moments it counted before it first had a track
   };
+
   /// Sums of normalised errors.
   struct Weighing {
     double sum{0.0};
     std::int64_t inside{0}, count{0};
+
     void add(double nees);
     Honesty honesty() const;
   };
+
   /// Of one id that a tracker said.
   struct Life {
     int claimed{0};  // moments
     int right{0};    // matched with a person, counted or not
   };
+
+  /// Pairs of this moment, see scoring.cpp.
   std::vector<int> match(const std::vector<Person>& people, const std::vector<Track>& claims) const;
   void judge(const Person& person, const Track* claim);
   void weigh(const Person& person, const Track& claim);

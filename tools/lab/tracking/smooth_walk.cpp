@@ -20,7 +20,9 @@ SmoothWalk::SmoothWalk(const std::vector<fake_world::RecordedPerson::Row>& rows,
 
   const std::size_t n = knots_.size();
   std::vector<Point2> smoothed;
+
   for (const Knot& knot : knots_) smoothed.push_back(knot.in_map);
+
   for (std::size_t i = 0; i < n && n > 1; ++i) {
     if (i == 0 || i == n - 1) {
       knots_[i].velocity_in_map = i == 0 ? mean_velocity(0, 1) : mean_velocity(n - 2, n - 1);
@@ -31,16 +33,20 @@ SmoothWalk::SmoothWalk(const std::vector<fake_world::RecordedPerson::Row>& rows,
     // Place: two thirds of the row and one third of the line between its neighbours, (p[i-1] + 4 p[i] + p[i+1]) / 6.
     const double before_s = knots_[i].t_s - knots_[i - 1].t_s;
     const double after_s = knots_[i + 1].t_s - knots_[i].t_s;
+
     knots_[i].velocity_in_map =
         (1.0 / (before_s + after_s)) * (after_s * mean_velocity(i - 1, i) + before_s * mean_velocity(i, i + 1));
+
     const Point2 between = knots_[i - 1].in_map + before_s * mean_velocity(i - 1, i + 1);
     smoothed[i] = knots_[i].in_map + (1.0 / 3.0) * (between - knots_[i].in_map);
   }
+
   for (std::size_t i = 0; i < n; ++i) knots_[i].in_map = smoothed[i];
 }
 
 std::optional<fake_world::Motion> SmoothWalk::at(double t_s) const {
   if (t_s < knots_.front().t_s || t_s > knots_.back().t_s) return std::nullopt;
+
   const auto later =
       std::upper_bound(knots_.begin(), knots_.end(), t_s, [](double t, const Knot& knot) { return t < knot.t_s; });
   if (later == knots_.end()) return fake_world::Motion{knots_.back().in_map, knots_.back().velocity_in_map};
@@ -53,6 +59,7 @@ std::optional<fake_world::Motion> SmoothWalk::at(double t_s) const {
   const Point2 step = b.in_map - a.in_map;
   const Point2 bend = h * (a.velocity_in_map + b.velocity_in_map) - 2.0 * step;  // of u^3
   const Point2 curve = step - h * a.velocity_in_map - bend;                      // of u^2
+
   return fake_world::Motion{a.in_map + u * h * a.velocity_in_map + u * u * curve + u * u * u * bend,
                             a.velocity_in_map + (2.0 * u / h) * curve + (3.0 * u * u / h) * bend};
 }

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <optional>
 #include <vector>
 
@@ -6,11 +7,13 @@
 
 namespace aisle::tracking {
 
-/// A recorded person's way without corners. The rows were clicked into a film every 0.4 s, each with an error of its
-/// own; straight lines between them jump in velocity at each, as no person does. The way is the cubic B-spline with the
-/// rows as control points (de Boor 1978): at a row it is a third of the way from the recorded place to the line between
-/// its neighbours, with the central difference as velocity; first and last row are kept. Uneven rows: the cubics
-/// (Hermite) of the same places and velocities.
+/// A recorded person's way without corners. The rows were clicked into a film every 0.4 s, each with an
+/// error of its own; straight lines between them jump in velocity at each, as no person does.
+///
+/// The way is the cubic B-spline with the rows as control points (de Boor 1978): at a row it is a third
+/// of the way from the recorded place to the line between its neighbours, with the central difference
+/// as velocity; first and last row are kept. For uneven rows: the cubics (Hermite) of the same places
+/// and velocities.
 class SmoothWalk {
  public:
   /// @pre rows in order of time, at least one. `hurry`: the person walks this much faster than the rows say.
@@ -26,6 +29,7 @@ class SmoothWalk {
     geometry::Point2 in_map;
     geometry::Point2 velocity_in_map;
   };
+
   std::vector<Knot> knots_;
 };
 

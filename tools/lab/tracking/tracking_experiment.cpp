@@ -32,14 +32,17 @@ struct Played {
   std::string remark{};
 };
 
+/// One of them at two paces.
 const std::vector<Played>& recordings() {
   static const std::vector<Played> all{
       {"biwi_eth"}, {"biwi_eth", 15.0, " at 15 frames a second"}, {"biwi_hotel"}, {"crowds_zara01"}};
   return all;
 }
 
+/// The filter that the service uses by default.
 std::string usual() { return obstacle_tracker::MotionModel{}.filter; }
 
+/// The scores of one tracker.
 std::vector<std::string> cells(const std::string& first, const Row& row) {
   const tracking::Score& s = row.score;
   return {first,
@@ -54,6 +57,7 @@ std::vector<std::string> cells(const std::string& first, const Row& row) {
           digits(s.false_tracks_per_min, 2)};
 }
 
+/// How sure it says to be, against its errors.
 std::vector<std::string> honesty_cells(const std::string& first, const Row& row) {
   const tracking::Score& s = row.score;
   return {first,
@@ -68,9 +72,11 @@ std::vector<std::string> honesty_cells(const std::string& first, const Row& row)
 std::vector<std::unique_ptr<tracking::Contestant>> contestants(bool all) {
   std::vector<std::unique_ptr<tracking::Contestant>> contestants;
   contestants.push_back(tracking::make_aisle(usual()));
+
   for (const obstacle_tracker::Filter& filter : obstacle_tracker::all_filters()) {
     if (all && filter.name != usual()) contestants.push_back(tracking::make_aisle(filter.name));
   }
+
   contestants.push_back(tracking::make_nearest_neighbour());
   return contestants;
 }
@@ -82,29 +88,36 @@ struct Recorded {
   std::string pictures;  // links
 };
 
+/// Two vehicles among the people of each recording, standing and driving.
 Recorded recorded_tables(const TrackingExperiment& orders, const Progress& progress) {
   Rows table{{"people, two vehicles", "tracker", "MOTA", "MOTP m", "IDF1", "switches", "fragments", "velocity RMS m/s",
               "latency scans", "false tracks a minute"}};
   Rows honesty{{"people, two vehicles", "tracker", "place: mean", "within 95 %", "velocity: mean", "within 95 %"}};
   std::string pictures;
+
   for (const Played& played : recordings()) {
     for (const bool drive : {false, true}) {
       const std::string title = played.name + played.remark + (drive ? ", driving" : ", standing");
       progress("tracking: " + title);
+
       const auto scene =
           tracking::recorded_people(orders.people / (played.name + ".txt"), 2, drive, played.frames_per_s);
       tracking::Picture picture(scene->walls(), 0, 0.0, kDrawn_s);
       const auto watch = [&](const tracking::Glance& now) { picture.look(now); };
+
       for (const Row& row : tracking::run_trial(*scene, Sensing{}, kSeed, contestants(true), orders.longest_s, watch)) {
         table.push_back(cells(title, row));
         if (row.tracker != kBaseline) honesty.push_back(honesty_cells(title, row));
       }
+
       if (!drive || !played.remark.empty()) continue;
+
       const std::string file = "tracking-" + played.name + ".svg";
       process::write_output_file(orders.pictures / file, picture.svg());
       pictures += "![" + title + "](" + orders.pictures_from_page + "/" + file + ")\n\n";
     }
   }
+
   return {markdown_table(table), markdown_table(honesty), pictures};
 }
 
@@ -117,27 +130,34 @@ std::string recordings_table(const TrackingExperiment& orders) {
     table.push_back(
         {played.name, digits(jumps.mean_speed_mps, 1), digits(jumps.rms_mps, 2), digits(jumps.correlation, 2)});
   }
+
   return markdown_table(table);
 }
 
+/// The usual tracker with one, two and four vehicles.
 std::string fusion_table(const TrackingExperiment& orders, const Progress& progress) {
   Rows table{{"people, driving vehicles", "vehicles", "share of people's time seen", "MOTA", "MOTP m", "switches",
               "velocity RMS m/s"}};
   for (const Played& played : recordings()) {
     if (!played.remark.empty()) continue;
+
     const std::string& name = played.name;
     for (const int vehicles : {1, 2, 4}) {
       progress("tracking: " + name + ", " + std::to_string(vehicles) + " vehicles");
+
       const auto scene = tracking::recorded_people(orders.people / (name + ".txt"), vehicles, true);
       const Row row = tracking::run_trial(*scene, Sensing{}, kSeed, contestants(false), orders.longest_s).front();
+
       table.push_back({name, std::to_string(vehicles), digits(row.coverage, 3), digits(row.score.mota, 3),
                        digits(row.score.motp_m, 3), std::to_string(row.score.id_switches),
                        digits(row.score.velocity_rms_mps, 2)});
     }
   }
+
   return markdown_table(table);
 }
 
+/// Tracks in a place without people.
 struct Ghosts {
   double begun{0.0};
   double longest_s{0.0};
@@ -152,30 +172,37 @@ Ghosts ghosts(const TrackingExperiment& orders, const Sensing& sensing) {
     const double minutes = scene->duration_s() / 60.0;
     if (minutes <= 0.0)
       throw config::BadInput(orders.empty_place.string() + ": no vehicle drives in it; name a scenario with missions");
+
     const Row row = tracking::run_trial(*scene, sensing, seed, contestants(false)).front();
     sum.begun += row.score.false_tracks_per_min * minutes;
     sum.longest_s = std::max(sum.longest_s, row.score.longest_false_s);
     sum.minutes += minutes;
   }
+
   return sum;
 }
 
+/// With the usual error of localisation, and with more.
 std::string ghost_table(const TrackingExperiment& orders, const Progress& progress) {
   Rows table{{"pose noise", "minutes", "false tracks a minute", "longest s"}};
   const std::vector<std::pair<std::string, Sensing>> cases{{"2 cm, 0.5 degrees", {}},
                                                            {"5 cm, 1 degree", {0.02, 0.05, geometry::kPi / 180.0}}};
+
   for (const auto& [title, sensing] : cases) {
     progress("tracking: empty place, " + title);
     const Ghosts sum = ghosts(orders, sensing);
     table.push_back({title, digits(sum.minutes, 1), digits(sum.begun / sum.minutes, 2), digits(sum.longest_s, 1)});
   }
+
   return markdown_table(table);
 }
 
+/// Are all of them there?
 bool has_recordings(const TrackingExperiment& orders) {
   for (const Played& played : recordings()) {
     if (!std::filesystem::exists(orders.people / (played.name + ".txt"))) return false;
   }
+
   return true;
 }
 
@@ -195,6 +222,7 @@ FilledPage tracking_section(const TrackingExperiment& orders, const Progress& pr
   texts["ghosts"] = ghost_table(orders, progress);
   texts["detour_seeds"] = std::to_string(orders.detour_seeds);
   texts["detours"] = orders.detour_seeds > 0 ? detour_table(orders.detour_seeds, progress) : "";
+
   return fill(kObstacleTrackingTemplate, texts);
 }
 

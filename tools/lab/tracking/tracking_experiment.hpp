@@ -1,4 +1,5 @@
 #pragma once
+
 #include <filesystem>
 #include <string>
 
@@ -7,6 +8,7 @@
 
 namespace aisle::lab {
 
+/// What the section is made from.
 struct TrackingExperiment {
   std::filesystem::path people;       // folder of the recordings; what is not there is left out
   std::filesystem::path empty_place;  // a scenario file, driven without its people and blocks

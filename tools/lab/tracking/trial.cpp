@@ -31,6 +31,7 @@ double thread_ms() {
   return 1e3 * static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_nsec);
 }
 
+/// The value below which `part` of them lie; 0 of none.
 double percentile(std::vector<double> values, double part) {
   if (values.empty()) return 0.0;
   const auto nth = values.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(values.size() - 1));
@@ -49,22 +50,29 @@ class Trial {
     took_ms_.resize(contestants.size());
   }
 
+  /// Round by round: every vehicle scans once, then all contestants are judged.
   std::vector<Row> run(double longest_s, const std::function<void(const Glance&)>& watch) {
     const auto vehicles = std::max<std::size_t>(1, scene_.vehicles());
     const double until_s = std::min(longest_s, scene_.duration_s());
+
     for (int round = 1; kRound_s * (round + 1) <= until_s; ++round) {
       for (std::size_t v = 0; v < vehicles; ++v) {
         t_s_ = kRound_s * (round + static_cast<double>(v) / static_cast<double>(vehicles));
         truth_ = scene_.at(t_s_);
         if (v < scene_.vehicles()) hand_out(scan_of(v));
       }
+
       judge(watch);
     }
+
     return rows();
   }
 
  private:
+  /// Seconds of the trial on the contestants' clock.
   time::Stamp stamp(double t_s) const { return kStart + time::from_seconds(t_s); }
+
+  /// Gaussian, zero mean.
   double draw(double sigma) { return sigma > 0.0 ? sigma * normal_(random_) : 0.0; }
 
   /// With the error of a vehicle's localisation.
@@ -78,6 +86,7 @@ class Trial {
     const Point2 from = base_in_map.position();
     double range_m = grid::cast_ray(scene_.walls(), from, bearing_rad, sensing_.range_m);
     Body disc;
+
     const auto shorten = [&](const Body& body) {
       const double hit_m = geometry::ray_hit_m(body, from, bearing_rad, sensing_.range_m);
       if (hit_m >= range_m) return false;
@@ -91,16 +100,19 @@ class Trial {
       disc.radius_m = truth_.vehicles[v].radius_m;
       shorten(disc);
     }
+
     for (const Body& block : truth_.blocks) shorten(block);
 
     const Walking* touched = nullptr;
     for (const Walking& person : truth_.people) {
       const Point2 then = person.position_in_map - ago_s * person.velocity_in_map;
       if (geometry::distance(from, then) > range_m + person.radius_m) continue;
+
       disc.base_in_map = {then.x, then.y, 0.0};
       disc.radius_m = person.radius_m;
       if (shorten(disc)) touched = &person;
     }
+
     if (touched != nullptr) touched_s_[touched->id] = t_s_;
     return range_m;
   }
@@ -110,6 +122,7 @@ class Trial {
     const Carrier& carrier = truth_.vehicles[v];
     const Pose2 at_first = kinematics::advance(carrier.base_in_map, carrier.twist, -sensing_.sweep_s);
     Scan scan;
+
     scan.agv_id = carrier.agv_id;
     scan.stamp = stamp(t_s_ - sensing_.sweep_s);
     scan.base_in_map = believed(at_first);
@@ -127,10 +140,13 @@ class Trial {
       const Pose2 base = kinematics::advance(at_first, carrier.twist, since_s);
       const double bearing_rad = base.yaw + ray * scan.angle_step_rad;
       double range_m = cast(v, base, bearing_rad, sensing_.sweep_s - since_s);
+
       if (range_m < sensing_.range_m)
         range_m = std::clamp(range_m + draw(sensing_.range_noise_m), kRangeMin_m, sensing_.range_m);
+
       scan.ranges_m.push_back(static_cast<float>(range_m));
     }
+
     return scan;
   }
 
@@ -141,6 +157,7 @@ class Trial {
       known.push_back({carrier.agv_id, false, carrier.radius_m, 0.0, 0.0, believed(carrier.base_in_map), carrier.twist,
                        stamp(t_s_)});
     }
+
     for (std::size_t c = 0; c < contestants_.size(); ++c) {
       const double begun_ms = thread_ms();
       contestants_[c]->take(scan, known, clearance_, stamp(t_s_));
@@ -154,10 +171,12 @@ class Trial {
     for (const Walking& person : truth_.people) {
       const auto touched = touched_s_.find(person.id);
       const bool is_counted = touched != touched_s_.end() && t_s_ - touched->second < kRemembered_s;
+
       people.push_back({person.id, person.position_in_map, person.velocity_in_map, is_counted});
       ++present_;
       if (is_counted) ++seen_;
     }
+
     return people;
   }
 
@@ -166,20 +185,26 @@ class Trial {
     constexpr double kBlockMargin_m = 0.5;  // discs that cover a block are no claims of people
     const std::vector<Person> there = people();
     std::vector<std::vector<fleet::Track>> tracks;
+
     for (std::size_t c = 0; c < contestants_.size(); ++c) {
       tracks.push_back(contestants_[c]->tracks(stamp(t_s_)));
+
       std::vector<fleet::Track> claims;
       for (const fleet::Track& track : tracks.back()) {
         const bool is_block = std::any_of(truth_.blocks.begin(), truth_.blocks.end(), [&](const Body& block) {
           return geometry::distance_m(block, track.position_in_map) < kBlockMargin_m;
         });
+
         if (!is_block) claims.push_back(track);
       }
+
       scorers_[c].look(there, claims);
     }
+
     if (watch) watch({t_s_, truth_, tracks});
   }
 
+  /// A row for each contestant.
   std::vector<Row> rows() const {
     std::vector<Row> rows;
     for (std::size_t c = 0; c < contestants_.size(); ++c) {
@@ -188,6 +213,7 @@ class Trial {
                       percentile(took_ms_[c], 0.5), percentile(took_ms_[c], 0.99),
                       t_s_ > 0.0 ? 1e-3 * std::accumulate(took_ms_[c].begin(), took_ms_[c].end(), 0.0) / t_s_ : 0.0});
     }
+
     return rows;
   }
 

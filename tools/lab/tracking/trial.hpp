@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -10,7 +11,8 @@
 
 namespace aisle::tracking {
 
-/// What the sensors are like. Every vehicle scans at 10 Hz, one after another within the tenth of a second.
+/// The properties of the sensors. Every vehicle scans at 10 Hz, one after another within the tenth of a
+/// second.
 struct Sensing {
   double range_noise_m{0.02};
   double pose_noise_m{0.02};
@@ -20,6 +22,7 @@ struct Sensing {
   double sweep_s{0.1};  // from the first ray to the last, while vehicle and people move on
 };
 
+/// How one contestant did.
 struct Row {
   std::string tracker;
   Score score;
@@ -29,7 +32,7 @@ struct Row {
   double core_share{0.0};  // CPU time over simulated time
 };
 
-/// What a drawing needs, ten times a second.
+/// One moment of a trial for a drawing, ten times a second.
 struct Glance {
   double t_s{0.0};
   const Moment& truth;
