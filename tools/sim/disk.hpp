@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -7,10 +8,12 @@
 
 namespace aisle::sim {
 
-/// The disk of one simulated process. What was synced survives a crash; the rest is gone with it. A kept file is synced
-/// as a whole or not written at all; SQLite writes parts of a file and syncs them later (sqlite_on_disk.hpp).
+/// The disk of one simulated process. What was synced survives a crash; everything else is gone with
+/// it. A kept file is synced as a whole or not written at all; SQLite writes parts of a file and syncs
+/// them later (sqlite_on_disk.hpp).
 class Disk final : public process::FileStore {
  public:
+  /// A file's content, and the part of its history that counts after a crash.
   struct File {
     std::string bytes;   // as readers see it now
     std::string synced;  // as a crash leaves it
@@ -19,22 +22,27 @@ class Disk final : public process::FileStore {
   bool write(const std::filesystem::path& file, const std::string& text) override;
   std::optional<std::string> read(const std::filesystem::path& file, std::uintmax_t most_bytes) const override;
 
+  /// Is there a file of this name?
   bool exists(const std::string& name) const { return files_.count(name) > 0; }
+
   /// Made empty where it is missing. Holds until the file is removed.
   File& open(const std::string& name) { return files_[name]; }
   void remove(const std::string& name) { files_.erase(name); }
 
-  /// All files as a crash leaves them; to be taken before the process ends, whose last writes come too late.
+  /// All files as a crash leaves them. To be taken before the process ends: what its destructors still
+  /// write comes too late.
   std::map<std::string, File> as_synced() const;
   void restore(std::map<std::string, File> files) { files_ = std::move(files); }
 
-  /// While it is full, nothing is written: no kept file is replaced, and SQLite may not overwrite what lies there
-  /// either. Files may still be cut shorter and removed.
+  /// While the disk is full, nothing is written: no kept file is replaced, and SQLite may not overwrite
+  /// existing bytes either. Files may still be cut shorter and removed.
   void set_full(bool full) { is_full_ = full; }
   bool is_full() const { return is_full_; }
+
   /// Cuts each file off in its middle, as a host that lost its power may leave it. @pre no process has them open
   void tear_files();
   bool is_empty() const { return files_.empty(); }
+
   /// @pre no process has them open
   void lose_files() { files_.clear(); }
 

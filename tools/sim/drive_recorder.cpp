@@ -14,6 +14,7 @@ constexpr double kStatePeriodS = 0.02;
 constexpr double kTurningRadps = 0.05;  // slower turns are noise
 constexpr std::uint64_t kFnvPrime = 1099511628211ULL;
 
+/// The number's IEEE 754 bits, so that equal hashes mean equal to the bit.
 std::uint64_t bits_of(double value) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &value, sizeof bits);
@@ -43,6 +44,7 @@ void DriveRecorder::take(const fleet::VehicleState& state) {
   const double mps = state.motion.twist.linear_mps;
   const double mps2 = vehicle.has_state ? (mps - vehicle.mps) / kStatePeriodS : 0.0;
   const double jerk = (mps2 - vehicle.mps2) / kStatePeriodS;
+
   jerk_squared_sum_ += jerk * jerk;
   ++jerk_samples_;
   vehicle.has_state = true;
@@ -51,14 +53,18 @@ void DriveRecorder::take(const fleet::VehicleState& state) {
 
   const double turn_radps = state.motion.twist.angular_radps;
   if (std::abs(turn_radps) <= kTurningRadps) return;
+
   if (turn_radps * vehicle.turn_radps < 0.0) ++turn_sign_changes_;
   vehicle.turn_radps = turn_radps;
 }
 
+/// The length of the first plan for each goal.
 void DriveRecorder::take(const fleet::Plan& plan) {
   VehicleEntry& vehicle = vehicles_[plan.agv_id];
   if (!plan.is_found() || vehicle.planned_goal == plan.goal_id) return;
+
   vehicle.planned_goal = plan.goal_id;
+
   const std::vector<geometry::Point2>& way = plan.waypoints_in_map;
   for (std::size_t i = 1; i < way.size(); ++i) planned_m_ += geometry::distance(way[i - 1], way[i]);
 }

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -12,22 +13,26 @@ namespace aisle::sim {
 /// What the referee judges (contacts, goals, distances) is not noted here.
 class DriveRecorder {
  public:
-  /// Hears the topics of `shell` from now on.
+  /// Listens to the topics of `shell` from now on.
   explicit DriveRecorder(service::Shell& shell);
   DriveRecorder(const DriveRecorder&) = delete;
   DriveRecorder& operator=(const DriveRecorder&) = delete;
 
   /// Puts its figures into `result`.
   void fill(Result& result) const;
-  /// FNV-1a over the true poses of all bodies with their stamps, in the order in which they were told.
+
+  /// FNV-1a over the true poses of all bodies with their stamps, in the order in which they were
+  /// published.
   std::uint64_t trace_hash() const { return trace_hash_; }
 
  private:
+  /// The newest motion of a vehicle, to compare the next with.
   struct VehicleEntry {
     bool has_state{false};
     double mps{0.0}, mps2{0.0}, turn_radps{0.0};
     std::string planned_goal;  // whose first plan was measured
   };
+
   void take(const fleet::Obstacle& obstacle, std::int64_t stamp_ns);
   void take(const fleet::VehicleState& state);
   void take(const fleet::Plan& plan);

@@ -25,6 +25,7 @@ class FlowWriter {
     text_ += (text_.empty() ? "" : ", ") + std::string(key) + ": " + value;
     return *this;
   }
+
   std::string text_;
 };
 
@@ -35,17 +36,22 @@ class PlanWriter {
     text_ += fmt::format("{}: {}\n", key, value);
     return *this;
   }
+
   template <class T>
   PlanWriter& list(const char* key, std::vector<T>& values) {
     if (values.empty()) return *this;
+
     text_ += std::string(key) + ":\n";
+
     for (T& value : values) {
       FlowWriter flow;
       value.describe(flow);
       text_ += "  - " + flow.text() + "\n";
     }
+
     return *this;
   }
+
   const std::string& text() const { return text_; }
 
  private:
@@ -58,6 +64,7 @@ class Dice {
   explicit Dice(std::uint64_t seed) : random_(scenario::random_for(seed, "fault-plan")) {}
   int below(int count) { return static_cast<int>(random_() % static_cast<std::uint64_t>(count)); }
   bool one_in(int count) { return below(count) == 0; }
+
   double between(double low, double high) {
     constexpr int kSteps = 1000;
     const double value = low + (high - low) * below(kSteps + 1) / kSteps;
@@ -68,6 +75,7 @@ class Dice {
   std::mt19937_64 random_;
 };
 
+/// Moderate: a fleet should still be able to work.
 LinkFault random_link(Dice& dice) {
   LinkFault link;
   if (dice.one_in(2)) link.from = "fake-vehicle-*";
@@ -78,9 +86,11 @@ LinkFault random_link(Dice& dice) {
   link.jitter_ms = dice.between(0.0, 30.0);
   link.duplicates = dice.between(0.0, 0.1);
   link.reordered = dice.between(0.0, 0.1);
+
   return link;
 }
 
+/// Begins within 25 s and comes again.
 template <class T>
 T at_some_time(Dice& dice) {
   T occasion;
@@ -101,37 +111,45 @@ FaultPlan read_fault_plan(const std::filesystem::path& file) {
   return plan;
 }
 
+/// Up to two faults of each kind, up to one clock jump and one disk fault; never none at all.
 FaultPlan random_fault_plan(std::uint64_t seed) {
   Dice dice(seed);
   FaultPlan plan;
+
   for (int i = dice.below(3); i > 0; --i) plan.links.push_back(random_link(dice));
+
   for (int i = dice.below(3); i > 0; --i) {
     Cut cut = at_some_time<Cut>(dice);
     cut.for_s = dice.between(0.2, 5.0);
     cut.both_ways = dice.one_in(2);
     plan.cuts.push_back(cut);
   }
+
   for (int i = dice.below(3); i > 0; --i) {
     Crash crash = at_some_time<Crash>(dice);
     crash.restart_after_s = dice.between(0.2, 4.0);
     plan.crashes.push_back(crash);
   }
+
   for (int i = dice.below(3); i > 0; --i) {
     Hang hang = at_some_time<Hang>(dice);
     hang.for_s = dice.between(0.1, 4.0);
     plan.hangs.push_back(hang);
   }
+
   for (int i = dice.below(2); i > 0; --i) {
     ClockJump jump = at_some_time<ClockJump>(dice);
     jump.by_s = dice.between(-120.0, 120.0);
     plan.clock_jumps.push_back(jump);
   }
+
   for (int i = dice.below(2); i > 0; --i) {
     DiskFault disk = at_some_time<DiskFault>(dice);
     disk.kind = dice.one_in(2) ? "full" : dice.one_in(2) ? "torn" : "lost";
     disk.for_s = dice.between(2.0, 10.0);
     plan.disks.push_back(disk);
   }
+
   if (plan.is_empty()) plan.crashes.push_back(at_some_time<Crash>(dice));
   return plan;
 }
@@ -160,6 +178,7 @@ bool is_named(const std::string& pattern, const std::string& name) {
       return false;
     }
   }
+
   while (p < pattern.size() && pattern[p] == '*') ++p;
   return p == pattern.size();
 }

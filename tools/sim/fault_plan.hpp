@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -75,7 +76,7 @@ struct Cut : Occasion {
   }
 };
 
-/// One process that `process` names ends without a word, and is started anew after `restart_after_s`.
+/// One process that `process` names ends without a word, and is started anew `restart_after_s` later.
 struct Crash : Occasion {
   std::string process{"*"};
   double restart_after_s{1.0};
@@ -127,6 +128,7 @@ struct DiskFault : Occasion {
   }
 };
 
+/// Everything that goes wrong in one run.
 struct FaultPlan {
   double stop_s{60.0};  // then links are whole again, and what was cut, hung or down comes back
   std::vector<LinkFault> links;
@@ -146,6 +148,7 @@ struct FaultPlan {
         .list("clock_jumps", clock_jumps)
         .list("disks", disks);
   }
+
   bool is_empty() const;
 };
 

@@ -14,6 +14,7 @@ using Kind = FaultAction::Kind;
 
 constexpr int kMostDraws = 100;  // until the ends of a cut differ
 
+/// Lays a plan out: draws the processes in the order of the plan, then sorts by time.
 class Layout {
  public:
   Layout(const FaultPlan& plan, const std::vector<std::string>& services, const std::vector<std::string>& others,
@@ -23,20 +24,26 @@ class Layout {
   std::vector<FaultAction> all() {
     add_links();
     for (const Cut& cut : plan_.cuts) add_cut(cut);
+
     for (const Crash& crash : plan_.crashes)
       add_pair(crash, crash.process, crash.restart_after_s, Kind::kCrash, Kind::kStart);
+
     for (const Hang& hang : plan_.hangs) add_pair(hang, hang.process, hang.for_s, Kind::kHang, Kind::kGoOn);
+
     for (const ClockJump& jump : plan_.clock_jumps) {
       for (const double t_s : times_of(jump))
         actions_.push_back({t_s, Kind::kClockJump, one_of(jump.process), "", false, jump.by_s, ++faults_});
     }
+
     for (const DiskFault& disk : plan_.disks) add_disk(disk);
     std::stable_sort(actions_.begin(), actions_.end(),
                      [](const FaultAction& a, const FaultAction& b) { return a.t_s < b.t_s; });
+
     return std::move(actions_);
   }
 
  private:
+  /// All occasions before the plan stops.
   std::vector<double> times_of(const Occasion& occasion) const {
     std::vector<double> times;
     for (int i = 0;; ++i) {
@@ -52,48 +59,61 @@ class Layout {
     std::vector<std::string> fitting, others;
     for (const std::string& name : services_)
       if (is_named(pattern, name)) fitting.push_back(name);
+
     for (const std::string& name : others_)
       if (pattern == name || (fitting.empty() && reaches_others && is_named(pattern, name))) others.push_back(name);
+
     if (fitting.empty()) fitting = others;
     if (fitting.empty()) refuse(pattern);
+
     return fitting[random_() % fitting.size()];
   }
 
+  /// Does the pattern stand for any process?
   bool fits_any(const std::string& pattern) const {
     const auto fits = [&](const std::string& name) { return is_named(pattern, name); };
     return std::any_of(services_.begin(), services_.end(), fits) || std::any_of(others_.begin(), others_.end(), fits);
   }
 
+  /// Names the nearest process and all there are.
   [[noreturn]] void refuse(const std::string& pattern) const {
     std::vector<std::string> known = services_;
     known.insert(known.end(), others_.begin(), others_.end());
+
     const std::string nearest = config::nearest_name(pattern, known);
     std::string names;
+
     for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
     throw config::BadInput("fault plan: no process is named '" + pattern + "'; " +
                            (nearest.empty() ? "" : "did you mean '" + nearest + "'? ") + "there are " + names);
   }
 
+  /// Two changes for each link: when its harm begins and when it ends.
   void add_links() {
     for (const LinkFault& link : plan_.links) {
       if (!fits_any(link.from)) refuse(link.from);
       if (!fits_any(link.to)) refuse(link.to);
+
       if (link.begin_s >= plan_.stop_s) continue;
+
       actions_.push_back({link.begin_s, Kind::kLinksChange});
       actions_.push_back({std::min(link.begin_s + link.for_s, plan_.stop_s), Kind::kLinksChange});
     }
   }
 
+  /// Draws both ends anew until they differ.
   void add_cut(const Cut& cut) {
     for (const double t_s : times_of(cut)) {
       const std::string from = one_of(cut.from, true);
       std::string to = one_of(cut.to, true);
+
       for (int i = 0; to == from && i < kMostDraws; ++i) to = one_of(cut.to, true);
       actions_.push_back({t_s, Kind::kCut, from, to, cut.both_ways});
       actions_.push_back({std::min(t_s + cut.for_s, plan_.stop_s), Kind::kHeal, from, to, cut.both_ways});
     }
   }
 
+  /// A fault that begins and ends on one process.
   void add_pair(const Occasion& occasion, const std::string& process, double for_s, Kind begin, Kind end) {
     for (const double t_s : times_of(occasion)) {
       const std::string name = one_of(process);
@@ -103,6 +123,7 @@ class Layout {
     }
   }
 
+  /// Full for a while, or its files harmed at once.
   void add_disk(const DiskFault& disk) {
     if (disk.kind == "full") return add_pair(disk, disk.process, disk.for_s, Kind::kDiskFull, Kind::kDiskFree);
     const Kind kind = disk.kind == "torn" ? Kind::kFilesTorn : Kind::kFilesLost;
@@ -118,7 +139,7 @@ class Layout {
   std::vector<FaultAction> actions_;
 };
 
-/// Of two causes of which each hits a share of the packets.
+/// The share that at least one of two independent causes hits: 1 - (1 - a)(1 - b).
 double either(double a, double b) { return 1.0 - (1.0 - a) * (1.0 - b); }
 
 }  // namespace
@@ -146,6 +167,7 @@ const char* name_of(FaultAction::Kind kind) {
     case Kind::kDiskFree:
       return "";
   }
+
   return "";
 }
 
@@ -161,10 +183,13 @@ std::chrono::nanoseconds moment_of(double s) {
 LinkFault harm_at(const FaultPlan& plan, std::chrono::nanoseconds t, const std::string& from, const std::string& to) {
   LinkFault all;
   all.reorder_ms = 0.0;
+
   if (t >= moment_of(plan.stop_s)) return all;
+
   for (const LinkFault& link : plan.links) {
     if (t < moment_of(link.begin_s) || t >= moment_of(link.begin_s + link.for_s)) continue;
     if (!is_named(link.from, from) || !is_named(link.to, to)) continue;
+
     all.loss = either(all.loss, link.loss);
     all.duplicates = either(all.duplicates, link.duplicates);
     all.reordered = either(all.reordered, link.reordered);
@@ -172,6 +197,7 @@ LinkFault harm_at(const FaultPlan& plan, std::chrono::nanoseconds t, const std::
     all.jitter_ms += link.jitter_ms;
     if (link.reordered > 0.0) all.reorder_ms = std::max(all.reorder_ms, link.reorder_ms);
   }
+
   return all;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <chrono>
 #include <cstdint>
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace aisle::sim {
 
-/// One thing that is done to the site at one moment.
+/// One change of the site at one moment.
 struct FaultAction {
   enum class Kind {
     kLinksChange,  // links begin or end to be harmed
@@ -24,6 +25,7 @@ struct FaultAction {
     kFilesTorn,
     kFilesLost
   };
+
   double t_s{0.0};
   Kind kind{Kind::kLinksChange};
   std::string process{};  // of a cut: where the messages come from

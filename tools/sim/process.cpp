@@ -28,21 +28,27 @@ Process::~Process() {
 
 void Process::start() {
   if (is_up()) return;
+
   const ScopedDisk scope(disk_);
   bus::Settings settings;
+
   settings.participant_name = name_;
   running_ = std::make_unique<Running>();
   running_->bus = network_.join(settings, name_);
+
   service::Identity identity;
   identity.service = blueprint_.service;
   identity.instance_id = name_;
   identity.agv_id = blueprint_.agv_id;
+
   // A wall clock that jumped back gives an older boot id, as on a real host.
   identity.boot_id = static_cast<std::uint64_t>(running_->bus->wall_clock_ns()) / 1000;
   identity.host = name_;
   identity.process_id = 1;
+
   service::Surroundings surroundings;
   surroundings.log = log_;
+
   try {
     running_->shell = std::make_unique<service::Shell>(*running_->bus, identity, surroundings);
     running_->service = blueprint_.make(*running_->shell);
@@ -50,15 +56,18 @@ void Process::start() {
     crash();
     return on_death_(error.what());
   }
+
   running_->bus->drive([this] { turn(); });
 }
 
+/// The end is put off to the next event, since a bus must not be destroyed within its own turn.
 void Process::turn() {
   const ScopedDisk scope(disk_);
   try {
     running_->bus->run_once(std::chrono::nanoseconds(0));
   } catch (const std::exception& error) {
     if (std::exchange(running_->is_dying, true)) return;
+
     network_.at(network_.now(), [this, dying = running_.get(), why = std::string(error.what())] {
       if (running_.get() != dying) return;  // a fault was faster
       crash();
@@ -67,10 +76,13 @@ void Process::turn() {
   }
 }
 
+/// Bus first, then service: a service that goes says nothing to others.
 void Process::crash() {
   if (!is_up()) return;
+
   const ScopedDisk scope(disk_);
   auto files = disk_.as_synced();
+
   running_->bus->crash();
   running_->service.reset();  // what destructors still write to the disk is taken back
   running_.reset();

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,6 +14,7 @@ namespace aisle::sim {
 struct Blueprint {
   std::string service;  // "local-planner"
   std::string agv_id;   // of a service for one vehicle, else empty
+
   /// Part of the simulated world rather than of the product: its messages to its kind are the laws of nature, which no
   /// fault breaks, and no pattern of a fault plan hits it.
   bool is_world{false};
@@ -42,14 +44,20 @@ class Process {
   bool is_up() const { return running_ != nullptr; }
   Disk& disk() { return disk_; }
 
-  /// Nothing happens where it is up already. Not to be called in a turn of its bus, as all that follows.
+  /// Builds the service from its blueprint. Does nothing when the process is up already. This and the
+  /// following must not be called in a turn of its bus.
   void start();
-  /// Ends without a word. What was not synced to its disk is lost.
+
+  /// Ends without a word; everything that was not synced to its disk is lost.
   void crash();
+
+  /// Its loop stands while it hangs.
   void hang(bool hangs);
 
  private:
   struct Running;
+
+  /// Runs its loop; an exception of the service ends the process.
   void turn();
 
   bus::simulated::Network& network_;

@@ -1,4 +1,5 @@
 // What each service's main() does, with a scenario that was read already instead of flags and files.
+
 #include "tools/sim/services.hpp"
 
 #include <algorithm>
@@ -22,6 +23,7 @@ constexpr const char* kJournalFile = "map.sqlite";
 constexpr const char* kMapId = "site";
 constexpr int kFewestRays = 8;  // where nobody looks at scans
 
+/// Each function builds one service as its main() does, with the files on the process's simulated disk.
 std::shared_ptr<void> make_map(const Setup& setup, service::Shell& shell) {
   map::SiteMap base(kMapId, setup.grid);
   auto journal = std::make_unique<map::Journal>(kJournalFile, kMapId, base.summary().hash, map::Journal::Options{});
@@ -37,11 +39,14 @@ std::shared_ptr<void> make_global_planner(const Setup& setup, service::Shell& sh
 std::shared_ptr<void> make_tracker(const Setup& setup, service::Shell& shell) {
   if (setup.perception == Perception::kTruth)
     return std::make_shared<TruthTracker>(shell, setup.vehicle.lidar.range_max_m, setup.seed);
+
   obstacle_tracker::ServiceParams params;
   params.only_scans_of = setup.only_scans_of;
+
   auto tracker = std::make_shared<obstacle_tracker::ObstacleTrackerService>(shell, params);
   if (setup.perception == Perception::kScansHeldStill)
     tracker->tell_through([](fleet::Track& track) { track.velocity_in_map = {}; });
+
   return tracker;
 }
 
@@ -50,14 +55,17 @@ std::shared_ptr<void> make_world(const Setup& setup, service::Shell& shell) {
   config.scenario = setup.scenario;
   config.seed = setup.seed;
   config.state_file = kStateFile;
+
   return std::make_shared<fake_world::FakeWorldService>(shell, config);
 }
 
+/// The setup's own variant, else the one with its name.
 const local_planner::Variant& variant_of(const Setup& setup) {
   return setup.own_variant ? *setup.own_variant : *local_planner::find_variant(setup.local);
 }
 
-/// With the scenario's outline, speed and model, and the limits of the local planner's paper where they are asked for.
+/// The scenario's outline, speed and model; with the limits of the local planner's paper where the
+/// setup asks for them.
 fake_vehicle::Parameters parameters_of(const Setup& setup, const scenario::Vehicle& vehicle) {
   fake_vehicle::Parameters parameters = setup.vehicle;
   parameters.radius_m = vehicle.radius_m;
@@ -68,12 +76,15 @@ fake_vehicle::Parameters parameters_of(const Setup& setup, const scenario::Vehic
   parameters.limits.model = vehicle.kinematic_model();
   parameters.limits.axle = vehicle.axle;
   if (setup.perception == Perception::kTruth) parameters.lidar.rays = kFewestRays;
+
   if (!setup.paper_limits) return parameters;
+
   const local_planner::PaperLimits& paper = variant_of(setup).paper;
   parameters.limits = {paper.max_speed_mps,         0.0,
                        paper.max_turn_radps,        paper.max_acceleration_mps2,
                        paper.max_deceleration_mps2, paper.max_turn_acceleration_radps2,
                        vehicle.kinematic_model(),   vehicle.axle};
+
   return parameters;
 }
 
@@ -84,6 +95,7 @@ std::shared_ptr<void> make_vehicle(const Setup& setup, const scenario::Vehicle& 
   config.run = setup.scenario.name + "/" + vehicle.id;
   config.start_in_map = scenario::varied_start(vehicle, setup.scenario.start_jitter_m, setup.seed);
   config.state_file = kStateFile;
+
   return std::make_shared<fake_vehicle::FakeVehicleService>(shell, config);
 }
 
@@ -91,15 +103,18 @@ std::shared_ptr<void> make_local_planner(const Setup& setup, const HearsCycle& h
   local_planner::ServiceConfig config;
   config.variant = variant_of(setup);
   config.settings = setup.settings;
+
   if (setup.paper_limits) {
     const local_planner::PaperLimits& paper = variant_of(setup).paper;
     config.settings.dwa.horizon_s = paper.horizon_s;
     config.settings.comfort_mps2 = std::min(config.settings.comfort_mps2, paper.max_deceleration_mps2);
   }
+
   auto planner = std::make_shared<local_planner::LocalPlannerService>(shell, config);
   if (hears_cycle)
     planner->on_cycle(
         [hears_cycle, agv_id = shell.agv_id()](const local_planner::Output& output) { hears_cycle(agv_id, output); });
+
   return planner;
 }
 
@@ -112,16 +127,19 @@ std::shared_ptr<void> make_dispatcher(const Setup& setup, service::Shell& shell)
 
 }  // namespace
 
+/// World and product are told apart: see Blueprint::is_world.
 std::vector<Blueprint> blueprints_of(const Setup& setup, const HearsCycle& hears_cycle) {
   constexpr bool kIsWorld = true;
   const auto with = [&setup](auto make) {
     return [&setup, make](service::Shell& shell) { return make(setup, shell); };
   };
+
   std::vector<Blueprint> all;
   all.push_back({"map", "", !kIsWorld, with(make_map)});
   all.push_back({"global-planner", "", !kIsWorld, with(make_global_planner)});
   all.push_back({"obstacle-tracker", "", !kIsWorld, with(make_tracker)});
   all.push_back({"fake-world", "", kIsWorld, with(make_world)});
+
   for (const scenario::Vehicle& vehicle : setup.scenario.vehicles) {
     all.push_back({"fake-vehicle", vehicle.id, kIsWorld,
                    [&setup, &vehicle](service::Shell& shell) { return make_vehicle(setup, vehicle, shell); }});
@@ -129,6 +147,7 @@ std::vector<Blueprint> blueprints_of(const Setup& setup, const HearsCycle& hears
                      return make_local_planner(setup, hears_cycle, shell);
                    }});
   }
+
   all.push_back({"dispatcher", "", !kIsWorld, with(make_dispatcher)});
   return all;
 }

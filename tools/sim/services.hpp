@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace aisle::sim {
 
-/// Hears what a vehicle's local planner decided, at the end of each of its cycles.
+/// Called with the decision of a vehicle's local planner at the end of each of its cycles.
 using HearsCycle = std::function<void(const std::string& agv_id, const local_planner::Output& output)>;
 
 /// The processes that drive a scenario, in the order of their start: all but the referee, which the site has itself.

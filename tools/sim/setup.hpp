@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,10 +13,11 @@
 
 namespace aisle::sim {
 
-/// What the fleet knows of people and things: from simulated scans and the tracker, the same but every track held still
-/// (nothing is predicted), or the truth of what is in sight.
+/// Where the fleet's knowledge of people and things comes from: from simulated scans and the tracker;
+/// the same, but every track held still (nothing is predicted); or the truth of what is in sight.
 enum class Perception { kScans, kScansHeldStill, kTruth };
 
+/// Everything that decides a run, beside its faults.
 struct Setup {
   scenario::Scenario scenario;  // its map and its recordings come beside it, read
   grid::OccupancyGrid grid;

@@ -1,5 +1,6 @@
 // SQLite's "virtual file system" (sqlite.org/vfs.html): the few functions through which it reaches files, the clock and
 // chance. A database in WAL mode with an exclusive lock needs no shared memory, so version 1 of the file methods does.
+
 #include "tools/sim/sqlite_on_disk.hpp"
 
 #include <sqlite3.h>
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double kJulianDayOf1970 = 2440587.5;
 
+/// SQLite's handle of a file of ours, see https://www.sqlite.org/vfs.html.
 struct OpenFile {
   sqlite3_file base;  // first: SQLite sees only this
   Disk* disk;
@@ -24,6 +26,7 @@ struct OpenFile {
   bool delete_on_close;
 };
 
+/// The handle behind SQLite's view of it.
 OpenFile& of(sqlite3_file* file) { return *reinterpret_cast<OpenFile*>(file); }
 
 int close_file(sqlite3_file* file) {
@@ -32,23 +35,30 @@ int close_file(sqlite3_file* file) {
   return SQLITE_OK;
 }
 
+/// Beyond the end the buffer is filled with zeros, as SQLite asks.
 int read_file(sqlite3_file* file, void* to, int count, sqlite3_int64 offset) {
   const std::string& bytes = of(file).file->bytes;
   const auto begin = std::min(static_cast<std::size_t>(offset), bytes.size());
   const auto there = std::min(static_cast<std::size_t>(count), bytes.size() - begin);
+
   std::memcpy(to, bytes.data() + begin, there);
   if (there == static_cast<std::size_t>(count)) return SQLITE_OK;
+
   std::memset(static_cast<char*>(to) + there, 0, static_cast<std::size_t>(count) - there);
   return SQLITE_IOERR_SHORT_READ;
 }
 
+/// Grows the file where it is too short.
 int write_file(sqlite3_file* file, const void* from, int count, sqlite3_int64 offset) {
   const OpenFile& open = of(file);
   std::string& bytes = open.file->bytes;
   const auto end = static_cast<std::size_t>(offset) + static_cast<std::size_t>(count);
+
   if (open.disk->is_full()) return SQLITE_FULL;
+
   if (bytes.size() < end) bytes.resize(end);
   std::memcpy(bytes.data() + offset, from, static_cast<std::size_t>(count));
+
   return SQLITE_OK;
 }
 
@@ -57,6 +67,7 @@ int truncate_file(sqlite3_file* file, sqlite3_int64 size) {
   return SQLITE_OK;
 }
 
+/// From here on a crash leaves this content.
 int sync_file(sqlite3_file* file, int) {
   of(file).file->synced = of(file).file->bytes;
   return SQLITE_OK;
@@ -67,6 +78,7 @@ int size_of_file(sqlite3_file* file, sqlite3_int64* size) {
   return SQLITE_OK;
 }
 
+/// Every database belongs to one process: nothing has to be locked.
 int lock_file(sqlite3_file*, int) { return SQLITE_OK; }
 
 int is_locked(sqlite3_file*, int* answer) {
@@ -85,11 +97,14 @@ const sqlite3_io_methods kMethods{
 
 sqlite3_vfs* host_vfs = nullptr;
 
+/// On the disk of the process that runs now; without one, on the host's.
 int open_file(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int* out_flags) {
   Disk* disk = ScopedDisk::current();
   if (disk == nullptr) return host_vfs->xOpen(host_vfs, name, file, flags, out_flags);
+
   const char* known = name == nullptr ? "temporary" : name;
   if (!disk->exists(known) && (flags & SQLITE_OPEN_CREATE) == 0) return SQLITE_CANTOPEN;
+
   OpenFile* open = new (file) OpenFile{};
   open->base.pMethods = &kMethods;
   open->disk = disk;
@@ -97,6 +112,7 @@ int open_file(sqlite3_vfs*, const char* name, sqlite3_file* file, int flags, int
   open->name = known;
   open->delete_on_close = (flags & SQLITE_OPEN_DELETEONCLOSE) != 0;
   if (out_flags != nullptr) *out_flags = flags;
+
   return SQLITE_OK;
 }
 
@@ -128,6 +144,7 @@ int random_bytes(sqlite3_vfs*, int count, char* to) {
   return count;
 }
 
+/// Virtual time does not pass here.
 int sleep_us(sqlite3_vfs*, int us) { return ScopedDisk::current() == nullptr ? host_vfs->xSleep(host_vfs, us) : us; }
 
 int julian_day(sqlite3_vfs*, double* day) {
@@ -144,6 +161,7 @@ void put_sqlite_on_simulated_disks() {
   static sqlite3_vfs ours = [] {
     sqlite3_initialize();
     host_vfs = sqlite3_vfs_find(nullptr);
+
     sqlite3_vfs vfs{};
     vfs.iVersion = 1;
     vfs.szOsFile = std::max(host_vfs->szOsFile, static_cast<int>(sizeof(OpenFile)));
@@ -157,8 +175,10 @@ void put_sqlite_on_simulated_disks() {
     vfs.xSleep = sleep_us;
     vfs.xCurrentTime = julian_day;
     vfs.xGetLastError = last_error;
+
     return vfs;
   }();
+
   static const int registered = sqlite3_vfs_register(&ours, 1);
   static_cast<void>(registered);
 }

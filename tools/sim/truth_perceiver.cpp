@@ -11,24 +11,30 @@ using geometry::Point2;
 
 constexpr double kPeriodS = 0.1;
 
+/// In range, and no wall on the line between.
 bool is_in_sight(const Sensor& sensor, const fake_world::Thing& thing, const grid::OccupancyGrid& walls,
                  double range_m) {
   const Point2 from = sensor.base_in_map.position();
   const Point2 to = thing.body.base_in_map.position();
   const double d = geometry::distance(from, to);
   const double reach = geometry::reach_m(thing.body);
+
   return d < range_m && (d <= reach || grid::cast_ray(walls, from, geometry::bearing(from, to), d) >= d - reach);
 }
 
 }  // namespace
 
+/// Velocities approach the truth by a share each time; a moving thing that is out of sight moves on for
+/// a second, a standing one stays.
 void TruthPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& world, time::Stamp now) {
   std::normal_distribution<double> noise(0.0, 1.0);
   for (auto& [id, memory] : memory_) memory.lost_s += kPeriodS;
+
   for (const fake_world::Thing& thing : world.things) {
     if (std::none_of(sensors.begin(), sensors.end(),
                      [&](const Sensor& s) { return is_in_sight(s, thing, world.walls, range_m_); }))
       continue;
+
     Memory& memory = memory_[thing.id];
     if (memory.id == 0) memory.id = next_id_++, memory.velocity = 0.5 * thing.velocity_in_map;
     memory.seen_s += kPeriodS;
@@ -38,15 +44,20 @@ void TruthPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& w
     memory.position = thing.body.base_in_map.position();
     memory.radius_m = geometry::reach_m(thing.body);
   }
+
   tracks_.clear();
+
   for (auto entry = memory_.begin(); entry != memory_.end();) {
     Memory& memory = entry->second;
     const bool is_static = memory.standing_s > 3.0;
+
     if (memory.lost_s > 1.0 && !is_static) {
       entry = memory_.erase(entry);
       continue;
     }
+
     if (memory.lost_s > 0.0) memory.position = memory.position + kPeriodS * memory.velocity;
+
     if (memory.seen_s > 0.25) {
       fleet::Track track;
       track.id = memory.id;
@@ -60,6 +71,7 @@ void TruthPerceiver::look(const std::vector<Sensor>& sensors, const TrueWorld& w
       track.unseen_s = memory.lost_s;
       tracks_.push_back({track, now});
     }
+
     ++entry;
   }
 }

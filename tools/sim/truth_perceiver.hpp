@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <random>
@@ -20,14 +21,14 @@ struct Sensor {
   geometry::Footprint footprint;
 };
 
-/// Walls and everything that moves or stands on the floor.
+/// Walls, and everything that moves or stands on the floor.
 struct TrueWorld {
   const grid::OccupancyGrid& walls;
   const grid::ClearanceField& clearance;
   const std::vector<fake_world::Thing>& things;
 };
 
-/// What reaches the planners as tracks after the scans of all vehicles of one moment.
+/// Gives the planners tracks after the scans of all vehicles of one moment.
 class Perceiver {
  public:
   virtual ~Perceiver() = default;
@@ -46,12 +47,14 @@ class TruthPerceiver final : public Perceiver {
   void look(const std::vector<Sensor>& sensors, const TrueWorld& world, time::Stamp now) override;
 
  private:
+  /// What is remembered of one thing in sight, or just lost.
   struct Memory {
     std::uint64_t id{0};
     double seen_s{0.0}, lost_s{0.0}, standing_s{0.0};
     geometry::Point2 position, velocity;
     double radius_m{0.25};
   };
+
   double range_m_;
   std::mt19937_64 random_;
   std::map<std::string, Memory> memory_;

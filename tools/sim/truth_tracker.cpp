@@ -30,6 +30,7 @@ TruthTracker::TruthTracker(service::Shell& shell, double range_m, std::uint64_t 
   shell.inbox<topics::Scan>([this](const fleet::Scan& scan, const service::Sender& from) {
     newest_scans_[scan.agv_id] = fleet::ScanUse{scan.agv_id, from.by.sequence_number, from.by.stamp_ns};
   });
+
   shell.every(kTick, [this] { tick(); });
   shell.report([this](service::Health& health) {
     if (!map_.has_map()) health.wait_for("map_info, map_tile");
@@ -41,6 +42,7 @@ void TruthTracker::take(const fleet::Obstacle& obstacle) {
     sensors_[obstacle.id] = {obstacle.id, obstacle.base_in_map, obstacle.base_in_map, {}, obstacle.footprint};
     return;
   }
+
   const bool is_person = obstacle.kind == fleet::Obstacle::Kind::kPerson;
   things_[obstacle.id] = {obstacle.id, is_person ? fake_world::Kind::kPerson : fake_world::Kind::kBlock,
                           obstacle.body(), obstacle.velocity_in_map};
@@ -56,6 +58,7 @@ void TruthTracker::tick() {
 void TruthTracker::look() {
   std::vector<Sensor> sensors;
   for (const auto& [id, sensor] : sensors_) sensors.push_back(sensor);
+
   std::vector<fake_world::Thing> things;
   for (const auto& [id, thing] : things_) things.push_back(thing);
   perceiver_.look(sensors, {map_.grid(), map_.clearance(), things}, shell_.now());
@@ -64,14 +67,17 @@ void TruthTracker::look() {
 void TruthTracker::tell() {
   const std::uint64_t first = first_id(shell_.boot_id());
   std::set<std::uint64_t> live;
+
   for (const local_planner::SeenTrack& seen : perceiver_.tracks()) {
     fleet::Track track = seen.track;
     track.id += first;
     tracks_.write(track);
     live.insert(track.id);
   }
+
   for (const std::uint64_t id : live_)
     if (live.count(id) == 0) tracks_.dispose(id);
+
   live_ = std::move(live);
 
   fleet::TrackingStatus status;

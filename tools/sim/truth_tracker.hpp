@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -11,9 +12,9 @@
 
 namespace aisle::sim {
 
-/// Stands in for the obstacle tracker: writes `track` and `tracking_status` from the ground truth of what is in sight
-/// of a vehicle, with noise, a quarter of a second after it came into sight. Answers each vehicle's scans in the
-/// status, as the tracker does, but reads nothing in them.
+/// Stands in for the obstacle tracker: writes `track` and `tracking_status` from the ground truth of
+/// things in sight of a vehicle, with noise, a quarter of a second after they came into sight. Lists
+/// each vehicle's scans in the status, as the tracker does, but reads nothing in them.
 class TruthTracker {
  public:
   /// @param range_m how far vehicles see

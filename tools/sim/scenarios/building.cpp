@@ -12,6 +12,7 @@ using geometry::Pose2;
 
 namespace {
 
+/// Cells whose centres lie within the rectangle.
 void fill(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1, grid::Occupancy with) {
   const auto& g = grid.geometry();
   for (int y = 0; y < g.height; ++y)
@@ -28,16 +29,19 @@ grid::OccupancyGrid hall(double width_m, double height_m, double resolution_m) {
                                           static_cast<int>(std::lround(height_m / resolution_m)),
                                           resolution_m,
                                           {0.0, 0.0}});
+
   const auto& g = grid.geometry();
   for (int y = 0; y < g.height; ++y)
     for (int x = 0; x < g.width; ++x)
       if (x == 0 || y == 0 || x == g.width - 1 || y == g.height - 1) grid.set({x, y}, grid::Occupancy::kOccupied);
+
   return grid;
 }
 
 void block(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1) {
   fill(grid, x0, y0, x1, y1, grid::Occupancy::kOccupied);
 }
+
 void carve(grid::OccupancyGrid& grid, double x0, double y0, double x1, double y1) {
   fill(grid, x0, y0, x1, y1, grid::Occupancy::kFree);
 }
@@ -48,6 +52,7 @@ void add_vehicle(Setup& setup, int number, Pose2 start, std::vector<Pose2> goals
   vehicle.start_in_map = start;
   vehicle.radius_m = radius_m;
   setup.scenario.vehicles.push_back(vehicle);
+
   scenario::Mission mission;
   mission.vehicle = vehicle.id;
   mission.goals_in_map = std::move(goals);
@@ -72,6 +77,7 @@ Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, double room_m
     const Pose2 pose{dice.between(0.5, g.width * g.resolution_m - 0.5),
                      dice.between(0.5, g.height * g.resolution_m - 0.5), dice.between(-3.1, 3.1)};
     if (clearance.clearance_m(pose.position()) < room_m) continue;
+
     if (std::all_of(away_from.begin(), away_from.end(),
                     [&](const Pose2& p) { return geometry::distance(p.position(), pose.position()) > away_m; }))
       return pose;
@@ -81,10 +87,12 @@ Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, double room_m
 void add_fleet(Setup& setup, Dice& dice, int count, int goals, double radius_m, double room_m, double away_m) {
   const grid::ClearanceField clearance(setup.grid, 3.0);
   std::vector<Pose2> starts, taken;
+
   for (int i = 0; i < count; ++i) {
     starts.push_back(free_pose(clearance, dice, room_m, taken, away_m));
     taken.push_back(starts.back());
   }
+
   std::vector<Pose2> used;
   for (int i = 0; i < count; ++i) {
     std::vector<Pose2> list;
@@ -92,6 +100,7 @@ void add_fleet(Setup& setup, Dice& dice, int count, int goals, double radius_m, 
       list.push_back(free_pose(clearance, dice, room_m, used, away_m));
       used.push_back(list.back());
     }
+
     add_vehicle(setup, i + 1, starts[static_cast<std::size_t>(i)], list, radius_m);
   }
 }

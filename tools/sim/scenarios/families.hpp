@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -10,6 +11,7 @@ namespace aisle::sim {
 
 /// Names of the scenario families, each a kind of difficulty.
 std::vector<std::string> families();
+
 /// One of them, varied by seed. @throws config::BadInput for an unknown name
 Setup make_setup(const std::string& family, std::uint64_t seed);
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include "common/geometry/body.hpp"
 #include "common/grid/occupancy_grid.hpp"
 

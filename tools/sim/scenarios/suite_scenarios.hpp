@@ -1,4 +1,5 @@
 #pragma once
+
 #include <vector>
 
 #include "tools/sim/scenarios/building.hpp"
@@ -14,6 +15,7 @@ Setup person_oncoming(Dice& dice);  // in an aisle
 Setup overtaking(Dice& dice);       // somebody slow, the same way
 Setup door(Dice& dice);             // one vehicle wide, and somebody comes through
 Setup corridor(Dice& dice);         // narrow, with two bends
+
 /// Recorded people, who follow their recording whatever stands in their way. @throws config::BadInput without the
 /// reference data
 Setup crowd(Dice& dice);
