@@ -40,8 +40,7 @@ std::vector<Point2> means_of_clusters(const std::vector<Hit>& hits) {
   return means;
 }
 
-/// Clusters of hits are given to the nearest track within a gate; an alpha-beta filter follows each
-///:
+/// Clusters of hits are given to the nearest track within a gate; an alpha-beta filter follows each:
 ///
 ///     x' = x + alpha r,    v' = v + (beta / dt) r,    r = z - x, the residual to the predicted place
 class NearestNeighbour final : public Contestant {
