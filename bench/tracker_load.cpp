@@ -50,6 +50,7 @@ double resident_mb() {
 /// A hall of 36 x 24 m with pillars; vehicles drive circles, people walk to and fro.
 class Hall final : public tracking::Scene {
  public:
+  /// 30 people, each on a line of its own through the hall.
   Hall() : walls_(grid::Geometry{720, 480, 0.05, {}}) {
     for (int y = 0; y < 480; ++y) {
       for (int x = 0; x < 720; ++x) {

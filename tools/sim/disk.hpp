@@ -27,6 +27,8 @@ class Disk final : public process::FileStore {
 
   /// Made empty where it is missing. Holds until the file is removed.
   File& open(const std::string& name) { return files_[name]; }
+
+  /// As if the file had never been there.
   void remove(const std::string& name) { files_.erase(name); }
 
   /// All files as a crash leaves them. To be taken before the process ends: what its destructors still
@@ -41,6 +43,8 @@ class Disk final : public process::FileStore {
 
   /// Cuts each file off in its middle, as a host that lost its power may leave it. @pre no process has them open
   void tear_files();
+
+  /// Has it no files at all?
   bool is_empty() const { return files_.empty(); }
 
   /// @pre no process has them open
@@ -54,6 +58,7 @@ class Disk final : public process::FileStore {
 /// The disk of the process that runs now on this thread: kept files and SQLite's files go there while it lives.
 class ScopedDisk {
  public:
+  /// @pre `disk` outlives it
   explicit ScopedDisk(Disk& disk);
   ~ScopedDisk();
   ScopedDisk(const ScopedDisk&) = delete;

@@ -33,6 +33,7 @@ class DriveRecorder {
     std::string planned_goal;  // whose first plan was measured
   };
 
+  /// Each notes what its topic tells.
   void take(const fleet::Obstacle& obstacle, std::int64_t stamp_ns);
   void take(const fleet::VehicleState& state);
   void take(const fleet::Plan& plan);

@@ -161,6 +161,7 @@ std::string to_yaml(const FaultPlan& plan) {
   return writer.text();
 }
 
+/// Glob matching with one kind of wildcard, by going back to the last star.
 bool is_named(const std::string& pattern, const std::string& name) {
   // A star is tried with no text first, then with one character more each time the rest does not fit.
   std::size_t p = 0, n = 0, star = std::string::npos, resume = 0;

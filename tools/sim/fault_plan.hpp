@@ -149,6 +149,7 @@ struct FaultPlan {
         .list("disks", disks);
   }
 
+  /// Does nothing go wrong?
   bool is_empty() const;
 };
 

@@ -21,6 +21,7 @@ class Layout {
          std::uint64_t seed)
       : plan_(plan), services_(services), others_(others), random_(scenario::random_for(seed, "faults")) {}
 
+  /// Kinds in a fixed order: each draw depends on those before it.
   std::vector<FaultAction> all() {
     add_links();
     for (const Cut& cut : plan_.cuts) add_cut(cut);
@@ -180,6 +181,7 @@ std::chrono::nanoseconds moment_of(double s) {
   return std::chrono::nanoseconds(static_cast<std::int64_t>(std::llround(s * 1e9)));
 }
 
+/// The causes that hold at this moment between these two, put together.
 LinkFault harm_at(const FaultPlan& plan, std::chrono::nanoseconds t, const std::string& from, const std::string& to) {
   LinkFault all;
   all.reorder_ms = 0.0;

@@ -26,6 +26,7 @@ Process::~Process() {
   if (is_up()) crash();
 }
 
+/// A service that throws while it is built ends the process at once.
 void Process::start() {
   if (is_up()) return;
 

@@ -39,8 +39,11 @@ class Process {
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
 
+  /// As given to the constructor.
   const Blueprint& blueprint() const { return blueprint_; }
   const std::string& name() const { return name_; }
+
+  /// Up, or hanging.
   bool is_up() const { return running_ != nullptr; }
   Disk& disk() { return disk_; }
 

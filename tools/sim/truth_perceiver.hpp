@@ -32,7 +32,11 @@ struct TrueWorld {
 class Perceiver {
  public:
   virtual ~Perceiver() = default;
+
+  /// `sensors`: of all vehicles; called each tenth of a second.
   virtual void look(const std::vector<Sensor>& sensors, const TrueWorld& world, time::Stamp now) = 0;
+
+  /// As of the last look.
   const std::vector<local_planner::SeenTrack>& tracks() const { return tracks_; }
 
  protected:

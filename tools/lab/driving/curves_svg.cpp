@@ -60,6 +60,7 @@ std::string time_axis(const draw::Chart& chart) {
 
 }  // namespace
 
+/// Both charts share the time axis; their scales hold all drives.
 std::string curves_svg(const std::string& title, const std::vector<NamedDrive>& drives) {
   double duration_s = 1.0, v = 0.1, w = 0.1;
   for (const NamedDrive& drive : drives)

@@ -154,6 +154,8 @@ std::string ways(const draw::MapFrame& frame, const WindowScene& scene) {
 
 }  // namespace
 
+/// From below: walls, the straight path, boxes, sub-targets, ways, the nearest moment; then the ends
+/// and the legend.
 std::string window_svg(const grid::OccupancyGrid& grid, const WindowScene& scene) {
   const draw::MapFrame frame = draw::frame_of(grid.geometry(), kPxPerM, kTopPx);
   const std::string title =

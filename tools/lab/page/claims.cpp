@@ -127,6 +127,7 @@ bool holds(const std::string& left, const std::string& op, const std::string& ri
 
 }  // namespace
 
+/// Condition by condition, row by row; the first that does not hold is told.
 std::optional<std::string> refutation(const std::string& conditions, const Texts& texts) {
   static const std::regex form(R"(^(.+) (<|<=|>|>=|==|is) (.+)$)");
   for (const std::string& condition : split(conditions, " and ")) {

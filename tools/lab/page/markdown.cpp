@@ -27,6 +27,7 @@ std::string digits(double value, int after_point) {
   return std::isfinite(value) ? fmt::format("{:.{}f}", value, after_point) : "-";
 }
 
+/// Markers that are not both there count as none.
 std::string with_section(const std::string& page, const std::string& name, const std::string& text) {
   const std::string begin = "<!-- " + name + ": begin -->\n";
   const std::string end = "<!-- " + name + ": end -->\n";

@@ -95,6 +95,7 @@ class Filling {
     blocks_.push_back({!refuted, refuted});
   }
 
+  /// The left-out lines of a refuted claim are told with the condition that does not hold.
   void end_block() {
     if (blocks_.empty()) throw std::invalid_argument("an :end too many");
 

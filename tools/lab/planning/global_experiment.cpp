@@ -7,6 +7,7 @@
 
 namespace aisle::lab {
 
+/// Fills the template's places one by one.
 FilledPage global_section(const GlobalExperiment& orders, const Progress& progress) {
   Texts texts;
   texts["paper_tables"] = paper_tables(orders.maps, orders.pictures, orders.pictures_from_page, progress);

@@ -56,6 +56,8 @@ double OfflineTask::needed_clearance_m() const {
   return std::max({radius_m, geometry::reach_m(outline), safe_distance_m, preferred_clearance_m});
 }
 
+/// One planner after the other over all queries, so that what it keeps between queries helps it as in
+/// its service.
 OfflineResult plan_offline(const OfflineTask& task, const std::vector<const Variant*>& planners,
                            const grid::ClearanceField& clearance, const Interrupted& is_interrupted) {
   OfflineResult result;

@@ -17,6 +17,7 @@ std::string text(double value, int digits) {
 
 }  // namespace
 
+/// JSON knows no numbers that are not finite.
 Json json_of(const std::vector<Tally>& tallies) {
   Json all = Json::array();
   for (const Tally& t : tallies) {

@@ -43,6 +43,7 @@ std::string path_layer(const std::vector<geometry::Point2>& path, const draw::Ma
 
 }  // namespace
 
+/// Unknown and occupied cells as boxes, then the paths, then the legend below.
 std::string plan_svg(const grid::OccupancyGrid& grid, const std::vector<DrawnPath>& paths) {
   const draw::MapFrame frame = draw::fitted_frame(grid.geometry(), kEdgePx);
   const int width_px = static_cast<int>(std::lround(frame.width_px()));

@@ -47,6 +47,7 @@ std::vector<Query> thinned(const std::vector<Query>& all, std::size_t limit) {
 
 }  // namespace
 
+/// Rows count from the top in these files, and from the bottom in our maps.
 std::vector<Query> read_queries(const std::filesystem::path& file, const grid::Geometry& geometry, std::size_t limit) {
   std::ifstream in(file);
   if (!in) throw config::BadInput(file.string() + ": cannot be read");

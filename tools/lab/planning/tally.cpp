@@ -13,6 +13,7 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();  // nothin
 
 }  // namespace
 
+/// Only the planning is timed.
 Answer ask(global_planner::Planner& planner, const global_planner::Problem& problem,
            const global_planner::Outline& outline) {
   Answer answer;
@@ -29,6 +30,7 @@ Answer ask(global_planner::Planner& planner, const global_planner::Problem& prob
   return answer;
 }
 
+/// Figures are kept of solved queries only.
 void Tally::add(const Answer& answer, double optimum_m) {
   ++asked_;
   time_us_.push_back(answer.time_us);

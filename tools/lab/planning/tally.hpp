@@ -25,6 +25,7 @@ Answer ask(global_planner::Planner& planner, const global_planner::Problem& prob
 /// solved ones.
 class Tally {
  public:
+  /// `planner`: its name.
   explicit Tally(std::string planner) : planner_(std::move(planner)) {}
 
   /// `optimum_m`: 0 when not known.
@@ -35,8 +36,12 @@ class Tally {
   /// Counts of queries: asked, solved, and solved with a path that the checker refuses.
   int asked() const { return asked_; }
   int solved() const { return solved_; }
+
+  /// Solved queries whose path the independent checker refuses.
   int checker_failures() const { return checker_failures_; }
   const std::string& first_fault() const { return first_fault_; }
+
+  /// Length over the known optimum.
   double length_ratio_mean() const { return mean(ratio_); }
   double length_ratio_max() const;
 

@@ -59,6 +59,7 @@ std::vector<std::string> cells(const std::string& family, const std::string& tra
 
 }  // namespace
 
+/// The same seeds with and without prediction, so that only the tracks differ.
 std::string detour_table(int seeds, const Progress& progress) {
   std::vector<std::vector<std::string>> table{{"family", "tracks", "goals", "contacts of a moving vehicle",
                                                "least clearance m", "length m", "beyond the plan m", "time s",

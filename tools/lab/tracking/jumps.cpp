@@ -45,6 +45,7 @@ struct Sums {
 
 }  // namespace
 
+/// Nothing for a recording of which no person has four rows.
 Jumps jumps_of(const std::filesystem::path& recording) {
   scenario::Recording of;
   of.file = recording;

@@ -47,6 +47,8 @@ class NearestNeighbour final : public Contestant {
  public:
   std::string name() const override { return "nearest-neighbour"; }
 
+  /// Predicts all tracks to the end of the sweep, gives each cluster to one of them, and forgets the
+  /// old ones.
   void take(const obstacle_tracker::Scan& scan, const std::vector<obstacle_tracker::KnownVehicle>& vehicles,
             const grid::ClearanceField& clearance, time::Stamp) override {
     const time::Stamp end = scan.stamp + time::from_seconds(scan.sweep_s);

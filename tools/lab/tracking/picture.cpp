@@ -41,12 +41,14 @@ void Picture::look(const Glance& now) {
 
   for (const Walking& person : now.truth.people)
     go_on(people_[static_cast<std::uint64_t>(person.id)], person.position_in_map);
+
   for (std::size_t v = 0; v < now.truth.vehicles.size(); ++v)
     go_on(vehicles_[v], now.truth.vehicles[v].base_in_map.position());
 
   for (const fleet::Track& track : now.tracks[contestant_]) go_on(tracks_[track.id], track.position_in_map);
 }
 
+/// True ways are broad and grey, tracks thin and coloured over them.
 std::string Picture::svg() const {
   const draw::MapFrame frame = draw::fitted_frame(walls_.geometry(), kEdgePx);
 

@@ -17,6 +17,8 @@ class Picture {
 
   /// One moment; outside the drawn time it is ignored.
   void look(const Glance& now);
+
+  /// The picture's text.
   std::string svg() const;
 
  private:

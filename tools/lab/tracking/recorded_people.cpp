@@ -130,6 +130,7 @@ class RecordedPeople final : public Scene {
   double duration_s() const override { return duration_s_; }
   std::size_t vehicles() const override { return static_cast<std::size_t>(vehicles_); }
 
+  /// People within a vehicle are left out, and get another id when they come out of it.
   Moment at(double t_s) override {
     Moment moment;
     moment.vehicles = carriers(t_s, place_m_);

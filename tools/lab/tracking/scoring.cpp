@@ -143,6 +143,7 @@ void Scorer::note_ids(const std::vector<Person>& people, const std::vector<Track
   }
 }
 
+/// Matches, then judges people, then claims.
 void Scorer::look(const std::vector<Person>& people, const std::vector<Track>& claims) {
   ++moments_;
 

@@ -53,6 +53,7 @@ struct Score {
 /// the least total distance.
 class Scorer {
  public:
+  /// `gate_m`: the farthest that a claim may be from its person.
   explicit Scorer(double period_s, double gate_m = 0.5) : period_s_(period_s), gate_m_(gate_m) {}
 
   /// The next moment, `period_s` after the one before.
@@ -87,9 +88,13 @@ class Scorer {
 
   /// Pairs of this moment, see scoring.cpp.
   std::vector<int> match(const std::vector<Person>& people, const std::vector<Track>& claims) const;
+
+  /// One person with its claim, or with none.
   void judge(const Person& person, const Track* claim);
   void weigh(const Person& person, const Track& claim);
   void note_ids(const std::vector<Person>& people, const std::vector<Track>& claims, const std::vector<int>& claim_of);
+
+  /// For IDF1, see scoring.cpp.
   std::int64_t ids_explained() const;
 
   double period_s_;

@@ -7,6 +7,7 @@ namespace aisle::tracking {
 
 using geometry::Point2;
 
+/// The knots of the spline: smoothed places and their velocities.
 SmoothWalk::SmoothWalk(const std::vector<fake_world::RecordedPerson::Row>& rows, double hurry) {
   for (const fake_world::RecordedPerson::Row& row : rows) {
     const double t_s = row.t_s / hurry;
@@ -44,6 +45,7 @@ SmoothWalk::SmoothWalk(const std::vector<fake_world::RecordedPerson::Row>& rows,
   for (std::size_t i = 0; i < n; ++i) knots_[i].in_map = smoothed[i];
 }
 
+/// The cubic between the two knots around the moment.
 std::optional<fake_world::Motion> SmoothWalk::at(double t_s) const {
   if (t_s < knots_.front().t_s || t_s > knots_.back().t_s) return std::nullopt;
 

@@ -208,6 +208,7 @@ bool has_recordings(const TrackingExperiment& orders) {
 
 }  // namespace
 
+/// Without the recordings the section says only that they are missing.
 FilledPage tracking_section(const TrackingExperiment& orders, const Progress& progress) {
   Texts texts{{"recorded", ""}};
   if (!has_recordings(orders)) return fill(kObstacleTrackingTemplate, texts);

@@ -70,6 +70,7 @@ void add_mover(Setup& setup, double speed_mps, double start_s, bool courteous, s
   setup.scenario.movers.push_back(mover);
 }
 
+/// Draws until a pose fits. @pre there is such a place
 Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, double room_m, const std::vector<Pose2>& away_from,
                 double away_m) {
   const auto& g = clearance.geometry();
@@ -84,6 +85,7 @@ Pose2 free_pose(const grid::ClearanceField& clearance, Dice& dice, double room_m
   }
 }
 
+/// All starts are drawn before all goals; neither lie near each other.
 void add_fleet(Setup& setup, Dice& dice, int count, int goals, double radius_m, double room_m, double away_m) {
   const grid::ClearanceField clearance(setup.grid, 3.0);
   std::vector<Pose2> starts, taken;

@@ -253,6 +253,7 @@ void refuse_starts_that_touch(const Setup& setup, const std::filesystem::path& f
 
 }  // namespace
 
+/// The map and the recordings are read here, so that a run reads no file.
 Setup read_setup(const std::filesystem::path& scenario_file, std::uint64_t seed) {
   Setup setup;
   setup.scenario = scenario::read_scenario(scenario_file);
@@ -297,6 +298,7 @@ Setup make_setup(const std::string& family, std::uint64_t seed) {
   return setup;
 }
 
+/// A name with an ending or a folder is a file.
 Setup named_setup(const std::string& name_or_file, std::uint64_t seed) {
   if (makers().count(name_or_file) > 0) return make_setup(name_or_file, seed);
 

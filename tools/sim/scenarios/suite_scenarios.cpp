@@ -193,6 +193,7 @@ Setup racks(Dice& dice) {
 
 }  // namespace
 
+/// 18 boxes between start and goal.
 Setup static_clutter(Dice& dice) {
   return passable([&] {
     Setup setup;
@@ -205,6 +206,7 @@ Setup static_clutter(Dice& dice) {
   });
 }
 
+/// Five boxes in the map and five that are not.
 Setup hidden_blocks(Dice& dice) {
   return passable([&] {
     Setup setup;
@@ -218,6 +220,7 @@ Setup hidden_blocks(Dice& dice) {
   });
 }
 
+/// Five people, half of them courteous.
 Setup person_crossing(Dice& dice) {
   Setup setup;
   setup.grid = hall(20.0, 10.0, kCellM);
@@ -236,6 +239,7 @@ Setup person_crossing(Dice& dice) {
   return setup;
 }
 
+/// One or two people in an aisle of 2.6 to 3.6 m.
 Setup person_oncoming(Dice& dice) {
   const double width = dice.between(2.6, 3.6);
   Setup setup = aisle_of(width);
@@ -253,6 +257,7 @@ Setup person_oncoming(Dice& dice) {
   return setup;
 }
 
+/// A slow person ahead in an aisle of 2.8 to 4 m.
 Setup overtaking(Dice& dice) {
   const double width = dice.between(2.8, 4.0);
   Setup setup = aisle_of(width);
@@ -265,6 +270,7 @@ Setup overtaking(Dice& dice) {
   return setup;
 }
 
+/// A door of 1.05 to 1.4 m, through which a courteous person walks.
 Setup door(Dice& dice) {
   Setup setup;
   setup.grid = hall(16.0, 10.0, kCellM);
@@ -286,6 +292,7 @@ Setup door(Dice& dice) {
   return setup;
 }
 
+/// 1.2 to 2.2 m wide; where it is wide enough, with a hidden box at its side.
 Setup corridor(Dice& dice) {
   return passable([&] {
     Setup setup;
@@ -311,6 +318,7 @@ Setup corridor(Dice& dice) {
   });
 }
 
+/// 100 s of one of three recordings, beginning anywhere.
 Setup crowd(Dice& dice) {
   struct Place {
     const char* file;
@@ -375,6 +383,8 @@ Setup four_vehicles(Dice& dice) {
   }
 }
 
+/// t = length / v + v / 2a + v / 2b + turn / w: the way at full speed, what speeding up and braking
+/// add, and the first turn.
 std::vector<double> free_run_s(const Setup& setup) {
   const kinematics::Limits& limits = setup.vehicle.limits;
   std::vector<double> seconds;
