@@ -60,7 +60,8 @@ FakeWorldService::FakeWorldService(service::Shell& shell, const ServiceConfig& c
       run_(config.scenario.name + "/" + std::to_string(config.seed)),
       memory_(config.state_file.empty() ? std::nullopt : recall(config.state_file, run_)),
       clock_(vehicle_ids(config.scenario), second_zero(shell, config, memory_)),
-      world_(config.scenario, read_recordings(config.scenario), config.seed, memory_ ? &*memory_ : nullptr),
+      world_(config.scenario, config.people ? *config.people : read_recordings(config.scenario), config.seed,
+             memory_ ? &*memory_ : nullptr),
       obstacles_(shell.outbox<topics::WorldObstacle>()) {
   shell.inbox<topics::WorldObstacle>([this](const fleet::Obstacle& obstacle) { take(obstacle); });
 

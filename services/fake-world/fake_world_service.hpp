@@ -22,6 +22,9 @@ struct ServiceConfig {
   /// Second zero of the scenario, nanoseconds since the Unix epoch; none: when all vehicles are heard.
   std::optional<std::int64_t> start_at_ns;
 
+  /// Of each recording, where they are read already; none: read from the scenario's files.
+  std::optional<std::vector<std::vector<RecordedPerson>>> people{};
+
   std::filesystem::path state_file;  // empty: nothing is kept
 };
 

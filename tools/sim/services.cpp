@@ -53,6 +53,7 @@ std::shared_ptr<void> make_tracker(const Setup& setup, service::Shell& shell) {
 std::shared_ptr<void> make_world(const Setup& setup, service::Shell& shell) {
   fake_world::ServiceConfig config;
   config.scenario = setup.scenario;
+  config.people = setup.people;
   config.seed = setup.seed;
   config.state_file = kStateFile;
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -114,6 +115,21 @@ TEST(Site, IsSeenTenTimesASecondAndDrivesTheSame) {
   for (std::size_t i = 1; i < times_s.size(); ++i) EXPECT_NEAR(times_s[i] - times_s[i - 1], 0.1, 1e-9);
   EXPECT_LT(nearest_m, 0.3);
   EXPECT_TRUE(had_plans && saw_a_track_move && was_faster);
+}
+
+TEST(Site, RecordedPeopleAreThoseOfTheSetup) {
+  sim::Setup setup = hall_with_two_vehicles(1);
+  setup.scenario.recordings.emplace_back();  // of no file: it is read already
+  setup.people = {{fake_world::RecordedPerson("passer-by", {{0.0, {1.0, 7.0}}, {20.0, {15.0, 7.0}}})}};
+  double farthest_m = 0.0;
+  Hooks hooks;
+  hooks.goes_on = [](double t_s) { return t_s < 5.0; };
+  hooks.watch = [&](const Snapshot& now) {
+    for (const geometry::Body& thing : now.things)
+      if (std::abs(thing.base_in_map.y - 7.0) < 0.01) farthest_m = std::max(farthest_m, thing.base_in_map.x);
+  };
+  drive(setup, {}, hooks);
+  EXPECT_NEAR(farthest_m, 1.0 + 14.0 / 20.0 * 4.4, 0.7);
 }
 
 TEST(Site, TimeOfDrivingCountsFromTheFirstGoal) {
