@@ -25,7 +25,7 @@ struct Result {
   int contacts{0};                 // beginnings of contacts, of each vehicle
   int contacts_moving_vehicle{0};  // the vehicle was faster than 0.05 m/s
   std::vector<Touch> touches;
-  double least_clearance_m{kNothingNearM};  // of moving vehicles to anything within 2 m
+  double least_clearance_m{kNothingNearM};  // of moving vehicles to anything
   double distance_m{0.0};
   double time_s{0.0};        // simulated, the site's start included
   double first_goal_s{0.0};  // when the first goal was given

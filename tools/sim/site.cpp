@@ -331,8 +331,7 @@ class Site {
     result.contacts_moving_vehicle = report.contacts_moving_vehicle();
     result.distance_m = report.distance_m();
     std::map<std::string, int> goals_of = expectation_of(setup_.scenario).goals_of;
-    const bool anybody_drove = result.distance_m > 0.0;  // else it is the scenario's clearance, not the drivers'
-    result.least_clearance_m = anybody_drove ? report.clearances.overall_m().value_or(kNothingNearM) : kNothingNearM;
+    result.least_clearance_m = report.clearances.moving_vehicle_m.value_or(kNothingNearM);
     result.time_s = report.duration_s;
     result.first_goal_s = first_goal_s(report);
     result.driven_s = driven_s(report);

@@ -49,6 +49,23 @@ TEST(ContactWatch, JudgesARectangleAroundItsMiddleAndNotItsBase) {
   EXPECT_FALSE(watch.contacts()[0].vehicle_moved());
 }
 
+TEST(ContactWatch, ClearanceOfMovingVehiclesIsKeptApart) {
+  ContactWatch watch(nullptr);
+  watch.see(vehicle("a", 0.0, {0, 0, 0}, 0.0));
+  watch.see(person("p", 0.0, {0.7, 0, 0}));
+  watch.advance(0.1);
+  EXPECT_NEAR(*watch.clearances().overall_m(), 0.1, 1e-9);
+  EXPECT_FALSE(watch.clearances().moving_vehicle_m) << "a person who comes near a standing vehicle is no doing of it";
+
+  watch.see(person("p", 0.2, {1.0, 0, 0}));
+  watch.see(vehicle("a", 0.2, {0, 0, 0}, 0.0));
+  watch.see(vehicle("a", 0.4, {0, -0.1, 0}, 0.3));
+  watch.advance(0.4);
+  ASSERT_TRUE(watch.clearances().moving_vehicle_m);
+  EXPECT_GT(*watch.clearances().moving_vehicle_m, 0.1);
+  EXPECT_LT(*watch.clearances().moving_vehicle_m, 0.41);
+}
+
 TEST(ContactWatch, ARectangleThatSwingsOnTheSpotMoves) {
   ContactWatch watch(nullptr);
   watch.see(person("beside", 0.0, {1.4, 0.9, 0}, 0.0));

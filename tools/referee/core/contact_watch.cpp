@@ -211,6 +211,10 @@ void ContactWatch::note(PairClass pair, const std::string& id_a, const Piece& a,
   std::optional<double>& least = clearances_.least_m[static_cast<std::size_t>(pair)];
   if (!least || approach.clearance_m < *least) least = approach.clearance_m;
 
+  std::optional<double>& of_moving = clearances_.moving_vehicle_m;
+  if (fastest_vehicle_mps(pair, a, b) > kMovingMps && (!of_moving || approach.clearance_m < *of_moving))
+    of_moving = approach.clearance_m;
+
   if (approach.clearance_m <= kTouch_m) {
     const double t_s = moment.begin_s + approach.at * (moment.end_s - moment.begin_s);
     note_touch(pair, id_a, a, id_b, b, t_s, -approach.clearance_m, approach.at);
@@ -219,6 +223,10 @@ void ContactWatch::note(PairClass pair, const std::string& id_a, const Piece& a,
     if (touch == touches_.end()) return;
     if (moment.end_s - touch->second.last_s > kMerge_s) touches_.erase(touch);
   }
+}
+
+double ContactWatch::fastest_vehicle_mps(PairClass pair, const Piece& a, const Piece* b) {
+  return pair == PairClass::kVehicleVehicle ? std::max(a.speed_mps, b->speed_mps) : a.speed_mps;
 }
 
 /// The first touch gives the place; the worst of all touches the depth and the speeds.
@@ -245,8 +253,7 @@ void ContactWatch::note_touch(PairClass pair, const std::string& id_a, const Pie
   contact.relative_speed_mps =
       std::max(contact.relative_speed_mps, std::hypot(a.velocity_x_mps - other_x, a.velocity_y_mps - other_y));
 
-  const double other_vehicle_mps = pair == PairClass::kVehicleVehicle ? b->speed_mps : 0.0;
-  contact.vehicle_speed_mps = std::max({contact.vehicle_speed_mps, a.speed_mps, other_vehicle_mps});
+  contact.vehicle_speed_mps = std::max(contact.vehicle_speed_mps, fastest_vehicle_mps(pair, a, b));
 }
 
 void ContactWatch::forget(double until_s) {

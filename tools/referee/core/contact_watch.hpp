@@ -41,6 +41,9 @@ inline constexpr std::array<PairClass, 4> kPairClasses{PairClass::kVehicleVehicl
 /// "vehicle_vehicle", "vehicle_person", ...
 const char* name_of(PairClass pair);
 
+/// A vehicle with any point faster than this moves.
+inline constexpr double kMovingMps = 0.05;
+
 /// One touch of a pair, from its first moment until the two were apart. `b` is "wall" for a wall.
 struct Contact {
   PairClass pair{PairClass::kVehicleVehicle};
@@ -54,13 +57,14 @@ struct Contact {
   double depth_m{0.0};
 
   /// Contacts of vehicles that stand may be the other's fault.
-  bool vehicle_moved() const { return vehicle_speed_mps > 0.05; }
+  bool vehicle_moved() const { return vehicle_speed_mps > kMovingMps; }
 };
 
 /// Least clearance so far, in metres; none for a kind of pair that never came within sight of each
 /// other.
 struct Clearances {
   std::array<std::optional<double>, kPairClasses.size()> least_m;
+  std::optional<double> moving_vehicle_m;  // of vehicles that moved then, to anything
 
   /// Of all kinds of pairs.
   std::optional<double> overall_m() const;
@@ -140,6 +144,9 @@ class ContactWatch {
   /// Keeps the clearance, and begins or ends a contact.
   void note(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b,
             const Moment& moment, const Approach& approach);
+
+  /// Of the one or two vehicles of the pair.
+  static double fastest_vehicle_mps(PairClass pair, const Piece& a, const Piece* b);
   void note_touch(PairClass pair, const std::string& id_a, const Piece& a, const std::string& id_b, const Piece* b,
                   double t_s, double depth_m, double at);
 
