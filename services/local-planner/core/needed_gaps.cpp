@@ -39,6 +39,16 @@ constexpr double kBesideM = 0.08;       // a walking person nearer than this is 
 
 constexpr double kForeseenReserveM = 1.0;  // beyond what the fastest sample can reach: clearance that critics ask for
 
+/// Does a walking person's body come within kBesideM of the vehicle, where they were seen or where they are expected by
+/// the scene's moment? A person who walks away fast may have been taken for faster than they are.
+bool is_beside(const std::vector<Point2>& here, double radius_m, const Mover& mover) {
+  if (mover.velocity_in_map == Point2{}) return false;
+
+  const Point2 seen_in_map = mover.position_in_map - mover.unseen_s * mover.velocity_in_map;
+  const double distance_m = least_distance_m(here, {seen_in_map, mover.position_in_map});
+  return distance_m - radius_m - mover.radius_m < kBesideM;
+}
+
 /// Of the base, within the window.
 double fastest_base_in_window_mps(const Scene& scene, double window_s) {
   return speed_of(scene.twist) + scene.limits.max_acceleration_mps2 * window_s;
@@ -126,7 +136,7 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
         least_distance_m(here, {mover.position_in_map}) - scene.radius_m - mover.radius_m - mover.margin_m;
 
     // Beside a walking person the vehicle stands until they are past, whichever way they go.
-    if (mps > 0.0 && gap_m + mover.margin_m < kBesideM) needed.is_person_beside = true;
+    if (is_beside(here, scene.radius_m, mover)) needed.is_person_beside = true;
     if (gap_m < stopping_m + (mps + mover.growth_mps) * stopping_s + mover.reach_m(stopping_s))
       needed.movers.emplace_back(&mover, std::min(0.0, gap_m));
     if (gap_m < (mps + mover.growth_mps) * settings.horizon_s + foreseen_m) needed.foreseen.push_back(&mover);

@@ -71,6 +71,22 @@ TEST(Obstruction, OfAPersonIsWhereTheyWillBe) {
   EXPECT_EQ(obstruction(world.scene({5.0, 5.0, 0.0}, {1.0, 0.0, 0.0}), {1.0, 0.0, 0.0}, {}), Obstruction::kMover);
 }
 
+/// The velocity of a track overshoots where a person comes out from over the vehicle: they are farther off in the
+/// prediction than on the floor.
+TEST(NeededGaps, APersonIsBesideUntilTheyWereSeenElsewhere) {
+  World world(hall(20.0, 10.0));
+  const auto is_beside = [&](Point2 position, Point2 velocity, double unseen_s) {
+    world.movers = {person(position, velocity)};
+    world.movers[0].unseen_s = unseen_s;
+    return needed_gaps(world.scene({5.0, 5.0, 0.0}, {}), {}).is_person_beside;
+  };
+  EXPECT_TRUE(is_beside({5.0, 5.65}, {0.0, 1.0}, 0.0));
+  EXPECT_FALSE(is_beside({5.0, 5.75}, {0.0, 1.0}, 0.0));
+  EXPECT_FALSE(is_beside({5.0, 5.65}, {}, 0.2)) << "a person who stands";
+  EXPECT_TRUE(is_beside({5.0, 5.75}, {0.0, 1.4}, 0.2)) << "seen over the vehicle, at y = 5.47";
+  EXPECT_FALSE(is_beside({5.0, 6.0}, {0.0, 1.4}, 0.2));
+}
+
 TEST(Obstruction, IsAPersonBesideTheWayWhoMayWalkAtAnyMoment) {
   World world(hall(20.0, 10.0));
   world.movers = {person({5.6, 6.0}, {})};  // 0.5 m from where the vehicle passes
