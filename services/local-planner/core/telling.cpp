@@ -44,7 +44,8 @@ Output told_off_path(geometry::Point2 here_in_map) {
   return out;
 }
 
-// The fleet's rules come first, then what is known to stand in the way, then what the dynamic window refused.
+// The fleet's rules, while nothing stands in the way; then what stands there, once it has for long; then what the
+// dynamic window refused.
 void tell_why_it_stands(const Stop& stop, Output& out) {
   if (!stop.advice.yields_to.empty() && !stop.blocked) {
     out.phase = Phase::kWaiting;
