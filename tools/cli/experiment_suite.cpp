@@ -1,4 +1,5 @@
 // aisle experiment suite: drives the suite's scenarios with one local planner, a line a family.
+
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -20,6 +21,7 @@
 namespace aisle::cli {
 namespace {
 
+/// The options of the command, with their defaults. The runs of a family have the seeds from `seed` on.
 struct SuiteOrders {
   std::vector<std::string> families{sim::suite_families()};
   std::string local{"wang"};
@@ -27,6 +29,8 @@ struct SuiteOrders {
   int runs{30};
 };
 
+/// Sums over the runs for counts, means a run for time and distance; the clearance is null when nothing
+/// came near.
 Json to_json(const std::string& name, const sim::Totals& totals) {
   const bool has_least = totals.least_clearance_m < sim::kNothingNearM;
   return {{"family", name},
@@ -43,6 +47,8 @@ Json to_json(const std::string& name, const sim::Totals& totals) {
           {"trace_hash", fmt::format("{:016x}", totals.trace_hash)}};
 }
 
+/// One row of the printed table: sums of goals and contacts, means a run of time, length and changes of
+/// turn.
 std::vector<std::string> cells(const std::string& name, const sim::Totals& t) {
   const double runs = t.runs > 0 ? t.runs : 1;
   return {name,
@@ -57,6 +63,7 @@ std::vector<std::string> cells(const std::string& name, const sim::Totals& t) {
           fmt::format("{:.2f}", t.jerk_rms)};
 }
 
+/// As JSON or as a table, a row for each family and one for all of them together.
 void print(const Cli& cli, const SuiteOrders& orders, const std::vector<sim::SuiteRow>& rows, const sim::Totals& all) {
   if (cli.json) {
     Json families = Json::array();
@@ -64,10 +71,12 @@ void print(const Cli& cli, const SuiteOrders& orders, const std::vector<sim::Sui
       families.push_back(to_json(row.family, row.totals));
       families.back()["bad"] = row.bad;
     }
+
     std::printf("%s\n",
                 write_json({{"local", orders.local}, {"all", to_json("all", all)}, {"families", families}}).c_str());
     return;
   }
+
   std::vector<std::vector<std::string>> table{{"family", "runs", "goals", "contacts", "of a moving vehicle", "least m",
                                                "time s", "length m", "turn signs", "jerk"}};
   for (const sim::SuiteRow& row : rows) table.push_back(cells(row.family, row.totals));
@@ -83,22 +92,29 @@ int drive_suite(const Cli& cli, const SuiteOrders& orders) {
   ProgressLine progress;
   std::vector<sim::SuiteRow> rows;
   sim::Totals all;
+
   for (const std::string& family : orders.families) {
     int begun = 0;
+
     rows.push_back(sim::run_family(family, orders.local, static_cast<std::uint64_t>(orders.seed), orders.runs, [&] {
       progress.tell(fmt::format("{}: run {} of {}", family, ++begun, orders.runs));
       return is_interrupted();
     }));
+
     all.add(rows.back().totals);
     progress.clear();
+
     for (const std::string& bad : rows.back().bad)
       std::fprintf(stderr, "%s, seed %s\n", family.c_str(), printable(bad).c_str());
+
     if (is_interrupted()) break;
   }
+
   progress.clear();
 
   if (is_interrupted()) std::fprintf(stderr, "aisle experiment suite: stopped after %d runs\n", all.runs);
   print(cli, orders, rows, all);
+
   return all.is_good() && !is_interrupted() ? process::kDone : process::kNegative;
 }
 

@@ -16,6 +16,7 @@ std::string listed(const std::vector<std::string>& names) {
 void check_name(const char* flag, const std::string& name, const std::vector<std::string>& known) {
   for (const std::string& candidate : known)
     if (candidate == name) return;
+
   const std::string nearest = config::nearest_name(name, known);
   throw config::BadInput(fmt::format("{}: '{}' is unknown; {}there are {}", flag, name,
                                      nearest.empty() ? "" : "did you mean '" + nearest + "'? ", listed(known)));

@@ -1,16 +1,17 @@
 #pragma once
+
 #include <string>
 #include <vector>
 
 namespace aisle::cli {
 
-/// "li, qu, wang".
+/// The names in one line, separated by commas: "li, qu, wang".
 std::string listed(const std::vector<std::string>& names);
 
 /// @throws config::BadInput, with the nearest name, when `name` is none of `known`
 void check_name(const char* flag, const std::string& name, const std::vector<std::string>& known);
 
-/// Of planners.
+/// The `name` of each variant of a planner, in the given order.
 template <class Variant>
 std::vector<std::string> names_of(const std::vector<Variant>& variants) {
   std::vector<std::string> names;

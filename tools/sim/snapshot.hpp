@@ -1,4 +1,5 @@
 #pragma once
+
 #include <functional>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct Snapshot {
   std::vector<fleet::Track> tracks;              // that live, as they were last told
   std::vector<const fleet::Plan*> plans;         // valid while it is looked at; null: none yet
 };
+
+/// Called with a snapshot during a run; the plans it points to are valid only until the call returns.
 using Watch = std::function<void(const Snapshot&)>;
 
 }  // namespace aisle::sim

@@ -26,14 +26,17 @@ Snapshot Spectator::look(double t_s) const {
 
   for (const scenario::Vehicle& vehicle : scenario_.vehicles) {
     now.vehicles_in_map.push_back(vehicles_in_map_.at(vehicle.id));
+
     const auto output = outputs_.find(vehicle.id);
     now.outputs.push_back(output == outputs_.end() ? local_planner::Output{} : output->second);
+
     const auto plan = plans_.find(vehicle.id);
     now.plans.push_back(plan == plans_.end() ? nullptr : &plan->second);
   }
 
   for (const auto& [id, body] : things_) now.things.push_back(body);
   for (const auto& [id, track] : tracks_) now.tracks.push_back(track);
+
   return now;
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+
 #include <cstdint>
 #include <map>
 #include <string>
@@ -11,7 +12,8 @@
 
 namespace aisle::sim {
 
-/// Keeps the newest of what the site tells, for those who watch a run. Writes nothing.
+/// Keeps the newest message of each kind that the site publishes, so that a run can be traced or drawn.
+/// Writes nothing.
 class Spectator {
  public:
   /// Hears the topics of `shell` from now on. Both must outlive it.
@@ -24,6 +26,7 @@ class Spectator {
 
   /// Whether the true pose of every vehicle is known.
   bool sees_all_vehicles() const { return vehicles_in_map_.size() == scenario_.vehicles.size(); }
+
   /// @pre sees_all_vehicles()
   Snapshot look(double t_s) const;
 
