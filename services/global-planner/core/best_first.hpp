@@ -46,8 +46,11 @@ enum class Looks {
 template <class Evaluation>
 class BestFirst final : public Planner {
  public:
-  BestFirst(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes, Looks looks)
-      : closed_(closed), steps_(rule, looks == Looks::kAround), passes_(std::move(passes)) {}
+  BestFirst(Closed closed, const NeighbourRule& rule, std::vector<Pass> passes, Looks looks, Evaluation evaluation = {})
+      : closed_(closed),
+        steps_(rule, looks == Looks::kAround),
+        passes_(std::move(passes)),
+        evaluation_(std::move(evaluation)) {}
 
   void rest() override {
     nodes_.release();

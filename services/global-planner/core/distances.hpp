@@ -46,6 +46,30 @@ inline std::uint32_t euclidean(grid::Cell a, grid::Cell b) {
   return static_cast<std::uint32_t>(std::sqrt(dx * dx + dy * dy) * kStraightCost);
 }
 
+// The same by name, as a search's parameter: in cells, and in cost units rounded down.
+struct Euclid {
+  static float cells(grid::Cell a, grid::Cell b) { return euclidean_cells(a, b); }
+  static std::uint32_t cost(grid::Cell a, grid::Cell b) { return euclidean(a, b); }
+};
+struct Manhattan {
+  static float cells(grid::Cell a, grid::Cell b) { return manhattan_cells(a, b); }
+  static std::uint32_t cost(grid::Cell a, grid::Cell b) {
+    return kStraightCost * static_cast<std::uint32_t>(std::abs(a.x - b.x) + std::abs(a.y - b.y));
+  }
+};
+struct Chebyshev {
+  static float cells(grid::Cell a, grid::Cell b) {
+    return static_cast<float>(std::max(std::abs(a.x - b.x), std::abs(a.y - b.y)));
+  }
+  static std::uint32_t cost(grid::Cell a, grid::Cell b) { return chebyshev(a, b); }
+};
+struct OctileDistance {
+  static float cells(grid::Cell a, grid::Cell b) {
+    return static_cast<float>(octile(a, b)) / static_cast<float>(kStraightCost);
+  }
+  static std::uint32_t cost(grid::Cell a, grid::Cell b) { return octile(a, b); }
+};
+
 /// cost + a weighted heuristic in cells, as an evaluation: rounded down, at most 4e9.
 inline std::uint32_t evaluated(std::uint32_t cost, float weighted_cells) {
   return static_cast<std::uint32_t>(

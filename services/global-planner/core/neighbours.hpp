@@ -46,7 +46,18 @@ constexpr NeighbourRule drivable_diagonals() {
 
   return rule;
 }
+constexpr NeighbourRule whatever_is_among(unsigned moves) {
+  NeighbourRule rule{};
+  for (unsigned mask = 0; mask < 256; ++mask) rule[mask] = static_cast<std::uint8_t>(mask & moves);
+  return rule;
+}
 }  // namespace detail
+
+/// Also through the corners of obstacles, as the papers draw traditional A*; no vehicle may drive that.
+inline constexpr NeighbourRule kAnyDiagonal = detail::whatever_is_among(0xFF);
+
+/// No diagonal step at all: LI's baseline.
+inline constexpr NeighbourRule kFourNeighbours = detail::whatever_is_among(0x0F);
 
 /// A diagonal step needs both orthogonal neighbours beside it: no corner is cut. This is also LI's sub-node rule (its
 /// table I).

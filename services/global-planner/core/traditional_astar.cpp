@@ -6,14 +6,6 @@
 namespace aisle::global_planner {
 namespace {
 
-constexpr NeighbourRule any_of(unsigned moves) {
-  NeighbourRule rule{};
-  for (unsigned mask = 0; mask < 256; ++mask) rule[mask] = static_cast<std::uint8_t>(mask & moves);
-  return rule;
-}
-constexpr NeighbourRule kEight = any_of(0xFF);
-constexpr NeighbourRule kFour = any_of(0x0F);
-
 template <std::uint32_t (*distance)(grid::Cell, grid::Cell)>
 class CostAndDistance {
  public:
@@ -27,7 +19,7 @@ class CostAndDistance {
 }  // namespace
 
 std::unique_ptr<Planner> traditional_astar(Heuristic heuristic, Moves moves) {
-  const NeighbourRule& rule = moves == Moves::kFour ? kFour : kEight;
+  const NeighbourRule& rule = moves == Moves::kFour ? kFourNeighbours : kAnyDiagonal;
   switch (heuristic) {
     case Heuristic::kEuclidean:
       return best_first<CostAndDistance<euclidean>>(Closed::kReopen, rule, {});

@@ -15,18 +15,31 @@
 namespace aisle::global_planner {
 namespace {
 
-constexpr int kRounds = 15;
-constexpr int kAnts = 8;
 constexpr std::size_t kMostSteps = 400000;  // of all ants together; the first may take as many as it needs
-constexpr float kEvaporation = 0.2F;
-constexpr float kGreed = 2.0F;  // a step that lengthens the way by a cell is e^2 times less likely
-constexpr std::uint32_t kSeed = 9;
+
+struct Colony {
+  int rounds;
+  int ants;           // a round
+  float evaporation;  // a round
+  float greed;        // a step that lengthens the way by a cell is e^greed times less likely
+  std::uint32_t seed;
+};
+
+Colony colony_of(Parameters& parameters) {
+  return {static_cast<int>(parameters.number("rounds", 15.0, 1.0, 1000.0, "of all ants")),
+          static_cast<int>(parameters.number("ants", 8.0, 1.0, 1000.0, "a round")),
+          static_cast<float>(parameters.number("evaporation", 0.2, 0.0, 1.0, "of the pheromone, a round")),
+          static_cast<float>(parameters.number("greed", 2.0, 0.0, 20.0,
+                                               "a step that lengthens the way by a cell is e^greed times less likely")),
+          static_cast<std::uint32_t>(parameters.number("seed", 9.0, 0.0, 1e9, "of the ants' draws"))};
+}
 
 using Walk = std::vector<grid::Cell>;
 
 class AntColony final : public Planner {
  public:
-  void rest() override { *this = AntColony(); }
+  explicit AntColony(const Colony& colony) : colony_(colony) {}
+  void rest() override { *this = AntColony(colony_); }
 
  private:
   PlannedPath search(const Problem& problem, const Drivable& drivable, const OutOfTime& out_of_time) override {
@@ -35,7 +48,7 @@ class AntColony final : public Planner {
     goal_ = geometry.cell_at(problem.goal_in_map);
     pheromone_.assign(geometry.cells(), 1.0F);
     place_in_walk_.assign(geometry.cells(), kNowhere);
-    random_.seed(kSeed);
+    random_.seed(colony_.seed);
     PlannedPath plan;
     plan.outcome = send_ants(drivable, out_of_time, plan.expanded);
     if (plan.outcome != Outcome::kFound) return plan;
@@ -49,8 +62,8 @@ class AntColony final : public Planner {
   Outcome send_ants(const Drivable& drivable, const OutOfTime& out_of_time, std::size_t& steps) {
     best_.clear();
     best_cost_ = 0;
-    for (int round = 0; round < kRounds; ++round) {
-      for (int ant = 0; ant < kAnts; ++ant) {
+    for (int round = 0; round < colony_.rounds; ++round) {
+      for (int ant = 0; ant < colony_.ants; ++ant) {
         const Outcome outcome = walk(drivable, out_of_time, steps);
         if (outcome == Outcome::kNoPath) return outcome;
         if (outcome == Outcome::kOutOfTime) return best_.empty() ? outcome : Outcome::kFound;
@@ -108,7 +121,7 @@ class AntColony final : public Planner {
       const std::size_t index = drivable.geometry().index(next);
       if (place_in_walk_[index] != kNowhere) continue;
       const float longer = (static_cast<float>(step.cost + octile(next, goal_)) - here) / kStraightCost;
-      chance[static_cast<std::size_t>(i)] = pheromone_[index] * std::exp(-kGreed * longer);
+      chance[static_cast<std::size_t>(i)] = pheromone_[index] * std::exp(-colony_.greed * longer);
       all += chance[static_cast<std::size_t>(i)];
       last = i;
     }
@@ -146,13 +159,14 @@ class AntColony final : public Planner {
   }
 
   void mark_best(const grid::Geometry& geometry) {
-    for (float& pheromone : pheromone_) pheromone = std::max(0.1F, (1.0F - kEvaporation) * pheromone);
+    for (float& pheromone : pheromone_) pheromone = std::max(0.1F, (1.0F - colony_.evaporation) * pheromone);
     for (const grid::Cell cell : best_) pheromone_[geometry.index(cell)] += 1.0F;
   }
 
   static constexpr std::int32_t kNowhere = -1;
   static constexpr std::int32_t kLeft = -2;  // walked back
 
+  Colony colony_;
   grid::Cell start_, goal_;
   std::vector<float> pheromone_;
   std::vector<std::int32_t> place_in_walk_;  // of each cell: its place in the ant's walk
@@ -165,7 +179,9 @@ class AntColony final : public Planner {
 
 Variant ant_colony() {
   return {"ant-colony", "G9: ants and pheromone, then collinear points; LI's comparator", false,
-          []() -> std::unique_ptr<Planner> { return std::make_unique<AntColony>(); }};
+          [](Parameters& parameters) -> std::unique_ptr<Planner> {
+            return std::make_unique<AntColony>(colony_of(parameters));
+          }};
 }
 
 }  // namespace aisle::global_planner

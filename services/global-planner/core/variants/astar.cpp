@@ -20,7 +20,7 @@ class Octile {
 
 Variant astar() {
   return {"astar", "G1: g + h, h octile; optimal on the grid, no passes", true,
-          [] { return best_first<Octile>(Closed::kReopen, kDrivableDiagonals, {}, Looks::kAhead); }};
+          [](Parameters&) { return best_first<Octile>(Closed::kReopen, kDrivableDiagonals, {}, Looks::kAhead); }};
 }
 
 }  // namespace aisle::global_planner

@@ -114,7 +114,7 @@ class PreferClearance final : public Planner {
 Variant clear() {
   return {"clear",
           "A* that prefers clearance: nearer than preferred_clearance_m a metre costs up to four times as much", false,
-          []() -> std::unique_ptr<Planner> { return std::make_unique<PreferClearance>(); }};
+          [](Parameters&) -> std::unique_ptr<Planner> { return std::make_unique<PreferClearance>(); }};
 }
 
 }  // namespace aisle::global_planner

@@ -15,7 +15,7 @@ struct CostAlone {
 
 Variant dijkstra() {
   return {"dijkstra", "G0: g; optimal on the grid, no passes", true,
-          [] { return best_first<CostAlone>(Closed::kStay, kDrivableDiagonals, {}); }};
+          [](Parameters&) { return best_first<CostAlone>(Closed::kStay, kDrivableDiagonals, {}); }};
 }
 
 }  // namespace aisle::global_planner

@@ -34,7 +34,7 @@ Variant direct() {
   return {
       "direct",
       "jump point search, then collinear points, lines of sight, interpolation forwards and backwards; the quick one",
-      false, []() -> std::unique_ptr<Planner> { return std::make_unique<Direct>(); }, true};
+      false, [](Parameters&) -> std::unique_ptr<Planner> { return std::make_unique<Direct>(); }, true};
 }
 
 }  // namespace aisle::global_planner

@@ -19,7 +19,7 @@ class HeuristicAlone {
 
 Variant greedy() {
   return {"greedy", "G2: h, octile; few expansions, any length", false,
-          [] { return best_first<HeuristicAlone>(Closed::kStay, kDrivableDiagonals, {}); }};
+          [](Parameters&) { return best_first<HeuristicAlone>(Closed::kStay, kDrivableDiagonals, {}); }};
 }
 
 }  // namespace aisle::global_planner

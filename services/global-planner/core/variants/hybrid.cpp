@@ -290,7 +290,7 @@ class Hybrid final : public Planner {
 
 Variant hybrid() {
   return {"hybrid", "hybrid A* with a turning radius and headings at start and goal; without one as theta",
-          false,    []() -> std::unique_ptr<Planner> { return std::make_unique<Hybrid>(); },
+          false,    [](Parameters&) -> std::unique_ptr<Planner> { return std::make_unique<Hybrid>(); },
           true,     true};
 }
 

@@ -186,7 +186,7 @@ class JumpPointSearch final : public Planner {
 
 Variant jps() {
   return {"jps", "jump point search on the grid that the vehicle can drive; optimal, no passes", true,
-          []() -> std::unique_ptr<Planner> { return std::make_unique<JumpPointSearch>(); }};
+          [](Parameters&) -> std::unique_ptr<Planner> { return std::make_unique<JumpPointSearch>(); }};
 }
 
 }  // namespace aisle::global_planner

@@ -4,28 +4,30 @@
 // and straighter paths, no fewer cells.
 #include <cmath>
 
-#include "services/global-planner/core/best_first.hpp"
-#include "services/global-planner/core/distances.hpp"
+#include "services/global-planner/core/search_parameters.hpp"
 #include "services/global-planner/core/variant.hpp"
 
 namespace aisle::global_planner {
 namespace {
 
+template <class Distance>
 class LogWeighted {
  public:
+  LogWeighted(float least_weight, float greatest_weight)
+      : least_weight_(least_weight), greatest_weight_(greatest_weight) {}
   void begin(const Ends& ends) {
     start_ = ends.start;
     goal_ = ends.goal;
     per_distance_ = 1.0F / std::max(euclidean_cells(start_, goal_), 1.0F);
   }
   std::uint32_t operator()(std::uint32_t cost, grid::Cell cell) const {
-    const float h = euclidean_cells(cell, goal_);
-    const float to_goal = std::max(h, 1.0F);
+    const float to_goal = std::max(euclidean_cells(cell, goal_), 1.0F);
     const float weight = 1.0F - std::log(euclidean_cells(cell, start_) / to_goal + to_goal * per_distance_);
-    return evaluated(cost, std::clamp(weight, 0.0F, 1.0F) * h);
+    return evaluated(cost, std::clamp(weight, least_weight_, greatest_weight_) * Distance::cells(cell, goal_));
   }
 
  private:
+  float least_weight_, greatest_weight_;
   grid::Cell start_;
   grid::Cell goal_;
   float per_distance_{0.0F};  // 1/D, in cells
@@ -34,12 +36,18 @@ class LogWeighted {
 }  // namespace
 
 Variant qu() {
-  return {
-      "qu", "QU: g + w h, w falling with ln(d_s/d_t + d_t/D), then collinear points and safe lines of sight", false,
-      [] {
-        return best_first<LogWeighted>(Closed::kReopen, kDrivableDiagonals, {passes::collinear, passes::safe_distance});
-      },
-      true};
+  return {"qu", "QU: g + w h, w falling with ln(d_s/d_t + d_t/D), then collinear points and safe lines of sight", false,
+          [](Parameters& parameters) {
+            const auto least = static_cast<float>(
+                parameters.number("least_weight", 0.0, 0.0, 1.0, "of h, where eq. 4 would fall below it"));
+            const auto greatest = static_cast<float>(
+                parameters.number("greatest_weight", 1.0, 1.0, 100.0, "of h, where eq. 4 would rise above it"));
+            SearchShape shape = search_shape(parameters, Closed::kReopen, "collinear,safe-distance");
+            return with_heuristic(parameters, "euclidean", [&](auto distance) -> std::unique_ptr<Planner> {
+              return best_first(std::move(shape), LogWeighted<decltype(distance)>(least, greatest));
+            });
+          },
+          true};
 }
 
 }  // namespace aisle::global_planner

@@ -181,7 +181,7 @@ class LazyTheta final : public Planner {
 
 Variant theta() {
   return {"theta", "lazy Theta*, any angle; never longer than the grid's optimum", false,
-          []() -> std::unique_ptr<Planner> { return std::make_unique<LazyTheta>(); }, true};
+          [](Parameters&) -> std::unique_ptr<Planner> { return std::make_unique<LazyTheta>(); }, true};
 }
 
 }  // namespace aisle::global_planner

@@ -4,14 +4,11 @@
 #include <cmath>
 #include <vector>
 
-#include "services/global-planner/core/best_first.hpp"
-#include "services/global-planner/core/distances.hpp"
+#include "services/global-planner/core/search_parameters.hpp"
 #include "services/global-planner/core/variant.hpp"
 
 namespace aisle::global_planner {
 namespace {
-
-constexpr float kBeta = 0.5F;  // YU: between 0, careful, and 1, quick
 
 /// Obstacle cells in the rectangle from (0, 0) to each cell.
 class ObstacleCounts {
@@ -45,16 +42,18 @@ class ObstacleCounts {
 
 class ObstacleRate {
  public:
+  explicit ObstacleRate(float beta) : beta_(beta) {}
   void begin(const Ends& ends) {
     goal_ = ends.goal;
     obstacles_.count(ends.drivable);
   }
   std::uint32_t operator()(std::uint32_t cost, grid::Cell cell) const {
-    const float average = 0.5F * (euclidean_cells(cell, goal_) + kBeta * manhattan_cells(cell, goal_));
+    const float average = 0.5F * (euclidean_cells(cell, goal_) + beta_ * manhattan_cells(cell, goal_));
     return evaluated(cost, std::exp(obstacles_.rate(cell, goal_)) * average);
   }
 
  private:
+  float beta_;
   grid::Cell goal_;
   ObstacleCounts obstacles_;
 };
@@ -65,9 +64,11 @@ Variant yu() {
   return {"yu",
           "YU: g + e^P (h_e + h_m/2) / 2, P the obstacle rate, then collinear points, lines of sight and safe lines of "
           "sight",
-          false, [] {
-            return best_first<ObstacleRate>(Closed::kStay, kDrivableDiagonals,
-                                            {passes::collinear, passes::greedy_line_of_sight, passes::safe_distance});
+          false, [](Parameters& parameters) {
+            const auto beta = static_cast<float>(parameters.number(
+                "beta", 0.5, 0.0, 1.0, "share of the Manhattan distance, YU eq. 4: 0 is careful, 1 quick"));
+            return best_first(search_shape(parameters, Closed::kStay, "collinear,line-of-sight,safe-distance"),
+                              ObstacleRate(beta));
           }};
 }
 
