@@ -95,7 +95,8 @@ void FleetPlanner::set_vehicle(const std::string& agv_id, const VehicleShape& sh
   v->radius_m = shape.radius_m;
   v->shape = shape;
   if (shape.turning_radius_m > 0.0 && !steered_) steered_ = find_variant("hybrid")->make();
-  const double needed_m = std::max(shape.radius_m + settings_.margin_m + 0.5, settings_.preferred_clearance_m);
+  const double needed_m = std::max({shape.radius_m + settings_.margin_m + 0.5, settings_.preferred_clearance_m,
+                                    shape.radius_m + settings_.safe_distance_m});
   if (needed_m <= reach_m_) return;
 
   reach_m_ = needed_m;
@@ -370,6 +371,7 @@ Problem FleetPlanner::problem_of(const VehicleEntry& v, Point2 start_in_map, Poi
   Problem problem{clearance_,  start_in_map,           goal_in_map, *v.radius_m + settings_.margin_m,
                   *v.radius_m, settings_.tight_range_m};
   problem.preferred_clearance_m = settings_.preferred_clearance_m;
+  problem.safe_distance_m = *v.radius_m + settings_.safe_distance_m;
   if (!(v.shape.turning_radius_m > 0.0)) return problem;
   problem.steering = {v.shape.turning_radius_m, v.pose.any()->yaw, {}, false, v.shape.discs_ahead_m};
   if (v.goal->yaw_tolerance_rad > 0.0) problem.steering.goal_yaw_rad = v.goal->pose_in_map.yaw;

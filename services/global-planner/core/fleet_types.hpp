@@ -24,7 +24,8 @@ struct FleetSettings {
   double look_ahead_m{15.0};   // obstacles farther along a plan do not change it yet
   double preferred_clearance_m{
       0.0};  // for the planner `clear`: nearer to obstacles a metre costs more; 0: twice radius and margin
-  bool to_nearest{false};  // where the map leaves no way to a goal, plan to the nearest point that can be reached
+  double safe_distance_m{0.3};  // for the planners `qu` and `yu`: between the vehicle and obstacles, beside their lines
+  bool to_nearest{false};       // where the map leaves no way to a goal, plan to the nearest point that can be reached
 
   template <class Reader>
   void describe(Reader& r) {
@@ -37,6 +38,7 @@ struct FleetSettings {
         .field("parked_after_s", parked_after_s, 0.0, 600.0)
         .field("look_ahead_m", look_ahead_m, 1.0, 1000.0)
         .field("preferred_clearance_m", preferred_clearance_m, 0.0, 10.0)
+        .field("safe_distance_m", safe_distance_m, 0.0, 10.0)
         .field("to_nearest", to_nearest);
   }
 };

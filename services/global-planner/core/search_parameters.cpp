@@ -11,13 +11,15 @@ struct NamedPass {
 };
 
 const std::vector<NamedPass>& named_passes() {
-  static const std::vector<NamedPass> all{{"collinear", passes::collinear},
-                                          {"collinear-away-from-obstacles", passes::collinear_away_from_obstacles},
-                                          {"right-angle", passes::right_angle},
-                                          {"line-of-sight", passes::greedy_line_of_sight},
-                                          {"safe-distance", passes::safe_distance},
-                                          {"interpolated-forward", passes::interpolated_forward},
-                                          {"interpolated-backward", passes::interpolated_backward}};
+  static const std::vector<NamedPass> all{
+      {"collinear", passes::collinear},
+      {"collinear-but-one-beside-obstacles", passes::collinear_but_one_beside_obstacles},
+      {"right-angle", passes::right_angle},
+      {"line-of-sight", passes::greedy_line_of_sight},
+      {"safe-distance", passes::safe_distance},
+      {"interpolated-forward", passes::interpolated_forward},
+      {"interpolated-at-safe-distance", passes::interpolated_at_safe_distance},
+      {"interpolated-backward", passes::interpolated_backward}};
   return all;
 }
 

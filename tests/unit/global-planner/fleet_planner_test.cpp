@@ -521,5 +521,19 @@ TEST_F(Fleet, PrefersClearanceAsFarAsItsSettingsSay) {
   EXPECT_GT(from_rack_m(1.5), 0.9);
 }
 
+// QU 2.3.2: a node goes where the line past it keeps "a predetermined safe distance".
+TEST_F(Fleet, KeepsTheSafeDistanceOfQuBesideTheLinesItDraws) {
+  block(3.0, 0.0, 8.0, 5.6);  // a rack on the straight way
+  const auto waypoints = [&](double safe_distance_m) {
+    FleetSettings settings;
+    settings.safe_distance_m = safe_distance_m;
+    const Plan plan = *planner_for_goal(settings, "qu", grid_, now_)->step(now_, nullptr);
+    EXPECT_TRUE(is_drivable_now(plan));
+    return plan.waypoints_in_map.size();
+  };
+  EXPECT_EQ(FleetSettings{}.safe_distance_m, 0.3);
+  EXPECT_GT(waypoints(0.3), waypoints(0.0)) << "a line that would pass nearer is not drawn";
+}
+
 }  // namespace
 }  // namespace aisle::global_planner

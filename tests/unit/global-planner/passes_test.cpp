@@ -33,11 +33,20 @@ Path passed(Pass pass, const std::vector<std::string>& lines, Path path, double 
 const std::vector<std::string> kOpen{".......", ".......", ".......", ".......", ".......", ".......", "......."};
 const std::vector<std::string> kBlock{".......", ".......", ".......", "..##...", "..##...", ".......", "......."};
 
-TEST(CollinearAwayFromObstacles, KeepsAPointBesideAnObstacle) {
-  const Path straight{{1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}, {4.5, 1.5}, {5.5, 1.5}};
-  EXPECT_EQ(passed(passes::collinear_away_from_obstacles, kOpen, straight), (Path{{1.5, 1.5}, {5.5, 1.5}}));
-  EXPECT_EQ(passed(passes::collinear_away_from_obstacles, kBlock, straight),
-            (Path{{1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}, {4.5, 1.5}, {5.5, 1.5}}));
+// LI IV.B.2a: of the collinear nodes N4 to N8 the path goes on to N8, the one with obstacles around it.
+TEST(CollinearButOneBesideObstacles, GoesOnToTheFirstPointBesideAnObstacle) {
+  const Path straight{{0.5, 1.5}, {1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}, {4.5, 1.5}, {5.5, 1.5}, {6.5, 1.5}};
+  EXPECT_EQ(passed(passes::collinear_but_one_beside_obstacles, kOpen, straight), (Path{{0.5, 1.5}, {6.5, 1.5}}));
+  EXPECT_EQ(passed(passes::collinear_but_one_beside_obstacles, kBlock, straight),
+            (Path{{0.5, 1.5}, {1.5, 1.5}, {6.5, 1.5}}))
+      << "four of its points have the block beside them";
+}
+
+TEST(CollinearButOneBesideObstacles, KeepsOneOfEachStraightRun) {
+  const Path corner{{0.5, 0.5}, {1.5, 1.5}, {2.5, 1.5}, {3.5, 1.5}, {4.5, 1.5}, {5.5, 1.5},
+                    {5.5, 2.5}, {5.5, 3.5}, {5.5, 4.5}, {5.5, 5.5}, {5.5, 6.5}};
+  EXPECT_EQ(passed(passes::collinear_but_one_beside_obstacles, kBlock, corner),
+            (Path{{0.5, 0.5}, {1.5, 1.5}, {2.5, 1.5}, {5.5, 1.5}, {5.5, 6.5}}));
 }
 
 TEST(RightAngle, IsCutWhereTheCornerIsFreeAndStaysWhereItIsNot) {
@@ -65,6 +74,33 @@ TEST(Interpolated, PullsACornerAlongItsSegment) {
   EXPECT_EQ(backward[1].x, 0.5);
   EXPECT_GT(backward[1].y, 0.9);
   EXPECT_EQ(passed(passes::interpolated_forward, kOpen, around), (Path{{0.5, 4.5}, {6.5, 0.5}}));
+}
+
+// YU 2.3 (3): points between two nodes are tried one after the other, until a line comes nearer to an obstacle than the
+// safe distance.
+TEST(InterpolatedAtSafeDistance, MovesANodeAlongItsSegmentForAsLongAsTheLineKeepsIt) {
+  const Path around{{0.5, 4.5}, {0.5, 0.5}, {6.5, 0.5}};
+  const Path free = passed(passes::interpolated_at_safe_distance, kBlock, around, 0.0);
+  const Path near = passed(passes::interpolated_at_safe_distance, kBlock, around, 0.3);
+  const Path far = passed(passes::interpolated_at_safe_distance, kBlock, around, 1.2);
+  ASSERT_EQ(near.size(), 3U);
+  ASSERT_EQ(far.size(), 3U);
+  EXPECT_EQ(near[1].y, 0.5) << "between the nodes, not at one of them";
+  EXPECT_GT(near[1].x, 0.5);
+  EXPECT_GE(free[1].x, near[1].x);
+  EXPECT_GT(near[1].x, far[1].x) << "more room, less of a short cut";
+
+  const grid::ClearanceField clearance(test_support::grid_from_text(kBlock), 10.0);
+  for (int i = 0; i <= 40; ++i)
+    EXPECT_GE(clearance.clearance_m(near[0] + (i / 40.0) * (near[1] - near[0])), 0.3 - 1e-6);
+}
+
+TEST(InterpolatedAtSafeDistance, StopsAtTheFirstLineThatDoesNot) {
+  // The end of the second segment is in sight past the block, but the points before it are not.
+  const std::vector<std::string> block{".......", ".......", ".......", ".#.....", "......."};
+  const Path around{{0.5, 3.5}, {0.5, 0.5}, {6.5, 0.5}, {6.5, 3.5}};
+  EXPECT_EQ(passed(passes::interpolated_at_safe_distance, block, around, 0.3), around);
+  EXPECT_NE(passed(passes::interpolated_forward, block, around), around) << "WU takes the farthest of all";
 }
 
 /// WU's step 2 as it is said: samples are tried one by one, from the farthest on.
@@ -114,11 +150,12 @@ struct Named {
 
 TEST(EveryPass, LeavesADrivablePathDrivableAndNoLonger) {
   const std::vector<Named> all{{"P1", passes::collinear},
-                               {"P1a", passes::collinear_away_from_obstacles},
+                               {"P1a", passes::collinear_but_one_beside_obstacles},
                                {"P2", passes::right_angle},
                                {"P3", passes::greedy_line_of_sight},
                                {"P4", passes::safe_distance},
                                {"P5", passes::interpolated_forward},
+                               {"P5 safe", passes::interpolated_at_safe_distance},
                                {"P6", passes::interpolated_backward}};
   const std::unique_ptr<Planner> greedy = find_variant("greedy")->make();
   for (unsigned seed = 1; seed <= 200; ++seed) {

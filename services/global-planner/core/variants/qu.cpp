@@ -2,6 +2,8 @@
 // h Euclidean. Repaired: as printed w falls without bound at the goal; it is clamped to [0, 1] with d_t at least one
 // cell. So it never overestimates: the search finds optimal lengths and expands more cells than A*; QU claims shorter
 // and straighter paths, no fewer cells.
+// Eq. 3 prints the weight without the logarithm, against eq. 4 and the title: eq. 4 is built. Algorithm 1 puts what is
+// reached at a lower cost into the closed list; here it is opened again, or it would never be looked at.
 #include <cmath>
 
 #include "services/global-planner/core/search_parameters.hpp"

@@ -1,5 +1,8 @@
 // WANG: "distance-and-log weighted A* + turning-point removal" (eq. 4), row G7 with passes P1 and P3.
 // f = g + (1 + d_t/D) lg(h + 1) h, d_t and D Euclidean distances to the goal from here and from the start.
+// Eq. 2 prints g as the Euclidean distance from the start; g is the cost along the path. Step 2 of its passes prints
+// that the search for a line goes on from N_k, which the line did not reach; it goes on from N_(k-1), the point that is
+// kept.
 #include "services/global-planner/core/logged_distance.hpp"
 #include "services/global-planner/core/search_parameters.hpp"
 #include "services/global-planner/core/variant.hpp"

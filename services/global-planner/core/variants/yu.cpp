@@ -1,6 +1,9 @@
-// YU: "weighted-average heuristic and obstacle rate" (eqs. 4, 5), row G6 with passes P1, P3 and P4: f = g + e^P (h_e +
-// beta h_m) / 2, P the share of obstacle cells in the rectangle between the cell and the goal, h_e Euclidean, h_m
-// Manhattan. P costs O(1) a cell by a summed-area table, which costs one pass over the map for each search.
+// YU: "weighted-average heuristic and obstacle rate" (eqs. 4, 5), row G6 with passes P1, P3 and P5 at the safe distance
+// (2.3): f = g + e^P (h_e + beta h_m) / 2, P the share of obstacle cells in the rectangle between the cell and the
+// goal, h_e Euclidean, h_m Manhattan. P costs O(1) a cell by a summed-area table, which costs one pass over the map for
+// each search. Algorithm 1 prints g as the Manhattan distance from the start, with which no search finds its way around
+// an obstacle; g is the cost along the path. P counts the cells of both ends, so that it is defined in one row or
+// column.
 #include <cmath>
 #include <vector>
 
@@ -62,13 +65,14 @@ class ObstacleRate {
 
 Variant yu() {
   return {"yu",
-          "YU: g + e^P (h_e + h_m/2) / 2, P the obstacle rate, then collinear points, lines of sight and safe lines of "
-          "sight",
+          "YU: g + e^P (h_e + h_m/2) / 2, P the obstacle rate, then collinear points, lines of sight and "
+          "interpolation at a safe distance",
           false, [](Parameters& parameters) {
             const auto beta = static_cast<float>(parameters.number(
                 "beta", 0.5, 0.0, 1.0, "share of the Manhattan distance, YU eq. 4: 0 is careful, 1 quick"));
-            return best_first(search_shape(parameters, Closed::kStay, "collinear,line-of-sight,safe-distance"),
-                              ObstacleRate(beta));
+            return best_first(
+                search_shape(parameters, Closed::kStay, "collinear,line-of-sight,interpolated-at-safe-distance"),
+                ObstacleRate(beta));
           }};
 }
 
