@@ -1,4 +1,4 @@
-// What of a cycle's outcome is said on navigation_status.
+// The detail of a navigation_status, from the core to the wire.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace aisle::local_planner {
 namespace {
 
-TEST(LocalPlannerCodec, EachGradeOfRecoveryIsToldInTheStatus) {
+TEST(NavigationDetail, EachGradeOfRecoveryIsToldInTheStatus) {
   for (const Grade grade : {Grade::kSlower, Grade::kFiner, Grade::kTurn, Grade::kBackOff}) {
     fleet::NavigationStatus status;
     status.phase = fleet::Phase::kAvoiding;
@@ -21,7 +21,7 @@ TEST(LocalPlannerCodec, EachGradeOfRecoveryIsToldInTheStatus) {
   }
 }
 
-TEST(LocalPlannerCodec, ALongDetailIsCutAndNotRefused) {
+TEST(NavigationDetail, ALongDetailIsCutAndNotRefused) {
   fleet::NavigationStatus status;
   status.detail = std::string(1000, 'x');
   const std::string told = wire::encode(status).detail().to_string();
