@@ -7,6 +7,7 @@
 #include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/route.hpp"
 #include "tools/lab/planning/drawn_map.hpp"
+#include "tools/sim/site.hpp"
 
 namespace aisle::lab {
 namespace {
@@ -18,6 +19,8 @@ constexpr double kRadiusM = 0.35;
 constexpr double kMoverMps = 0.5;
 constexpr double kMoverWayM = 1.4;  // to each side of the planned way
 constexpr double kBoxM = 0.5;
+constexpr double kLongestDriveS = 200.0;
+constexpr double kStartUpS = 1.0;  // a site gives its goals sooner
 
 Route planned(const FusedDrive& drive, const DrawnMap& map, const grid::ClearanceField& clearance) {
   global_planner::Problem problem{clearance, map.start_in_map, map.goal_in_map};
@@ -73,6 +76,54 @@ void surprise(scenario::Scenario& scenario, const FusedDrive& drive, const Drawn
   }
 }
 
+sim::Setup setup_of(const FusedDrive& drive, const DrawnMap& map) {
+  sim::Setup setup;
+  setup.grid = map.grid;
+  setup.planner = drive.global;
+  setup.own_variant = drive.local;
+  setup.own_variant->paper = drive.limits;
+  setup.paper_limits = true;
+  setup.settings.lane.shift_m = 0.0;  // the papers' vehicles are alone and keep no side
+  setup.settings.slows_on_the_way = drive.slows_on_the_way;
+
+  scenario::Vehicle vehicle;
+  vehicle.id = "agv-1";
+  vehicle.radius_m = kRadiusM;
+  vehicle.start_in_map = {map.start_in_map.x, map.start_in_map.y, 0.0};
+  setup.scenario.vehicles.push_back(vehicle);
+  scenario::Mission mission;
+  mission.vehicle = vehicle.id;
+  mission.goals_in_map = {{map.goal_in_map.x, map.goal_in_map.y, 0.0}};
+  setup.scenario.missions.push_back(mission);
+  setup.scenario.duration_s = kStartUpS + kLongestDriveS;
+  if (drive.surprises.any()) surprise(setup.scenario, drive, map);
+  return setup;
+}
+
+/// Where the vehicle is and what it was told to do; `clearance` is that of the walls.
+DrivePoint point_of(const sim::Snapshot& now, const grid::ClearanceField& clearance) {
+  const geometry::Twist2& command = now.outputs[0].twist;
+  DrivePoint point{now.t_s, now.vehicles_in_map[0], command.linear_mps, command.angular_radps};
+  const Point2 here = point.base_in_map.position();
+  point.gap_m = clearance.clearance_m(here) - kRadiusM;
+  for (const geometry::Body& thing : now.things) {
+    const bool is_mover = thing.shape == geometry::Body::Shape::kDisc;
+    double& gap_m = is_mover ? point.mover_gap_m : point.gap_m;
+    gap_m = std::min(gap_m, geometry::distance_m(thing, here) - kRadiusM);
+  }
+  return point;
+}
+
+/// Those from the goal being given to its end, with the time since it was given.
+std::vector<DrivePoint> driven(const std::vector<DrivePoint>& points, const sim::Result& result) {
+  std::vector<DrivePoint> kept;
+  for (DrivePoint point : points) {
+    point.t_s -= result.first_goal_s;
+    if (0.0 <= point.t_s && point.t_s <= result.driven_s) kept.push_back(point);
+  }
+  return kept;
+}
+
 double sum_of_changes(const std::vector<DrivePoint>& points, double DrivePoint::*of) {
   double sum = 0.0;
   for (std::size_t i = 1; i < points.size(); ++i) sum += std::abs(points[i].*of - points[i - 1].*of);
@@ -89,6 +140,12 @@ double DriveFigures::greatest_change_of_w() const {
   for (std::size_t i = 1; i < points.size(); ++i)
     most = std::max(most, std::abs(points[i].angular_radps - points[i - 1].angular_radps));
   return most;
+}
+
+double DriveFigures::nearest_mover_m() const {
+  double least_m = 1e9;
+  for (const DrivePoint& p : points) least_m = std::min(least_m, p.mover_gap_m);
+  return least_m;
 }
 
 double DriveFigures::mean_speed_near(double gap_m) const {
@@ -111,41 +168,18 @@ local_planner::Variant paper_variant(const std::string& name) { return *local_pl
 
 DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& maps) {
   const DrawnMap map = read_drawn_map(maps / (drive.map + ".txt"), 1.0);
-  sim::Setup setup;
-  setup.grid = map.grid;
-  setup.planner = drive.global;
-  setup.own_variant = drive.local;
-  setup.own_variant->paper = drive.limits;
-  setup.paper_limits = true;
-  setup.settings.lane.shift_m = 0.0;  // the papers' vehicles are alone and keep no side
-  setup.settings.slows_on_the_way = drive.slows_on_the_way;
-  scenario::Vehicle vehicle;
-  vehicle.id = "agv-1";
-  vehicle.radius_m = kRadiusM;
-  vehicle.start_in_map = {map.start_in_map.x, map.start_in_map.y, 0.0};
-  setup.scenario.vehicles.push_back(vehicle);
-  scenario::Mission mission;
-  mission.vehicle = vehicle.id;
-  mission.goals_in_map = {{map.goal_in_map.x, map.goal_in_map.y, 0.0}};
-  setup.scenario.missions.push_back(mission);
-  setup.scenario.duration_s = 200.0;
-  if (drive.surprises.any()) surprise(setup.scenario, drive, map);
+  const sim::Setup setup = setup_of(drive, map);
   const grid::ClearanceField clearance(map.grid, 4.0);
-  DriveFigures figures{{}, {}, map.grid};
+
+  std::vector<DrivePoint> points;
+  sim::Hooks hooks;
+  hooks.watch = [&](const sim::Snapshot& now) { points.push_back(point_of(now, clearance)); };
+  const sim::Outcome outcome = sim::drive(setup, {}, hooks);
+
+  DriveFigures figures;
+  figures.result = outcome.result;
+  figures.points = driven(points, outcome.result);
   figures.movers = static_cast<int>(setup.scenario.movers.size());
-  figures.result = lockstep::run(setup, [&](const lockstep::Snapshot& now) {
-    const Point2 here = now.vehicles[0].position();
-    double gap_m = clearance.clearance_m(here) - kRadiusM;
-    for (const geometry::Body& thing : now.things) {
-      const double to_thing_m = geometry::distance_m(thing, here) - kRadiusM;
-      if (thing.shape == geometry::Body::Shape::kDisc)
-        figures.nearest_mover_m = std::min(figures.nearest_mover_m, to_thing_m);
-      else
-        gap_m = std::min(gap_m, to_thing_m);
-    }
-    figures.points.push_back(
-        {now.t_s, now.vehicles[0], now.outputs[0].twist.linear_mps, now.outputs[0].twist.angular_radps, gap_m});
-  });
   return figures;
 }
 

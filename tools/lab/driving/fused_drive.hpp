@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "services/local-planner/core/critic.hpp"
-#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/result.hpp"
 
 namespace aisle::lab {
 
@@ -27,21 +27,22 @@ struct FusedDrive {
 
 /// A moment of a drive, as commanded.
 struct DrivePoint {
-  double t_s{0.0};
+  double t_s{0.0};  // since the goal was given
   geometry::Pose2 base_in_map;
   double linear_mps{0.0};
   double angular_radps{0.0};
-  double gap_m{1e9};  // from the outline to walls and boxes
+  double gap_m{1e9};        // from the outline to walls and boxes
+  double mover_gap_m{1e9};  // between the outlines, from the nearest mover
 };
 
 struct DriveFigures {
   sim::Result result;
-  std::vector<DrivePoint> points;  // ten a second
-  grid::OccupancyGrid grid;
-  int movers{0};                // that there was room for
-  double nearest_mover_m{1e9};  // between the outlines, while both were there
+  std::vector<DrivePoint> points;  // from the goal being given to its end (result.driven_s), ten a second
+  int movers{0};                   // that there was room for
+  /// Between the outlines, while both were there.
+  double nearest_mover_m() const;
   /// Did a mover come so near that something had to be done about it?
-  bool met_a_mover() const { return movers > 0 && nearest_mover_m < 1.5; }
+  bool met_a_mover() const { return movers > 0 && nearest_mover_m() < 1.5; }
   bool arrived() const { return result.goals_reached == result.goals_assigned; }
   /// Sums of all changes, up and down: m/s and rad/s.
   double changes_of_v() const;

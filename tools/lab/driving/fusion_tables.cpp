@@ -117,9 +117,10 @@ std::string lengths_table(const std::vector<Driven>& all) {
     const sim::Result& r = d.improved.result;
     rows.push_back({d.of->title, d.of->dwa, d.of->astar_dwa, d.of->improved, length(d.dwa), length(d.astar_dwa),
                     length(d.improved), digits(r.planned_m, 2),
-                    d.improved.arrived() ? digits(r.distance_m / r.planned_m, 3) : "-", digits(r.time_s, 1),
+                    d.improved.arrived() ? digits(r.distance_m / r.planned_m, 3) : "-",
+                    digits(d.improved.result.driven_s, 1),
                     std::to_string(d.improved.movers) + " of " + std::to_string(d.of->surprises.movers),
-                    d.improved.movers > 0 ? digits(d.improved.nearest_mover_m, 2) : "-"});
+                    d.improved.movers > 0 ? digits(d.improved.nearest_mover_m(), 2) : "-"});
   }
   return markdown_table(rows);
 }
@@ -136,7 +137,7 @@ std::string smoothness_table(const std::vector<Driven>& all) {
                     arrow(d.astar_dwa.greatest_change_of_w(), d.improved.greatest_change_of_w()),
                     std::to_string(d.astar_dwa.result.turn_sign_changes) + " -> " +
                         std::to_string(d.improved.result.turn_sign_changes),
-                    arrow(d.astar_dwa.result.time_s, d.improved.result.time_s)});
+                    arrow(d.astar_dwa.result.driven_s, d.improved.result.driven_s)});
   }
   return markdown_table(rows);
 }
@@ -208,7 +209,7 @@ std::string curve_figures(const DriveFigures& d) {
   const double near_mps = d.mean_speed_near(kNearM);
   return (near_mps > 0.0 ? digits(near_mps, 2) + " m/s near" : std::string("never near")) + ", w from " +
          digits(low, 2) + " to " + digits(high, 2) + ", " + digits(d.changes_of_w(), 1) + " rad/s of changes, " +
-         digits(d.result.time_s, 1) + " s";
+         digits(d.result.driven_s, 1) + " s";
 }
 
 /// What the papers say in words and numbers; their curves themselves are printed as pictures.

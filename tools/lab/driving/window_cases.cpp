@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "common/process/output_file.hpp"
 #include "tools/lab/driving/window_svg.hpp"
 #include "tools/lab/page/markdown.hpp"
 #include "tools/sim/scenarios/building.hpp"
+#include "tools/sim/site.hpp"
 
 namespace aisle::lab {
 namespace {
@@ -17,6 +19,10 @@ using geometry::Point2;
 constexpr double kLineM = 5.0;  // y of start and goal
 constexpr double kStartM = 2.0;
 constexpr double kGoalM = 18.0;
+
+/// From the scenario's second zero until its vehicle begins to drive: it gets its goal, and the tracker has to use a scan
+/// of it first. Movers, which meet the vehicle at a certain place, start so much later.
+constexpr double kStartDelayS = 0.2;
 
 sim::Setup straight(double aisle_m) {
   sim::Setup setup;
@@ -34,7 +40,7 @@ sim::Setup straight(double aisle_m) {
 
 WindowCase crosser(std::string name, std::string title, double mps, double start_s) {
   WindowCase of{std::move(name), std::move(title), straight(10.0)};
-  sim::add_mover(of.setup, mps, start_s, false, {{10.0, 1.0}, {10.0, 9.0}});
+  sim::add_mover(of.setup, mps, start_s + kStartDelayS, false, {{10.0, 1.0}, {10.0, 9.0}});
   return of;
 }
 
@@ -64,6 +70,37 @@ WindowScene scene_of(const WindowCase& of, const WindowDrive& drive) {
   return scene;
 }
 
+/// What is kept of a snapshot until it is known when the drive began.
+struct Moment {
+  double t_s{0.0};  // since the site began
+  Point2 vehicle_in_map;
+  std::optional<Point2> mover_in_map;
+  local_planner::Output output;
+};
+
+Moment moment_of(const sim::Snapshot& now) {
+  Moment moment{now.t_s, now.vehicles_in_map[0].position(), {}, now.outputs[0]};
+  for (const geometry::Body& thing : now.things)
+    if (thing.shape == geometry::Body::Shape::kDisc) moment.mover_in_map = thing.base_in_map.position();
+  return moment;
+}
+
+/// One more moment of a drive, `since_s` after the one before.
+void add(WindowDrive& drive, const Moment& now, double since_s) {
+  const Point2 here = now.vehicle_in_map;
+  drive.driven_in_map.push_back(here);
+  if (now.mover_in_map) drive.mover_in_map.push_back(*now.mover_in_map);
+  if (const auto& sub_target = now.output.sub_target_in_map) {
+    drive.sub_targets.push_back({here, *sub_target});
+    drive.sub_target_s += since_s;
+  }
+  drive.farthest_off_m = std::max(drive.farthest_off_m, std::abs(here.y - kLineM));
+  drive.back_on_it_m = std::abs(here.y - kLineM);
+  if (here.x > kStartM + 3.0 && here.x < kGoalM - 3.0)
+    drive.slowest_mps = std::min(drive.slowest_mps, now.output.twist.linear_mps);
+  drive.asked_for_a_plan = drive.asked_for_a_plan || now.output.phase == local_planner::Phase::kBlocked;
+}
+
 }  // namespace
 
 std::vector<WindowCase> window_cases() {
@@ -73,7 +110,7 @@ std::vector<WindowCase> window_cases() {
   cases.push_back(crosser("window-collision", "collision course, crossing", 0.8, 2.2));
   cases.push_back({"window-oncoming", "collision course, oncoming; keeps right, as by default", straight(10.0)});
   cases.back().setup.settings.lane = {};
-  sim::add_mover(cases.back().setup, 0.6, 0.0, false, {{17.0, kLineM}, {2.0, kLineM}});
+  sim::add_mover(cases.back().setup, 0.6, kStartDelayS, false, {{17.0, kLineM}, {2.0, kLineM}});
   cases.push_back({"window-box", "unknown box on the path", straight(10.0)});
   add_box(cases.back().setup, 0.8, 0.8);
   cases.push_back({"window-closed", "aisle closed by something unknown", straight(2.0)});
@@ -82,23 +119,19 @@ std::vector<WindowCase> window_cases() {
 }
 
 WindowDrive drive_window_case(const WindowCase& of) {
+  std::vector<Moment> moments;
+  sim::Hooks hooks;
+  hooks.watch = [&](const sim::Snapshot& now) { moments.push_back(moment_of(now)); };
   WindowDrive drive;
-  double looked_s = 0.0;
-  drive.result = lockstep::run(of.setup, [&](const lockstep::Snapshot& now) {
-    const Point2 here = now.vehicles[0].position();
-    drive.driven_in_map.push_back(here);
-    if (!of.setup.scenario.movers.empty()) drive.mover_in_map.push_back(now.things.front().base_in_map.position());
-    if (const auto& sub_target = now.outputs[0].sub_target_in_map) {
-      drive.sub_targets.push_back({here, *sub_target});
-      drive.sub_target_s += now.t_s - looked_s;
-    }
-    looked_s = now.t_s;
-    drive.farthest_off_m = std::max(drive.farthest_off_m, std::abs(here.y - kLineM));
-    drive.back_on_it_m = std::abs(here.y - kLineM);
-    if (here.x > kStartM + 3.0 && here.x < kGoalM - 3.0)
-      drive.slowest_mps = std::min(drive.slowest_mps, now.outputs[0].twist.linear_mps);
-    drive.asked_for_a_plan = drive.asked_for_a_plan || now.outputs[0].phase == local_planner::Phase::kBlocked;
-  });
+  drive.result = sim::drive(of.setup, {}, hooks).result;
+
+  const double begin_s = drive.result.first_goal_s;
+  const double end_s = begin_s + drive.result.driven_s;
+  double looked_s = begin_s;
+  for (const Moment& now : moments) {
+    if (now.t_s < begin_s || now.t_s > end_s) continue;
+    add(drive, now, now.t_s - std::exchange(looked_s, now.t_s));
+  }
   return drive;
 }
 

@@ -6,7 +6,8 @@
 #include "common/geometry/pose.hpp"
 #include "tools/lab/driving/window_svg.hpp"
 #include "tools/lab/page/progress.hpp"
-#include "tools/lockstep/simulation.hpp"
+#include "tools/sim/result.hpp"
+#include "tools/sim/setup.hpp"
 
 namespace aisle::lab {
 

@@ -31,7 +31,7 @@ TEST(FusedDrive, AvoidsWhatThePaperPutsInTheWay) {
   const DriveFigures figures = drive_fused(wang_drive({1, 1}), kMaps);
   EXPECT_TRUE(figures.arrived());
   EXPECT_EQ(figures.movers, 1);
-  EXPECT_TRUE(figures.met_a_mover()) << "nothing to avoid: " << figures.nearest_mover_m;
+  EXPECT_TRUE(figures.met_a_mover()) << "nothing to avoid: " << figures.nearest_mover_m();
   EXPECT_EQ(figures.result.contacts_moving_vehicle, 0);
 }
 
@@ -45,7 +45,7 @@ TEST(FusedDrive, TurnsSharplyFromOneNarrowAisleIntoAnother) {
   EXPECT_TRUE(figures.arrived());
   EXPECT_EQ(figures.result.contacts, 0);
   EXPECT_LE(figures.result.distance_m, 1.03 * figures.result.planned_m);
-  EXPECT_LT(figures.result.time_s, 60.0) << "it stood at the corner";
+  EXPECT_LT(figures.result.driven_s, 60.0) << "it stood at the corner";
 }
 
 TEST(FusedDrive, GoesThroughADoorThatItSeesFromAfar) {
@@ -53,7 +53,7 @@ TEST(FusedDrive, GoesThroughADoorThatItSeesFromAfar) {
   EXPECT_TRUE(figures.arrived());
   EXPECT_EQ(figures.result.contacts, 0);
   EXPECT_LE(figures.result.distance_m, 1.05 * figures.result.planned_m);
-  EXPECT_LT(figures.result.time_s, 50.0) << "it was driven off its way before the door";
+  EXPECT_LT(figures.result.driven_s, 50.0) << "it was driven off its way before the door";
 }
 
 TEST(FusedDrive, GoesOnWhenWhoCrossedHasPassed) {
