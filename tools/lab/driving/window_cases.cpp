@@ -20,8 +20,8 @@ constexpr double kLineM = 5.0;  // y of start and goal
 constexpr double kStartM = 2.0;
 constexpr double kGoalM = 18.0;
 
-/// From the scenario's second zero until its vehicle begins to drive: it gets its goal, and the tracker has to use a scan
-/// of it first. Movers, which meet the vehicle at a certain place, start so much later.
+/// From the scenario's second zero until its vehicle begins to drive: it gets its goal, and the tracker has to use a
+/// scan of it first. Movers, which meet the vehicle at a certain place, start so much later.
 constexpr double kStartDelayS = 0.2;
 
 sim::Setup straight(double aisle_m) {

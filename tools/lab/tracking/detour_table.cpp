@@ -6,8 +6,8 @@
 
 #include "common/config/reader.hpp"
 #include "tools/lab/page/markdown.hpp"
-#include "tools/lockstep/suite.hpp"
 #include "tools/sim/scenarios/families.hpp"
+#include "tools/sim/suite.hpp"
 
 namespace aisle::lab {
 namespace {
@@ -37,7 +37,7 @@ Drives drive(const std::string& family, Perception perception, int seeds) {
     sim::Setup setup = sim::make_setup(family, static_cast<std::uint64_t>(seed));
     setup.perception = perception;
     const std::string local = setup.local;
-    drives.add(lockstep::run_in_time(std::move(setup), local));
+    drives.add(sim::run_in_time(std::move(setup), local));
   }
 
   return drives;

@@ -4,8 +4,8 @@
 #include "common/kinematics/vehicle_model.hpp"
 #include "services/fake-world/core/world.hpp"
 #include "tools/lab/tracking/scene.hpp"
-#include "tools/lockstep/simulation.hpp"
 #include "tools/sim/scenarios/families.hpp"
+#include "tools/sim/site.hpp"
 
 namespace aisle::tracking {
 namespace {
@@ -15,14 +15,16 @@ using geometry::Pose2;
 
 constexpr double kPeriod_s = 0.1;  // of the snapshots
 
-/// Vehicles as the lock-step simulation drove them; people and blocks move on around them as in the scenario.
+/// Vehicles as the simulated site drove them; people and blocks move on around them as in the scenario.
 class DrivenScenario final : public Scene {
  public:
   DrivenScenario(const sim::Setup& setup, int vehicles)
       : setup_(setup), world_(setup.scenario, setup.people, setup.seed, nullptr) {
     sim::Setup drive = setup;
     drive.perception = sim::Perception::kTruth;
-    lockstep::run(drive, [this](const lockstep::Snapshot& now) { poses_.push_back(now.vehicles); });
+    sim::Hooks hooks;
+    hooks.watch = [this](const sim::Snapshot& now) { poses_.push_back(now.vehicles_in_map); };
+    sim::drive(drive, {}, hooks);
     const int there = static_cast<int>(setup_.scenario.vehicles.size());
     seeing_ = static_cast<std::size_t>(vehicles > 0 ? std::min(vehicles, there) : there);
   }
@@ -73,7 +75,7 @@ class DrivenScenario final : public Scene {
 
   sim::Setup setup_;
   fake_world::World world_;
-  std::vector<std::vector<Pose2>> poses_;
+  std::vector<std::vector<Pose2>> poses_;  // every kPeriod_s from the scenario's second zero, of each vehicle
   std::size_t seeing_{0};
   std::map<std::string, int> ids_;
 };

@@ -58,8 +58,8 @@ enum class Cast {
   kVehiclesOnly,  // no people, no hidden blocks: every track is a ghost
 };
 
-/// A scenario file driven in lock-step with tracks from the truth; at most `vehicles` of its vehicles have eyes (0:
-/// all).
+/// A scenario file driven on the simulated site with tracks from the truth; at most `vehicles` of its vehicles have
+/// eyes (0: all).
 /// @throws config::BadInput
 std::unique_ptr<Scene> driven_scenario(const std::filesystem::path& file, int vehicles, std::uint64_t seed,
                                        Cast cast = Cast::kAll);

@@ -10,8 +10,8 @@
 #include "common/config/reader.hpp"
 #include "common/scenario/data_path.hpp"
 #include "tests/support/places.hpp"
-#include "tools/lockstep/simulation.hpp"
 #include "tools/sim/scenarios/families.hpp"
+#include "tools/sim/site.hpp"
 
 namespace aisle::lab {
 namespace {
@@ -61,10 +61,12 @@ TEST(DetourTable, ComparesThePredictedWithTheHeldStill) {
     sim::Setup setup = sim::make_setup("person-crossing", 1);
     setup.perception = perception;
     bool anybody_moves = false;
-    results.push_back(lockstep::run(setup, [&](const lockstep::Snapshot& now) {
-      for (const auto& seen : now.tracks)
-        anybody_moves = anybody_moves || geometry::norm(seen.track.velocity_in_map) > 0.2;
-    }));
+    sim::Hooks hooks;
+    hooks.watch = [&](const sim::Snapshot& now) {
+      for (const fleet::Track& track : now.tracks)
+        anybody_moves = anybody_moves || geometry::norm(track.velocity_in_map) > 0.2;
+    };
+    results.push_back(sim::drive(setup, {}, hooks).result);
     EXPECT_EQ(anybody_moves, perception == sim::Perception::kScans);
   }
   EXPECT_NE(results[0].trace_hash, results[1].trace_hash);
