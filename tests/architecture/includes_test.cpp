@@ -64,8 +64,7 @@ std::string core_of(const std::string& file) {
   return std::regex_search(file, match, core) ? match[1].str() : std::string{};
 }
 
-/// Values in, values out: no DDS, no clock, no thread, no log. (tools/lockstep is no core: it measures computing
-/// times.)
+/// Values in, values out: no DDS, no clock, no thread, no log.
 bool is_pure(const std::string& file) {
   return !core_of(file).empty() || begins_with_any(file, {"common/geometry/", "common/grid/", "common/kinematics/",
                                                           "common/time/", "common/fleet/"});
@@ -227,14 +226,12 @@ Strings allowed_rooms(const std::string& file) {
   // The simulated site builds the services themselves.
   if (begins_with(file, "tools/sim/")) return {"common/", "services/", "tools/referee/"};
   // The laboratory and `aisle drive` run simulations and draw their runs as the referee draws real ones.
-  Strings for_runs{"common/",     "services/",           "tools/lockstep/",      "tools/sim/",
-                   "tools/draw/", "tools/referee/core/", "tools/referee/report/"};
+  Strings for_runs{"common/", "services/", "tools/sim/", "tools/draw/", "tools/referee/core/", "tools/referee/report/"};
   if (begins_with(file, "tools/lab/")) return for_runs;
   if (begins_with(file, "tools/cli/")) {
     for_runs.push_back("tools/lab/");
     return for_runs;
   }
-  if (begins_with(file, "tools/lockstep/")) return {"common/", "services/", "tools/sim/"};
   if (begins_with(file, "tools/")) return {"common/", "services/"};
   return {"common/"};  // a service; its own folder comes with it
 }

@@ -3,35 +3,26 @@
 #include <string>
 #include <vector>
 
-#include "common/geometry/pose.hpp"
-
 namespace aisle::sim {
 
-/// A vehicle touches something, from one look of the judge to the next.
-struct Touch {
-  double t_s{0.0};
-  std::string vehicle;
-  std::string other;           // a vehicle, a thing, or "wall"
-  geometry::Point2 at_in_map;  // of the vehicle
-  bool begins{true};           // else they touch already, and now the vehicle moves
-  bool is_moving{false};       // the vehicle was faster than 0.05 m/s
-};
-
+/// Clearance where nothing came near.
 inline constexpr double kNothingNearM = 1e9;
 
+/// What one run gave.
 struct Result {
   int goals_assigned{0};
   int goals_reached{0};
-  int contacts{0};                 // beginnings of contacts, of each vehicle
-  int contacts_moving_vehicle{0};  // the vehicle was faster than 0.05 m/s
-  std::vector<Touch> touches;
+  int contacts{0};                          // beginnings of contacts, of each vehicle
+  int contacts_moving_vehicle{0};           // the vehicle was faster than 0.05 m/s
   double least_clearance_m{kNothingNearM};  // of moving vehicles to anything
   double distance_m{0.0};
   double time_s{0.0};        // simulated, the site's start included
   double first_goal_s{0.0};  // when the first goal was given
+
   /// From the first goal given to the last one reached, or to the end of the run where one was missed: what drivers are
   /// compared by. The site's start and the dispatcher's greeting are no part of it, its pauses between goals are.
   double driven_s{0.0};
+
   std::vector<int> reached;    // goals of each vehicle
   std::vector<int> replanned;  // how often
   std::vector<double> done_s;  // of each vehicle: when its last goal was reached, since the start of the run; -1: never
@@ -40,9 +31,8 @@ struct Result {
   int turn_sign_changes{0};      // of turn rates beyond 0.05 rad/s: dithering
   double jerk_squared_sum{0.0};  // (m/s^3)^2 of each vehicle and control period, of true speeds
   std::uint64_t jerk_samples{0};
-  double step_us_mean{0.0}, step_us_max{0.0};  // CPU time of the local planner's cycles
   std::uint64_t trace_hash{0};
-  std::vector<std::string> log;  // contacts, goals missed and what the cores said, with time and vehicle
+  std::vector<std::string> log;  // contacts, violations of authority and goals missed, with time and vehicle
 };
 
 }  // namespace aisle::sim

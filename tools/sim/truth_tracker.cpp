@@ -39,7 +39,7 @@ TruthTracker::TruthTracker(service::Shell& shell, double range_m, std::uint64_t 
 
 void TruthTracker::take(const fleet::Obstacle& obstacle) {
   if (obstacle.kind == fleet::Obstacle::Kind::kVehicle) {
-    sensors_[obstacle.id] = {obstacle.id, obstacle.base_in_map, obstacle.base_in_map, {}, obstacle.footprint};
+    sensors_[obstacle.id] = {obstacle.id, obstacle.base_in_map};
     return;
   }
 
@@ -61,7 +61,7 @@ void TruthTracker::look() {
 
   std::vector<fake_world::Thing> things;
   for (const auto& [id, thing] : things_) things.push_back(thing);
-  perceiver_.look(sensors, {map_.grid(), map_.clearance(), things}, shell_.now());
+  perceiver_.look(sensors, {map_.grid(), things}, shell_.now());
 }
 
 void TruthTracker::tell() {

@@ -53,7 +53,7 @@ std::vector<std::string> cells(const std::string& family, const std::string& tra
           digits(t.least_clearance_m, 3),
           digits(t.distance_m / t.runs, 2),
           digits((t.distance_m - drives.planned_m) / t.runs, 2),
-          digits(t.time_s / t.runs, 1),
+          digits(t.driven_s / t.runs, 1),
           std::to_string(t.replans)};
 }
 
