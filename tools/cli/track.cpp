@@ -139,7 +139,7 @@ void add_track(CLI::App& parent, Cli& cli) {
   Verb(parent, cli, "track", "the tracker and a baseline on simulated scans, without DDS, judged against the truth")
       .option("--pedestrians", options->pedestrians, "recorded people: rows of 'frame id x y'")
       .option("--frames-per-second", options->frames_per_s, 0.1, 1000.0, "of that recording")
-      .option("--scenario", options->scenario, "a scenario file, driven in lock-step")
+      .option("--scenario", options->scenario, "a scenario file, driven on the simulated site")
       .option("--tracker", options->tracker,
               "by its filter: " + obstacle_tracker::filter_names() + ", or all in the same run")
       .option("--vehicles", options->vehicles, 0, 64,
