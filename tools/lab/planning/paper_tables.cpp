@@ -32,7 +32,6 @@ struct Case {
   const char* planner;  // the paper's
   Heuristic heuristic;  // of its baseline
   Moves moves;
-  double safe_distance_m;  // beside lines, from the middle of a cell of 1 m
   std::vector<Published> published;
 };
 
@@ -43,61 +42,53 @@ const std::vector<Case> kCases{
      "li",
      Heuristic::kEuclidean,
      Moves::kFour,
-     0.0,
-     {{F::kLength, 18.00, 14.83}, {F::kNodes, 10, 5}}},
+     {{F::kLength, 18.00, 14.83}, {F::kTurns, 10, 5}}},
     {"li-complex",
      "LI table II, 20x20 complex",
      "li",
      Heuristic::kEuclidean,
      Moves::kFour,
-     0.0,
-     {{F::kLength, 38.00, 29.85}, {F::kNodes, 16, 10}}},
-    {"wu", "WU figure 8", "wu", Heuristic::kEuclidean, Moves::kEight, 0.0, {{F::kTurns, 8, 3}}},
+     {{F::kLength, 38.00, 29.85}, {F::kTurns, 16, 10}}},
+    {"wu", "WU figure 8", "wu", Heuristic::kEuclidean, Moves::kEight, {{F::kTurns, 8, 3}}},
     {"qu-simple",
      "QU table 2, 21x21 simple",
      "qu",
      Heuristic::kEuclidean,
      Moves::kEight,
-     0.0,
      {{F::kLength, 24.4879, 21.0280}, {F::kTurns, 8, 2}}},
     {"qu-maze",
      "QU table 2, 21x21 maze",
      "qu",
      Heuristic::kEuclidean,
      Moves::kEight,
-     0.0,
      {{F::kLength, 30.3848, 25.1659}, {F::kTurns, 12, 5}}},
     {"yu-1",
      "YU table 2, 20x20 scene 1",
      "yu",
      Heuristic::kEuclidean,
      Moves::kEight,
-     0.0,
      {{F::kLength, 27.0026, 24.8729}, {F::kTurns, 5, 4}, {F::kExpanded, 108, 88}}},
     {"yu-2",
      "YU table 3, 20x20 scene 2",
      "yu",
      Heuristic::kEuclidean,
      Moves::kEight,
-     0.0,
      {{F::kLength, 23.3848, 24.3454}, {F::kTurns, 9, 2}, {F::kExpanded, 112, 92}}},
     {"yu-3",
      "YU table 4, 50x50",
      "yu",
      Heuristic::kEuclidean,
      Moves::kEight,
-     0.0,
      {{F::kLength, 62.2548, 60.0237}, {F::kTurns, 13, 8}, {F::kExpanded, 820, 211}}},
     {"wang-1",
      "WANG tables 1 and 2, 20x20",
      "wang",
      Heuristic::kChebyshev,
      Moves::kEight,
-     0.0,
      {{F::kLength, 30.73, 28.53}, {F::kNodes, 28, 4}, {F::kTurns, 7, 2}, {F::kExpanded, 228, 96}}},
-    {"wang-map-1", "WANG table 3, map 1, 5 blocks", "wang", Heuristic::kChebyshev, Moves::kEight, 0.0, {}},
-    {"wang-map-2", "WANG table 3, map 2, 19 blocks", "wang", Heuristic::kChebyshev, Moves::kEight, 0.0, {}},
-    {"wang-map-3", "WANG table 3, map 3, 40x40, 74 blocks", "wang", Heuristic::kChebyshev, Moves::kEight, 0.0, {}},
+    {"wang-map-1", "WANG table 3, map 1, 5 blocks", "wang", Heuristic::kChebyshev, Moves::kEight, {}},
+    {"wang-map-2", "WANG table 3, map 2, 19 blocks", "wang", Heuristic::kChebyshev, Moves::kEight, {}},
+    {"wang-map-3", "WANG table 3, map 3, 40x40, 74 blocks", "wang", Heuristic::kChebyshev, Moves::kEight, {}},
 };
 
 /// One planner on the map of a case.
@@ -147,14 +138,21 @@ std::string verdict(const Published& published, double ours_from, double ours_to
   return (ours_to < ours_from) == claims_less ? "same direction" : "**other direction**";
 }
 
+/// QU and YU ask for one and print none.
+bool keeps_safe_distance(const Case& of) { return std::string(of.planner) == "qu" || std::string(of.planner) == "yu"; }
+
+constexpr double kSafeDistanceM = 0.3;  // as in the service
+constexpr double kSafeDistancesM[] = {0.0, kSafeDistanceM, 0.5};
+
 /// A paper's map with every planner's answer.
 class PaperCase {
  public:
-  PaperCase(const Case& of, const std::filesystem::path& maps)
-      : case_(of), map_(read_drawn_map(maps / (std::string(of.map) + ".txt"), 1.0)) {
+  /// @param safe_distance_m of QU and YU, beside lines, from the middle of a cell of 1 m
+  PaperCase(const Case& of, double safe_distance_m, const std::filesystem::path& maps)
+      : case_(of), safe_distance_m_(safe_distance_m), map_(read_drawn_map(maps / (std::string(of.map) + ".txt"), 1.0)) {
     const grid::ClearanceField clearance(map_.grid, 10.0);
     global_planner::Problem problem{clearance, map_.start_in_map, map_.goal_in_map};
-    problem.safe_distance_m = of.safe_distance_m;
+    problem.safe_distance_m = safe_distance_m;
     rows_.push_back(
         {"traditional A*, as drawn", ask(*global_planner::traditional_astar(of.heuristic, of.moves), problem)});
     for (const global_planner::Variant& variant : global_planner::all_variants())
@@ -172,6 +170,11 @@ class PaperCase {
     return rows_.front().answer;
   }
 
+  /// The case, with the safe distance where its planner keeps one.
+  std::string title() const {
+    return case_.title + (keeps_safe_distance(case_) ? ", safe distance " + digits(safe_distance_m_, 1) + " m" : "");
+  }
+
   /// The paper's figures beside ours.
   std::vector<std::vector<std::string>> compared() const {
     std::vector<std::vector<std::string>> lines;
@@ -180,7 +183,7 @@ class PaperCase {
       const double astar = figure_of(of("astar"), published.figure);
       const double ours = figure_of(of(case_.planner), published.figure);
       lines.push_back(
-          {case_.title, name_of(published.figure), pair(published.figure, published.traditional, published.improved),
+          {title(), name_of(published.figure), pair(published.figure, published.traditional, published.improved),
            pair(published.figure, drawn, ours), verdict(published, drawn, ours), pair(published.figure, astar, ours)});
     }
     return lines;
@@ -208,6 +211,7 @@ class PaperCase {
 
  private:
   const Case& case_;
+  double safe_distance_m_;
   DrawnMap map_;
   std::vector<Row> rows_;
 };
@@ -221,8 +225,11 @@ std::string paper_tables(const std::filesystem::path& maps, const std::filesyste
   std::string details;
   for (const Case& of : kCases) {
     progress(std::string("papers: ") + of.title);
-    const PaperCase paper_case(of, maps);
-    for (auto& line : paper_case.compared()) compared.push_back(std::move(line));
+    const PaperCase paper_case(of, kSafeDistanceM, maps);
+    for (const double safe_distance_m : kSafeDistancesM) {
+      if (!keeps_safe_distance(of) && safe_distance_m != kSafeDistanceM) continue;
+      for (auto& line : PaperCase(of, safe_distance_m, maps).compared()) compared.push_back(std::move(line));
+    }
     process::write_output_file(pictures / (std::string(of.map) + ".svg"), paper_case.picture());
     details += std::string("#### ") + of.title + "\n\n![" + of.title + "](" + pictures_from_page + "/" + of.map +
                ".svg)\n\n" + paper_case.all_planners();
