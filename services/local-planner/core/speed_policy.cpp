@@ -15,11 +15,7 @@ constexpr double kStopMarginM = 0.02;        // before the point that is not pas
 constexpr double kTurnedAwayRad = 0.35;      // a target farther off the heading slows it down,
 constexpr double kTurnedAwayShare = 0.8;     // to this share of the full speed's part towards the target,
 constexpr double kLeastTurnedAwayMps = 0.2;  // and no further
-
-// So near to a person that stood for long it creeps: whoever sets off at 1.4 m/s, perhaps hidden behind them, is there
-// before a track (0.1 s), its latency (0.05 s) and the dead time (0.1 s) let the vehicle react.
-constexpr double kBesidePersonM = 0.35;
-
+constexpr double kBesidePersonM = 0.25;  // so near to a person that stood for long it creeps: a person sets off faster
 constexpr double kPersonAheadS[] = {0.0, 0.5, 1.0};  // a walker's nearest place of these times counts
 constexpr double kPersonGapM = 0.2;                  // nearer to a person than this it drives at the least speed:
 constexpr double kLeastPersonMps = 0.25;
