@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/geometry/pose.hpp"
+#include "services/local-planner/core/printed/as_printed.hpp"
 #include "services/local-planner/core/samples.hpp"
 
 namespace aisle::local_planner {
@@ -51,6 +52,7 @@ extern const Critic dynamic_clearance_critic;    // C8
 struct WeightedCritic {
   Critic critic;
   double weight;
+  std::string symbol{};  // of the weight in the paper: "alpha"
 };
 
 /// Radians.
@@ -77,6 +79,7 @@ struct Variant {
 
   /// WU: aims at a local sub-target while driving on along the path would end in a collision.
   bool has_rolling_window{false};
+  AsPrinted printed{};  // how it drives with Settings::as_printed, and not otherwise
 
   /// Does one of its critics look at this?
   bool asks_for(const Critic& critic) const;

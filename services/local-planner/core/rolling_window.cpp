@@ -127,9 +127,12 @@ std::optional<Point2> local_sub_target(const Window& window) {
   return std::nullopt;
 }
 
+Meeting meeting_towards(const Window& window, Point2 target_in_map) {
+  return predict_towards(window, geometry::bearing(window.scene.base_in_map.position(), target_in_map));
+}
+
 std::optional<Point2> avoid(const Window& window, Point2 path_target_in_map) {
-  const Encounter met =
-      predict_towards(window, geometry::bearing(window.scene.base_in_map.position(), path_target_in_map)).encounter;
+  const Encounter met = meeting_towards(window, path_target_in_map).encounter;
   if (met == Encounter::kNone || met == Encounter::kOvertaking) return std::nullopt;
   return local_sub_target(window);
 }

@@ -9,7 +9,9 @@
 
 namespace aisle::local_planner {
 
-inline constexpr double kWindowM = 10.0;  // of the rolling window: the lidar's range
+// Of the rolling window: the lidar's range r. WU eqs. 6 and 7 ask that (v1 + v2) T < r, so that nothing crosses the
+// window between two looks: with T = 0.1 s it holds up to 100 m/s.
+inline constexpr double kWindowM = 10.0;
 inline constexpr double kMeetingS = 4.0;  // how far ahead the status says what will be met,
 inline constexpr double kAvoidS = 3.0;    // and the path is left for: tracks do not keep their course for longer
 
@@ -61,6 +63,10 @@ struct Window {
 /// How: for each window, largest first, the bearing to the route's exit and then bearings ever farther to either side;
 /// the first that is reachable gives the point. None: no bearing is reachable; keep to the path.
 std::optional<geometry::Point2> local_sub_target(const Window& window);
+
+/// The first predicted collision of the window while the vehicle drives straight at `target_in_map`, as fast as now or
+/// at 0.4 m/s.
+Meeting meeting_towards(const Window& window, geometry::Point2 target_in_map);
 
 /// WU's strategy: the sub-target while the straight way to `path_target_in_map` ends in a predicted collision with what
 /// stands, comes or crosses. None: keep to the path: no collision is predicted, or one with a slower mover ahead, which

@@ -14,7 +14,9 @@ constexpr double kVelocity = 0.3;
 
 Variant dwa() {
   return {"dwa",
-          {{heading_critic, kHeading}, {clearance_critic, kClearance}, {velocity_critic, kVelocity}},
+          {{heading_critic, kHeading, "alpha"},
+           {clearance_critic, kClearance, "gamma"},
+           {velocity_critic, kVelocity, "beta"}},
           false,
           {},
           "straight at the goal, without a path; for comparison"};

@@ -1,4 +1,5 @@
-// L1, LI: the traditional critics and the heading to the sub-target on the global path.
+// L1, LI: the traditional critics and the heading to the sub-target on the global path. Table III calls gamma "dynamic
+// distance"; eq. 10 gives it to the speed, and so does this.
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {
@@ -10,17 +11,26 @@ constexpr double kClearance = 0.2;
 constexpr double kVelocity = 0.3;
 constexpr double kSubTargetHeading = 0.1;
 
+/// Section IV.C: the sub-goal G_i is the path's nearest point. No limits are printed.
+AsPrinted printed() {
+  AsPrinted printed;
+  printed.target_rule = target_rules::nearest_path_point;
+  return printed;
+}
+
 }  // namespace
 
 Variant li() {
   return {"li",
-          {{heading_critic, kHeading},
-           {clearance_critic, kClearance},
-           {velocity_critic, kVelocity},
-           {sub_target_heading_critic, kSubTargetHeading}},
+          {{heading_critic, kHeading, "alpha"},
+           {clearance_critic, kClearance, "beta"},
+           {velocity_critic, kVelocity, "gamma"},
+           {sub_target_heading_critic, kSubTargetHeading, "eta"}},
           true,
           {},
-          "heads for a sub-target on the path as well"};
+          "heads for a sub-target on the path as well",
+          false,
+          printed()};
 }
 
 }  // namespace aisle::local_planner

@@ -17,17 +17,31 @@ constexpr PaperLimits kPaper{/*max_speed_mps=*/2.0,
                              /*max_turn_acceleration_radps2=*/from_degrees(60.0),
                              /*horizon_s=*/2.0};
 
+/// Section 4: the key points of the path are intermediate targets. Table 1: the initial azimuth is -pi/2, the
+/// resolutions are 0.01 m/s and 1 deg/s, dt is 0.1 s.
+AsPrinted printed() {
+  AsPrinted printed;
+  printed.target_rule = target_rules::path_nodes;
+  printed.start_yaw_rad = -0.5 * geometry::kPi;
+  printed.linear_step_mps = 0.01;
+  printed.angular_step_radps = from_degrees(1.0);
+  printed.interval_s = 0.1;
+  return printed;
+}
+
 }  // namespace
 
 Variant qu() {
   return {"qu",
-          {{heading_critic, kHeading},
-           {static_clearance_critic, kStaticClearance},
-           {velocity_critic, kVelocity},
-           {dynamic_clearance_critic, kDynamicClearance}},
+          {{heading_critic, kHeading, "alpha"},
+           {static_clearance_critic, kStaticClearance, "beta"},
+           {velocity_critic, kVelocity, "gamma"},
+           {dynamic_clearance_critic, kDynamicClearance, "eta"}},
           true,
           kPaper,
-          "clearance to what moves apart from what stands"};
+          "clearance to what moves apart from what stands",
+          false,
+          printed()};
 }
 
 }  // namespace aisle::local_planner

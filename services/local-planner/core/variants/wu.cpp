@@ -19,19 +19,30 @@ constexpr PaperLimits kPaper{/*max_speed_mps=*/1.0,
                              /*max_turn_acceleration_radps2=*/0.9,
                              /*horizon_s=*/3.0};
 
+/// Sections 4 and 5: the local sub-target while a collision is predicted, else the path. Section 3.2: an Ackermann
+/// forklift. Table 1: dt is 0.1 s.
+AsPrinted printed() {
+  AsPrinted printed;
+  printed.target_rule = target_rules::local_sub_target;
+  printed.model = kinematics::Model::kTricycle;
+  printed.interval_s = 0.1;
+  return printed;
+}
+
 }  // namespace
 
 Variant wu() {
   return {"wu",
-          {{heading_critic, kHeading},
-           {velocity_critic, kVelocity},
-           {clearance_critic, kClearance},
-           {path_distance_critic, kPathDistance},
-           {sub_target_distance_critic, kSubTargetDistance}},
+          {{heading_critic, kHeading, "alpha"},
+           {velocity_critic, kVelocity, "beta"},
+           {clearance_critic, kClearance, "gamma"},
+           {path_distance_critic, kPathDistance, "eta"},
+           {sub_target_distance_critic, kSubTargetDistance, "lambda"}},
           true,
           kPaper,
           "keeps to the path, or to a sub-target beside who would be hit",
-          true};
+          true,
+          printed()};
 }
 
 }  // namespace aisle::local_planner

@@ -1,5 +1,5 @@
-// L4, YU: the traditional critics, fast; turns on the spot to the path's first node before it moves (eq. 12, with
-// atan2), as every variant here does. Its turn rates are degrees, printed as radians.
+// L4, YU: the traditional critics, fast. Its turn rates are degrees, printed as radians. Its linear acceleration is not
+// printed: 0.4 m/s^2 is chosen.
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {
@@ -17,14 +17,27 @@ constexpr PaperLimits kPaper{/*max_speed_mps=*/2.0,
                              /*max_turn_acceleration_radps2=*/from_degrees(50.0),
                              /*horizon_s=*/3.0};
 
+/// Section 3.2: the path's points are sub-targets, one after the other; eq. 12: before it moves, the vehicle turns to
+/// the first of them.
+AsPrinted printed() {
+  AsPrinted printed;
+  printed.target_rule = target_rules::path_nodes;
+  printed.faces_first_node = true;
+  return printed;
+}
+
 }  // namespace
 
 Variant yu() {
   return {"yu",
-          {{heading_critic, kHeading}, {clearance_critic, kClearance}, {velocity_critic, kVelocity}},
+          {{heading_critic, kHeading, "alpha"},
+           {clearance_critic, kClearance, "beta"},
+           {velocity_critic, kVelocity, "gamma"}},
           true,
           kPaper,
-          "as wang, faster"};
+          "as wang, speed counts for more",
+          false,
+          printed()};
 }
 
 }  // namespace aisle::local_planner
