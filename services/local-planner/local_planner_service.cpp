@@ -37,7 +37,7 @@ LocalPlannerService::LocalPlannerService(service::Shell& shell, const ServiceCon
                        inputs_.clearance = &clearance;
                        inputs_.map_revision = map_.revision();
                      })),
-      planner_(config.settings, config.variant),
+      planner_(make_planner(config.settings, config.variant)),
       commands_(shell.outbox<topics::VelocityCommand>()),
       statuses_(shell.outbox<topics::NavigationStatus>()) {
   // Vehicles that are gone from the bus still stand where they were, and a plan outlives its planner: only tracks end.
@@ -172,7 +172,7 @@ void LocalPlannerService::cycle() {
     if (peer.state_arrived != time::Stamp{}) inputs_.peers.push_back(peer);
 
   const time::Stamp begun = shell_.now();
-  const Output output = planner_.step(inputs_, begun);
+  const Output output = planner_->step(inputs_, begun);
   control_ms_ = 1e3 * time::seconds(shell_.now() - begun);
 
   const bool changed = output.phase != phase_ || output.reason != reason_;

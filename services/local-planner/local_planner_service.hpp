@@ -3,13 +3,14 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "common/fleet/plan_authority.hpp"
 #include "common/service/shell.hpp"
-#include "services/local-planner/core/local_planner.hpp"
+#include "services/local-planner/core/planner.hpp"
 
 namespace aisle::local_planner {
 
@@ -86,7 +87,7 @@ class LocalPlannerService {
   service::Shell& shell_;
   std::string agv_id_;
   service::MapClient& map_;
-  LocalPlanner planner_;
+  std::unique_ptr<Planner> planner_;
   std::function<void(const Output&)> on_cycle_;  // may be empty
   Inputs inputs_;
 

@@ -4,6 +4,7 @@
 #include "services/local-planner/core/command_following.hpp"
 #include "services/local-planner/core/guard.hpp"
 #include "services/local-planner/core/inputs.hpp"
+#include "services/local-planner/core/planner.hpp"
 #include "services/local-planner/core/right_of_way/right_of_way.hpp"
 #include "services/local-planner/core/settings.hpp"
 #include "services/local-planner/core/stuck.hpp"
@@ -22,13 +23,11 @@ namespace aisle::local_planner {
 ///
 /// Keeps to the right, slows in bends, near walls and near people, waits where others go first, drives around what
 /// stands, steps aside for vehicles that it blocks, and asks for another plan when none of this helps. Whatever is
-/// missing or old in its inputs stops it, and the output says which. Deterministic: the same calls give the same
-/// outputs. Not for several threads.
-class LocalPlanner {
+/// missing or old in its inputs stops it, and the output says which.
+class LocalPlanner final : public Planner {
  public:
   explicit LocalPlanner(const Settings& settings = {}, Variant variant = wang());
-  /// One cycle. `now` never goes back; call it every `control_period_s`.
-  Output step(const Inputs& inputs, time::Stamp now);
+  Output step(const Inputs& inputs, time::Stamp now) override;
 
  private:
   struct Decision;  // what a cycle wants, and says

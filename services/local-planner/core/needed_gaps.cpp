@@ -42,7 +42,7 @@ constexpr double kForeseenReserveM = 1.0;  // beyond what the fastest sample can
 /// Does a walking person's body come within kBesideM of the vehicle, where they were seen or where they are expected by
 /// the scene's moment? A person who walks away fast may have been taken for faster than they are.
 bool is_beside(const std::vector<Point2>& here, double radius_m, const Mover& mover) {
-  if (mover.velocity_in_map == Point2{}) return false;
+  if (!mover.may_walk || mover.velocity_in_map == Point2{}) return false;
 
   const Point2 seen_in_map = mover.position_in_map - mover.unseen_s * mover.velocity_in_map;
   const double distance_m = least_distance_m(here, {seen_in_map, mover.position_in_map});

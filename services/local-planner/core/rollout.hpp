@@ -18,10 +18,14 @@ inline constexpr double kBesidePersonMps = 0.5 * kStandingMps;  // faster is mov
 struct DwaSettings {
   double horizon_s{2.0};
   double step_s{0.1};
-  double window_s{0.3};   // speeds reachable within this are sampled; commands follow at the control period's pace
+  // Speeds reachable within this are sampled; commands follow at the control period's pace. The papers' V_d is of one
+  // interval (LI eq. 6, QU eq. 7, YU eq. 9, WANG eq. 8): this longer reach is ours, and as printed there is none.
+  double window_s{0.3};
   double heading_s{0.8};  // the heading critics look at the trajectory here
   int linear_samples{7};
   int angular_samples{17};
+  double linear_step_mps{0.0};     // between sampled speeds; 0: by linear_samples
+  double angular_step_radps{0.0};  // between sampled turn rates; 0: by angular_samples
   double wall_margin_m{0.04};
   double peer_margin_m{0.08};
   double braking_share{0.9};  // of the deceleration limit, where stopping is promised

@@ -19,6 +19,7 @@ struct Settings {
   double blocked_after_s{3.0};  // standing before something for so long: say so, and ask for a new plan
   double comfort_mps2{0.6};     // braking before bends, goals and conflicts
   bool slows_on_the_way{true};  // before bends and near walls; false: as the papers drive, by the dynamic window alone
+  bool as_printed{false};       // the variant as its paper prints it, with nothing of ours in between
   LaneSettings lane;
   DwaSettings dwa;
   TrafficSettings traffic;

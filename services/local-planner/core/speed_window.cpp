@@ -1,6 +1,7 @@
 #include "services/local-planner/core/speed_window.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "common/kinematics/tricycle.hpp"
@@ -24,9 +25,35 @@ std::vector<double> spread(double low, double high, int count) {
   return values;
 }
 
+/// From `low` on every `step`, and `high`.
+std::vector<double> stepped(double low, double high, double step) {
+  std::vector<double> values;
+  const int steps = static_cast<int>((high - low) / step + kNoSpread);
+  for (int i = 0; i <= steps; ++i) values.push_back(low + i * step);
+  if (values.empty() || high - values.back() > kNoSpread) values.push_back(high);
+  return values;
+}
+
+/// Turn rates of a window of (v, w), as the papers sample it: by their resolution; of a tricycle those that its wheel
+/// can be steered to at all at this speed.
+std::vector<double> turns_by_resolution(const Scene& scene, double v, const DwaSettings& settings) {
+  const kinematics::Limits& limits = scene.limits;
+  const bool is_steered = limits.model == kinematics::Model::kTricycle;
+  const double most =
+      is_steered ? std::min(limits.max_turn_radps, v * std::tan(limits.axle.max_steering_rad) / limits.axle.wheelbase_m)
+                 : limits.max_turn_radps;
+  const double w0 = std::clamp(scene.twist.angular_radps, -most, most);
+  const double reach = limits.max_turn_acceleration_radps2 * settings.window_s;
+  const double low = std::max(-most, w0 - reach), high = std::min(most, w0 + reach);
+  std::vector<double> turns = stepped(low, high, settings.angular_step_radps);
+  if (low < 0.0 && high > 0.0) turns.push_back(0.0);
+  return turns;
+}
+
 /// Turn rates at this speed: those that the window reaches, straight on among them; of a tricycle those that its wheel
 /// can be steered to within the time that it takes to look there.
 std::vector<double> turns_at(const Scene& scene, double v, const DwaSettings& settings) {
+  if (settings.angular_step_radps > 0.0) return turns_by_resolution(scene, v, settings);
   const kinematics::Limits& limits = scene.limits;
   std::vector<double> turns;
 
@@ -77,7 +104,8 @@ std::vector<double> forwards_of(const Scene& scene, const DwaSettings& settings)
   const double low = std::max(0.0, v0 - limits.max_deceleration_mps2 * settings.window_s);
   const double high = std::max(low, std::min({v0 + limits.max_acceleration_mps2 * settings.window_s,
                                               scene.speed_cap_mps, limits.max_speed_mps}));
-  std::vector<double> speeds = spread(low, high, settings.linear_samples);
+  std::vector<double> speeds = settings.linear_step_mps > 0.0 ? stepped(low, high, settings.linear_step_mps)
+                                                              : spread(low, high, settings.linear_samples);
   if (low < v0 && v0 < high) speeds.insert(std::lower_bound(speeds.begin(), speeds.end(), v0), v0);
 
   return speeds;

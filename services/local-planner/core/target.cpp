@@ -73,6 +73,13 @@ std::optional<Point2> sub_target_beside(const OnWay& on_way, const Scene& scene,
   return avoid({scene, room, on_way.way.current(), on_way.way.s_m()}, target_in_map);
 }
 
+std::vector<Point2> points_ahead(const Route& route, double s_m, double ahead_m) {
+  std::vector<Point2> points;
+  const double end_m = std::min(route.length_m(), s_m + ahead_m);
+  for (double s = s_m; s <= end_m + kRoundingM; s += kPathStepM) points.push_back(route.at(s));
+  return points;
+}
+
 Aim aim_at(Point2 target_in_map, const OnWay& on_way, const Variant& variant, const DwaSettings& settings) {
   const Point2 then = on_way.moment.motion.base_then.position();
   const Way& way = on_way.way;
@@ -91,11 +98,8 @@ Aim aim_at(Point2 target_in_map, const OnWay& on_way, const Variant& variant, co
     aim.wall_cap_m =
         std::max(settings.wall_margin_m, least_spare_m(on_way, nearest_m, settings.horizon_s, aim.wall_cap_m));
   }
-  if (!variant.asks_for(path_distance_critic)) return aim;
-
-  const double ahead_m = on_way.moment.vehicle.limits.max_speed_mps * settings.horizon_s;
-  const double end_m = std::min(route.length_m(), nearest_m + ahead_m);
-  for (double s = nearest_m; s <= end_m + kRoundingM; s += kPathStepM) aim.path_in_map.push_back(route.at(s));
+  if (variant.asks_for(path_distance_critic))
+    aim.path_in_map = points_ahead(route, nearest_m, on_way.moment.vehicle.limits.max_speed_mps * settings.horizon_s);
   return aim;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "services/local-planner/core/critic.hpp"
 #include "services/local-planner/core/moment.hpp"
@@ -37,6 +38,9 @@ geometry::Point2 target_in_sight(const OnWay& on_way, bool knows_path);
 /// spot.
 std::optional<geometry::Point2> sub_target_beside(const OnWay& on_way, const Scene& scene,
                                                   geometry::Point2 target_in_map);
+
+/// The route from `s_m` on for `ahead_m`, as points every 0.2 m: what path distance is measured to.
+std::vector<geometry::Point2> points_ahead(const Route& route, double s_m, double ahead_m);
 
 /// The target as the dynamic window's critics look at it: with LI's sub-target on the way, the way ahead where they ask
 /// for it, and as much room at the walls as the way itself has.

@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "services/local-planner/core/local_planner.hpp"
+#include "services/local-planner/core/planner.hpp"
 
 namespace aisle::local_planner {
 
@@ -16,8 +17,8 @@ namespace aisle::local_planner {
 class Drive {
  public:
   explicit Drive(const grid::OccupancyGrid& grid, geometry::Pose2 start = {3.0, 5.0, 0.0},
-                 const Variant& variant = wang())
-      : planner({}, variant), base(start), clearance_(grid) {
+                 const Variant& variant = wang(), const Settings& settings = {})
+      : planner(make_planner(settings, variant)), base(start), clearance_(grid) {
     inputs.clearance = &clearance_;
     inputs.map_revision = 1;
     inputs.vehicle = Vehicle{"agv-1", geometry::disc(0.35), {}, 10.0, 0.2};
@@ -38,7 +39,7 @@ class Drive {
     if (state_comes) inputs.state.set({base, twist}, now);
     if (tracker_lives) inputs.tracker_heard = now;
     if (tracker_lives && lidar_lives) inputs.tracker_alive = now;
-    output = planner.step(inputs, now);
+    output = planner->step(inputs, now);
     pipe_.push_back(output.twist);
     twist = kinematics::limit_change(twist, pipe_.size() > 5 ? pipe_.front() : geometry::Twist2{},
                                      inputs.vehicle->limits, 0.02);
@@ -74,7 +75,7 @@ class Drive {
   }
 
   Inputs inputs;
-  LocalPlanner planner;
+  std::unique_ptr<Planner> planner;
   Output output;
   geometry::Pose2 base;
   geometry::Twist2 twist;

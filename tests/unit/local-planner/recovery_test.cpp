@@ -78,7 +78,7 @@ TEST(Recovery, LooksFinerBetweenWallsWhereFewArcsLeadIn) {
   coarse.dwa.angular_samples = 3;
   for (const double yaw_rad : {0.2, 0.3, 0.4, 0.5}) {
     Drive drive(aisle(0.95), {3.0, 5.0, yaw_rad});
-    drive.planner = LocalPlanner(coarse);
+    drive.planner = make_planner(coarse, wang());
     drive.give_plan({{3.0, 5.0}, {17.0, 5.0}});
     bool finer = false;
     const bool arrived = drive.until(40.0, [&] {
