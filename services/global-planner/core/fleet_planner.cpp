@@ -372,7 +372,7 @@ Problem FleetPlanner::problem_of(const VehicleEntry& v, Point2 start_in_map, Poi
                   *v.radius_m, settings_.tight_range_m};
   problem.preferred_clearance_m = settings_.preferred_clearance_m;
   problem.safe_distance_m = *v.radius_m + settings_.safe_distance_m;
-  if (!(v.shape.turning_radius_m > 0.0)) return problem;
+  if (!is_steered(v)) return problem;
   problem.steering = {v.shape.turning_radius_m, v.pose.any()->yaw, {}, false, v.shape.discs_ahead_m};
   if (v.goal->yaw_tolerance_rad > 0.0) problem.steering.goal_yaw_rad = v.goal->pose_in_map.yaw;
 
@@ -386,9 +386,9 @@ PlannedPath FleetPlanner::search(const VehicleEntry& v, const std::vector<Obstac
   for (const Obstacle& obstacle : around) discs.push_back(obstacle.disc);
   const StampedDiscs stamped(*grid_, clearance_, discs);
   const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
-  const bool is_steered = v.shape.turning_radius_m > 0.0;
-  if (!is_steered && is_known_unreachable(problem)) return {};
-  PlannedPath plan = (is_steered ? *steered_ : *planner_).plan(problem, out_of_time);
+  const bool steers = is_steered(v);
+  if (!steers && is_known_unreachable(problem)) return {};
+  PlannedPath plan = (steers ? *steered_ : *planner_).plan(problem, out_of_time);
   if (plan.outcome != Outcome::kFound) return plan;
   passes::collinear(Drivable(problem), plan.waypoints_in_map);
   if (plan.waypoints_in_map.size() > kMostWaypoints)

@@ -170,6 +170,10 @@ class FleetPlanner {
 
   /// Searches with the discs of `around` stamped into the clearance field.
   PlannedPath search(const VehicleEntry& vehicle, const std::vector<Obstacle>& around, const OutOfTime& out_of_time);
+  /// Is it planned for by the planner that knows steering?
+  bool is_steered(const VehicleEntry& vehicle) const {
+    return vehicle.shape.turning_radius_m > 0.0 && !settings_.as_printed;
+  }
   Problem problem_of(const VehicleEntry& vehicle, geometry::Point2 start_in_map, geometry::Point2 goal_in_map) const;
 
   /// Is what remains of the plan free in the newest map?

@@ -25,7 +25,8 @@ struct FleetSettings {
   double preferred_clearance_m{
       0.0};  // for the planner `clear`: nearer to obstacles a metre costs more; 0: twice radius and margin
   double safe_distance_m{0.3};  // for the planners `qu` and `yu`: between the vehicle and obstacles, beside their lines
-  bool to_nearest{false};       // where the map leaves no way to a goal, plan to the nearest point that can be reached
+  bool as_printed{false};  // by the map alone: what it does not show changes no plan; lines also for steered vehicles
+  bool to_nearest{false};  // where the map leaves no way to a goal, plan to the nearest point that can be reached
 
   template <class Reader>
   void describe(Reader& r) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <optional>
@@ -306,6 +307,35 @@ TEST_F(Fleet, GoesAroundAStaticTrackOnTheWayOnce) {
   EXPECT_TRUE(is_drivable_now(plans[0]));
   planner_.drop_track(7);
   EXPECT_TRUE(plans_within(30.0).empty()) << "went back";
+}
+
+// The papers' planner is asked once: what the map does not show is the dynamic window's.
+TEST_F(Fleet, AsPrintedPlansByTheMapAloneAndOnce) {
+  FleetSettings settings;
+  settings.as_printed = true;
+  planner_ = FleetPlanner(settings, find_variant("direct")->make());
+  publish_map();
+  arrive("agv-1", kStart);
+  planner_.set_static_track(7, {{6.0, 5.0}, 0.4});
+  EXPECT_LT(distance_to(first_plan(), {6.0, 5.0}), kRadius_m);
+  planner_.set_static_track(8, {{8.0, 5.0}, 0.4});
+  EXPECT_TRUE(plans_within(30.0).empty());
+}
+
+TEST_F(Fleet, AsPrintedASteeredVehicleGetsThePathOfTheChosenPlanner) {
+  const auto plan_of = [&](bool as_printed) {
+    FleetSettings settings;
+    settings.as_printed = as_printed;
+    planner_ = FleetPlanner(settings, find_variant("astar")->make());
+    publish_map();
+    planner_.set_vehicle("agv-1", VehicleShape{kRadius_m, kRadius_m, 1.0, {0.0}});
+    planner_.set_pose("agv-1", {1.0, 5.0, 2.0}, now_);
+    return first_plan();
+  };
+  const Plan printed = plan_of(true);
+  const Point2 leg = printed.waypoints_in_map.at(1) - printed.waypoints_in_map.at(0);
+  EXPECT_LT(std::abs(std::atan2(leg.y, leg.x)), 0.5) << "towards the door, whatever the heading";
+  EXPECT_GT(plan_of(false).length_m, printed.length_m + 0.3) << "turns about first";
 }
 
 TEST_F(Fleet, PlansThroughThePlaceAgainOnceTheStaticTrackIsGone) {
