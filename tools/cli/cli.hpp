@@ -93,6 +93,8 @@ void add_experiment_global(CLI::App& parent, Cli& cli);
 void add_experiment_local(CLI::App& parent, Cli& cli);
 void add_experiment_suite(CLI::App& parent, Cli& cli);
 void add_experiment_tracking(CLI::App& parent, Cli& cli);
+void add_lab_list(CLI::App& parent, Cli& cli);
+void add_lab_reproduce(CLI::App& parent, Cli& cli);
 void add_plan(CLI::App& parent, Cli& cli);
 void add_doctor(CLI::App& parent, Cli& cli);
 void add_health(CLI::App& parent, Cli& cli);

@@ -1,0 +1,62 @@
+// aisle lab as a program: names the papers' tables and makes them again.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/support/child_process.hpp"
+#include "tests/support/places.hpp"
+
+namespace aisle {
+namespace {
+
+using std::chrono::seconds;
+using test_support::ChildProcess;
+using ::testing::HasSubstr;
+
+ChildProcess lab(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {test_support::program("aisle"), "lab"});
+  return ChildProcess(arguments);
+}
+
+TEST(Lab, NamesTablesOfEachPaper) {
+  ChildProcess aisle = lab({"list", "--json"});
+  ASSERT_EQ(aisle.wait(seconds(60)), 0) << aisle.err();
+  std::set<std::string> papers;
+  for (const auto& table : nlohmann::json::parse(aisle.out())) {
+    const auto name = table["table"].get<std::string>();
+    papers.insert(name.substr(0, name.find(' ')));
+    EXPECT_GT(table["rows"].get<int>(), 0) << name;
+  }
+  EXPECT_EQ(papers, (std::set<std::string>{"LI", "QU", "WANG", "WU", "YU"}));
+}
+
+TEST(Lab, MakesATableAgainWithAVerdictARow) {
+  ChildProcess aisle = lab({"reproduce", "wang-1", "--maps", "5", "--seed", "2", "--json"});
+  ASSERT_EQ(aisle.wait(seconds(120)), 0) << aisle.err();
+  const nlohmann::json rows = nlohmann::json::parse(aisle.out());
+  ASSERT_EQ(rows.size(), 9U);
+  for (const auto& row : rows) {
+    EXPECT_EQ(row["table"], "WANG 1");
+    EXPECT_EQ(row["seed"], 2);
+    EXPECT_EQ(row["n"], 5);
+    EXPECT_EQ(row["interval95"].size(), 2U);
+    EXPECT_FALSE(row["commit"].get<std::string>().empty());
+    EXPECT_THAT(row["verdict"].get<std::string>(), HasSubstr(" direction"));
+  }
+}
+
+TEST(Lab, SaysWhichTableMayBeMeant) {
+  ChildProcess aisle = lab({"reproduce", "wnag-1"});
+  EXPECT_EQ(aisle.wait(seconds(60)), 2);
+  EXPECT_THAT(aisle.err(), HasSubstr("did you mean wang-1?"));
+  EXPECT_EQ(std::count(aisle.err().begin(), aisle.err().end(), '\n'), 1) << aisle.err();
+}
+
+}  // namespace
+}  // namespace aisle

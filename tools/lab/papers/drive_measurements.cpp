@@ -1,0 +1,195 @@
+#include "tools/lab/papers/drive_measurements.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <system_error>
+
+#include "common/grid/clearance.hpp"
+#include "common/process/output_file.hpp"
+#include "services/global-planner/core/variant.hpp"
+#include "tools/lab/driving/fused_drive.hpp"
+#include "tools/lab/papers/plan_measurements.hpp"
+#include "tools/lab/planning/paper_maps.hpp"
+
+namespace aisle::lab {
+namespace {
+
+namespace fs = std::filesystem;
+using geometry::Point2;
+using Path = std::vector<Point2>;
+
+constexpr double kPlannedRadiusM = 0.45;  // the vehicle and its margin, as drive_fused plans
+constexpr double kNearM = 0.6;            // a wall or box is near: between it and the outline
+constexpr double kNearMoverM = 1.5;       // a mover is near
+constexpr double kSharpTurnRad = 0.35;    // 20 degrees, within kSharpWithinM
+constexpr double kSharpWithinM = 0.3;
+constexpr double kMovingMps = 0.02;
+
+double turned_between(Point2 a, Point2 b, Point2 c) {
+  return std::abs(std::atan2(geometry::cross(b - a, c - b), geometry::dot(b - a, c - b)));
+}
+
+/// Points every kSharpWithinM of the way.
+Path thinned(const Path& way) {
+  Path points;
+  for (const Point2 point : way)
+    if (points.empty() || geometry::distance(points.back(), point) >= kSharpWithinM) points.push_back(point);
+  return points;
+}
+
+int sharp_turns_of_way(const Path& way) {
+  const Path points = thinned(way);
+  int turns = 0;
+  bool was_sharp = false;
+  for (std::size_t i = 2; i < points.size(); ++i) {
+    const bool is_sharp = turned_between(points[i - 2], points[i - 1], points[i]) > kSharpTurnRad;
+    turns += is_sharp && !was_sharp ? 1 : 0;
+    was_sharp = is_sharp;
+  }
+  return turns;
+}
+
+int sharp_turns_of_path(const Path& path) {
+  int turns = 0;
+  for (std::size_t i = 2; i < path.size(); ++i)
+    turns += turned_between(path[i - 2], path[i - 1], path[i]) > kSharpTurnRad ? 1 : 0;
+  return turns;
+}
+
+double distance_to_path(Point2 point, const Path& path) {
+  double least = 1e9;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Point2 along = path[i] - path[i - 1];
+    const double squared = geometry::dot(along, along);
+    const double share =
+        squared > 0.0 ? std::clamp(geometry::dot(point - path[i - 1], along) / squared, 0.0, 1.0) : 0.0;
+    least = std::min(least, geometry::distance(point, path[i - 1] + share * along));
+  }
+  return least;
+}
+
+Path planned(const DrawnMap& map, const std::string& planner, double radius_m) {
+  const grid::ClearanceField clearance(map.grid, 10.0);
+  global_planner::Problem problem{clearance, map.start_in_map, map.goal_in_map, radius_m};
+  problem.safe_distance_m = radius_m + kPapersSafeDistanceM;
+  return plan_contestant(planner)->plan(problem, nullptr).waypoints_in_map;
+}
+
+DriveOutcome outcome_of_path(const Path& path) {
+  DriveOutcome outcome;
+  outcome.arrived = !path.empty();
+  outcome.met_a_mover = true;  // nothing can be left out for it
+  outcome.figures[DriveFigure::kLength] = global_planner::path_length_m(path);
+  outcome.figures[DriveFigure::kSharpTurns] = sharp_turns_of_path(path);
+  return outcome;
+}
+
+DriveOutcome outcome_of(const DriveFigures& drive, const Path& path) {
+  DriveOutcome outcome;
+  outcome.arrived = drive.arrived();
+  outcome.touched = drive.result.contacts_moving_vehicle > 0;
+  outcome.met_a_mover = drive.met_a_mover();
+  Path way;
+  double low_radps = 0.0, high_radps = 0.0, off_m = 0.0, near = 0.0;
+  for (const DrivePoint& point : drive.points) {
+    if (point.linear_mps > kMovingMps || way.empty()) way.push_back(point.base_in_map.position());
+    low_radps = std::min(low_radps, point.angular_radps);
+    high_radps = std::max(high_radps, point.angular_radps);
+    off_m += distance_to_path(point.base_in_map.position(), path);
+    near += point.gap_m < kNearM ? 1.0 : 0.0;
+  }
+  auto& figures = outcome.figures;
+  figures[DriveFigure::kLength] = drive.result.distance_m;
+  figures[DriveFigure::kTime] = drive.result.time_s;
+  figures[DriveFigure::kSharpTurns] = sharp_turns_of_way(way);
+  figures[DriveFigure::kChangesOfV] = drive.changes_of_v();
+  figures[DriveFigure::kChangesOfW] = drive.changes_of_w();
+  figures[DriveFigure::kRangeOfW] = high_radps - low_radps;
+  figures[DriveFigure::kDistanceToPath] = off_m / std::max<double>(1.0, static_cast<double>(drive.points.size()));
+  if (near > 0.0) figures[DriveFigure::kSpeedNear] = drive.mean_speed_near(kNearM);
+  return outcome;
+}
+
+/// The drive of a contestant, without its map.
+FusedDrive drive_of(const DriveScene& scene, const std::string& contestant) {
+  FusedDrive drive;
+  drive.limits = paper_variant(scene.paper).paper;
+  drive.surprises = {scene.movers, scene.hidden_boxes};
+  drive.global = contestant == "astar" || contestant == "astar-own" ? "astar" : scene.paper;
+  drive.local = contestant == "dwa"                                     ? traditional_alone()
+                : contestant == "improved" || contestant == "astar-own" ? paper_variant(scene.paper)
+                                                                        : traditional_with_path();
+  return drive;
+}
+
+}  // namespace
+
+const std::vector<DriveScene>& drive_scenes() {
+  static const std::vector<DriveScene> all{{"li-iv", "li-complex", "li", 1, 2},
+                                           {"wu-9-11", "wu", "wu", 0, 1},
+                                           {"wu-mover", "wu", "wu", 1, 0},
+                                           {"qu-1-one", "qu-simple", "qu", 1, 0},
+                                           {"qu-1-two", "qu-simple", "qu", 2, 0},
+                                           {"qu-2-one", "qu-maze", "qu", 1, 0},
+                                           {"qu-2-two", "qu-maze", "qu", 2, 0},
+                                           {"yu-5", "yu-1", "yu", 0, 1},
+                                           {"yu-6", "yu-1", "yu", 1, 1},
+                                           {"wang-2", "wang-1", "wang", 0, 0},
+                                           {"wang-map-1", "wang-map-1", "wang", 1, 1},
+                                           {"wang-map-2", "wang-map-2", "wang", 1, 1},
+                                           {"wang-map-3", "wang-map-3", "wang", 1, 2}};
+  return all;
+}
+
+const DriveScene& scene_named(const std::string& name) {
+  for (const DriveScene& scene : drive_scenes())
+    if (name == scene.name) return scene;
+  throw std::logic_error("no scene " + name);
+}
+
+DriveMeasurements::DriveMeasurements(const DriveDraw& draw, Progress progress)
+    : draw_(draw),
+      progress_(std::move(progress)),
+      maps_(fs::temp_directory_path() / ("aisle-lab-" + std::to_string(getpid()))) {}
+
+DriveMeasurements::~DriveMeasurements() {
+  std::error_code ignored;
+  fs::remove_all(maps_, ignored);
+}
+
+const std::vector<DriveOutcome>& DriveMeasurements::of(const std::string& scene, const std::string& contestant) {
+  const auto key = std::pair(scene, contestant);
+  const auto found = measured_.find(key);
+  if (found != measured_.end()) return found->second;
+  return measured_[key] = measure(scene_named(scene), contestant);
+}
+
+std::vector<DriveOutcome> DriveMeasurements::measure(const DriveScene& scene, const std::string& contestant) {
+  const PaperMapKind& kind = *find_paper_map_kind(scene.map);
+  fs::create_directories(maps_);
+  std::vector<DriveOutcome> outcomes;
+  for (unsigned i = 0; i < static_cast<unsigned>(draw_.drives); ++i) {
+    const unsigned seed = draw_.first() + i;
+    const DrawnMap map = paper_map(kind, seed);
+    if (contestant == "improved-plan") {
+      outcomes.push_back(outcome_of_path(planned(map, scene.paper, kPlannedRadiusM)));
+      continue;
+    }
+    if (contestant == "traditional-plan") {
+      outcomes.push_back(outcome_of_path(planned(map, "traditional", 0.0)));
+      continue;
+    }
+    progress_("driving " + std::string(scene.name) + ", " + contestant + ": " + std::to_string(i + 1) + " of " +
+              std::to_string(draw_.drives));
+    FusedDrive drive = drive_of(scene, contestant);
+    drive.map = std::string(kind.name) + "-" + std::to_string(seed);
+    process::write_output_file(maps_ / (drive.map + ".txt"), text_of(map));
+    outcomes.push_back(outcome_of(drive_fused(drive, maps_), planned(map, drive.global, kPlannedRadiusM)));
+  }
+  return outcomes;
+}
+
+}  // namespace aisle::lab
