@@ -89,6 +89,7 @@ void add_map_overlay(CLI::App& parent, Cli& cli);
 void add_map_accept(CLI::App& parent, Cli& cli);
 void add_map_save(CLI::App& parent, Cli& cli);
 void add_experiment_all(CLI::App& parent, Cli& cli);
+void add_experiment_papers(CLI::App& parent, Cli& cli);
 void add_experiment_global(CLI::App& parent, Cli& cli);
 void add_experiment_local(CLI::App& parent, Cli& cli);
 void add_experiment_suite(CLI::App& parent, Cli& cli);

@@ -35,6 +35,12 @@ void add_places(Verb& verb, const Orders& orders, const char* what) {
       .option("--maps", orders->maps, "folder of the papers' maps");
 }
 
+void add_papers_options(Verb& verb, const Orders& orders) {
+  verb.option("--paper-maps", orders->experiments.papers.maps, 2, 100000, "of each kind, for paths")
+      .option("--paper-drives", orders->experiments.papers.drives, 0, 10000, "of each of the papers' scenes")
+      .option("--seed", orders->experiments.papers.seed, 1, 1000000, "of these maps");
+}
+
 void add_global_options(Verb& verb, const Orders& orders) {
   verb.option("--random-maps", orders->experiments.global.random_maps, 1, 100000, "a density")
       .option("--queries", orders->experiments.global.queries, 1, 200, "a real map");
@@ -85,10 +91,19 @@ void add_experiment_all(CLI::App& parent, Cli& cli) {
   Verb verb(parent, cli, "all", "all of them: the whole page, hours");
 
   add_places(verb, orders, "the page, written anew");
+  add_papers_options(verb, orders);
   add_global_options(verb, orders);
   add_local_options(verb, orders);
   add_tracking_options(verb, orders);
   verb.runs([orders] { return run(orders, [](const Experiments& all) { return lab::write_page(all, say); }); });
+}
+
+void add_experiment_papers(CLI::App& parent, Cli& cli) {
+  auto orders = std::make_shared<ExperimentOrders>();
+  Verb verb(parent, cli, "papers", "the five papers' tables row by row, with a verdict each, and their maps");
+  add_places(verb, orders, kSectionOfPage);
+  add_papers_options(verb, orders);
+  runs_section(verb, orders, Section::kPapers);
 }
 
 void add_experiment_global(CLI::App& parent, Cli& cli) {

@@ -50,10 +50,12 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
 
   CLI::App& experiment = *add_group("experiment", "compare with what is published; write docs/experiments.md anew");
   add_experiment_all(experiment, cli);
+  add_experiment_papers(experiment, cli);
   add_experiment_global(experiment, cli);
   add_experiment_local(experiment, cli);
   add_experiment_suite(experiment, cli);
   add_experiment_tracking(experiment, cli);
+
   CLI::App& lab = *add_group("lab", "the five papers' tables and figures, made again");
   add_lab_list(lab, cli);
   add_lab_reproduce(lab, cli);

@@ -36,14 +36,17 @@ Experiments placed(Experiments experiments) {
   experiments.global.data = reference_data(experiments.maps);
   experiments.tracking.people = experiments.global.data / "pedestrians";
   experiments.global.maps = experiments.local.maps = experiments.maps;
-  experiments.global.pictures = experiments.local.pictures = experiments.tracking.pictures = pictures;
-  experiments.global.pictures_from_page = experiments.local.pictures_from_page =
+  experiments.papers.pictures = experiments.global.pictures = experiments.local.pictures =
+      experiments.tracking.pictures = pictures;
+  experiments.papers.pictures_from_page = experiments.global.pictures_from_page = experiments.local.pictures_from_page =
       experiments.tracking.pictures_from_page = kPictures;
   return experiments;
 }
 
 const char* name_of(Section section) {
   switch (section) {
+    case Section::kPapers:
+      return "papers";
     case Section::kGlobalPlanning:
       return "global planning";
     case Section::kLocalPlanning:
@@ -56,6 +59,8 @@ const char* name_of(Section section) {
 
 FilledPage run(const Experiments& experiments, Section section, const Progress& progress) {
   switch (section) {
+    case Section::kPapers:
+      return papers_section(experiments.papers, progress);
     case Section::kGlobalPlanning:
       return global_section(experiments.global, progress);
     case Section::kLocalPlanning:
@@ -86,7 +91,8 @@ std::vector<std::string> write_page(const Experiments& experiments, const Progre
     throw config::BadEnvironment("the whole page needs the reference data: set AISLE_DATA to its folder");
   std::string page;
   std::vector<std::string> refuted;
-  for (const Section section : {Section::kGlobalPlanning, Section::kLocalPlanning, Section::kObstacleTracking}) {
+  for (const Section section :
+       {Section::kPapers, Section::kGlobalPlanning, Section::kLocalPlanning, Section::kObstacleTracking}) {
     const FilledPage written = run(all, section, progress);
     page = with_section(page, name_of(section), written.text);
     refuted.insert(refuted.end(), written.refuted.begin(), written.refuted.end());

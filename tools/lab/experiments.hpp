@@ -5,6 +5,7 @@
 
 #include "tools/lab/driving/local_experiment.hpp"
 #include "tools/lab/page/progress.hpp"
+#include "tools/lab/papers/papers_section.hpp"
 #include "tools/lab/planning/global_experiment.hpp"
 #include "tools/lab/tracking/tracking_experiment.hpp"
 
@@ -14,12 +15,13 @@ namespace aisle::lab {
 struct Experiments {
   std::filesystem::path page{"docs/experiments.md"};  // pictures go to experiments/ beside it
   std::filesystem::path maps{"deploy/experiments"};   // of the papers; beside them the reference data is looked for
-  GlobalExperiment global;                            // places are filled in from the two above
+  PapersExperiment papers;
+  GlobalExperiment global;  // places are filled in from the two above, those of all four
   LocalExperiment local;
   TrackingExperiment tracking;
 };
 
-enum class Section { kGlobalPlanning, kLocalPlanning, kObstacleTracking };
+enum class Section { kPapers, kGlobalPlanning, kLocalPlanning, kObstacleTracking };
 
 /// Runs one experiment, which takes minutes, and writes its section of the page anew; the others stay as they are.
 /// Returns the sentences that were left out because the figures do not bear them out.

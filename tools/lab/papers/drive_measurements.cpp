@@ -87,6 +87,22 @@ DriveOutcome outcome_of_path(const Path& path) {
   return outcome;
 }
 
+/// Means near movers and elsewhere, only when there was both.
+void add_near_movers(const DriveFigures& drive, DriveOutcome& outcome) {
+  double near_mps = 0.0, near_radps = 0.0, near = 0.0, elsewhere = 0.0;
+  for (const DrivePoint& point : drive.points) {
+    const bool is_near = point.mover_gap_m < kNearMoverM;
+    (is_near ? near : elsewhere) += 1.0;
+    (is_near ? near_mps : outcome.elsewhere_mps) += point.linear_mps;
+    (is_near ? near_radps : outcome.elsewhere_radps) += std::abs(point.angular_radps);
+  }
+  if (near == 0.0 || elsewhere == 0.0) return;
+  outcome.figures[DriveFigure::kSpeedNearMover] = near_mps / near;
+  outcome.figures[DriveFigure::kTurnNearMover] = near_radps / near;
+  outcome.elsewhere_mps /= elsewhere;
+  outcome.elsewhere_radps /= elsewhere;
+}
+
 DriveOutcome outcome_of(const DriveFigures& drive, const Path& path) {
   DriveOutcome outcome;
   outcome.arrived = drive.arrived();
@@ -103,13 +119,14 @@ DriveOutcome outcome_of(const DriveFigures& drive, const Path& path) {
   }
   auto& figures = outcome.figures;
   figures[DriveFigure::kLength] = drive.result.distance_m;
-  figures[DriveFigure::kTime] = drive.result.time_s;
+  figures[DriveFigure::kTime] = drive.result.driven_s;
   figures[DriveFigure::kSharpTurns] = sharp_turns_of_way(way);
   figures[DriveFigure::kChangesOfV] = drive.changes_of_v();
   figures[DriveFigure::kChangesOfW] = drive.changes_of_w();
   figures[DriveFigure::kRangeOfW] = high_radps - low_radps;
   figures[DriveFigure::kDistanceToPath] = off_m / std::max<double>(1.0, static_cast<double>(drive.points.size()));
   if (near > 0.0) figures[DriveFigure::kSpeedNear] = drive.mean_speed_near(kNearM);
+  add_near_movers(drive, outcome);
   return outcome;
 }
 
