@@ -96,9 +96,11 @@ TEST(PapersAudit, CountsItsRowsRightly) {
 }
 
 TEST(PapersAudit, GivesAReasonForWhatIsMissingOrRepaired) {
-  for (const Element& element : elements())
-    if (element.now == "M" || element.now != element.then)
+  for (const Element& element : elements()) {
+    if (element.now == "M" || element.now != element.then) {
       EXPECT_FALSE(element.note.empty()) << element.paper << " " << element.number << ", " << element.element;
+    }
+  }
 }
 
 TEST(PapersAudit, NamesFilesAndTestsThatExist) {

@@ -82,7 +82,9 @@ TEST(PublishedRows, BeginWithTheirPaperAndStandOnce) {
     EXPECT_THAT((std::vector<std::string>{"LI", "WU", "QU", "YU", "WANG"}), Contains(paper)) << row.table;
     EXPECT_TRUE(seen.insert({row.table, row.row}).second) << row.table << ", " << row.row;
     EXPECT_FALSE(row.published.empty()) << row.row;
-    if (const auto* none = std::get_if<NoEvidence>(&row.evidence)) EXPECT_FALSE(none->why.empty()) << row.row;
+    if (const auto* none = std::get_if<NoEvidence>(&row.evidence)) {
+      EXPECT_FALSE(none->why.empty()) << row.row;
+    }
   }
 }
 
@@ -96,11 +98,16 @@ TEST(PublishedRows, AreMadeFromWhatThereIs) {
   for (const PublishedRow& row : published_rows()) {
     if (const auto* plan = std::get_if<PlanEvidence>(&row.evidence)) {
       EXPECT_NE(plan_contestant(plan->planner), nullptr);
-      if (plan->reference != nullptr) EXPECT_NE(plan_contestant(plan->reference), nullptr);
+      if (plan->reference != nullptr) {
+        EXPECT_NE(plan_contestant(plan->reference), nullptr);
+      }
     }
-    if (const auto* drive = std::get_if<DriveEvidence>(&row.evidence))
+    if (const auto* drive = std::get_if<DriveEvidence>(&row.evidence)) {
       EXPECT_EQ(scenes.count(drive->scene), 1U) << row.row;
-    if (const auto* window = std::get_if<WindowEvidence>(&row.evidence)) EXPECT_EQ(windows.count(window->name), 1U);
+    }
+    if (const auto* window = std::get_if<WindowEvidence>(&row.evidence)) {
+      EXPECT_EQ(windows.count(window->name), 1U);
+    }
   }
 }
 
