@@ -7,7 +7,7 @@
 namespace aisle::lab {
 
 /// How a figure stands to that of the row it is compared with, its reference.
-enum class Claim {
+enum class ClaimedDirection {
   kLess,
   kMore,
   kEqual,  // within 1 %
@@ -82,10 +82,10 @@ using Evidence = std::variant<NoEvidence, SettingEvidence, PlanEvidence, DriveEv
 
 /// One figure of a row of a paper's table, or one claim of a figure or of the text.
 struct PublishedRow {
-  std::string table;      // "WANG 2", "WU figure 8", "YU 4" for section 4's text
-  std::string row;        // the row's name as printed, and the column
-  std::string published;  // as printed: a number, or words
-  Claim claim;            // against the reference
+  std::string table;       // "WANG 2", "WU figure 8", "YU 4" for section 4's text
+  std::string row;         // the row's name as printed, and the column
+  std::string published;   // as printed: a number, or words
+  ClaimedDirection claim;  // against the reference
   Evidence evidence;
   std::string note;           // what the paper's own figures say otherwise, how ours differs
   bool is_reference{false};   // the row that others are compared with; it is judged by the paper's own row

@@ -9,9 +9,9 @@ namespace aisle::lab {
 namespace {
 
 /// What the paper says of `figure` beside that of its reference.
-Claim claim_of(double figure, double reference) {
-  if (figure == reference) return Claim::kEqual;
-  return figure < reference ? Claim::kLess : Claim::kMore;
+ClaimedDirection claim_of(double figure, double reference) {
+  if (figure == reference) return ClaimedDirection::kEqual;
+  return figure < reference ? ClaimedDirection::kLess : ClaimedDirection::kMore;
 }
 
 std::string note_of(const std::vector<std::string>& notes, std::size_t column) {
@@ -64,7 +64,7 @@ void append(std::vector<PublishedRow>& rows, const DriveTable& table) {
 
 void append_settings(std::vector<PublishedRow>& rows, const char* table, const std::vector<Setting>& settings) {
   for (const Setting& setting : settings)
-    append_claim(rows, table, setting.name, as_printed(setting.published).c_str(), Claim::kEqual,
+    append_claim(rows, table, setting.name, as_printed(setting.published).c_str(), ClaimedDirection::kEqual,
                  SettingEvidence{setting.ours}, setting.note);
 }
 
@@ -77,7 +77,7 @@ double weight_of(const char* planner, const local_planner::Critic& critic) {
 local_planner::PaperLimits limits_of(const char* planner) { return local_planner::find_variant(planner)->paper; }
 
 void append_claim(std::vector<PublishedRow>& rows, const char* table, const char* row, const char* published,
-                  Claim claim, Evidence evidence, const char* note) {
+                  ClaimedDirection claim, Evidence evidence, const char* note) {
   rows.push_back({table, row, published, claim, std::move(evidence), note, false});
 }
 

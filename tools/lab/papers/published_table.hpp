@@ -71,7 +71,7 @@ local_planner::PaperLimits limits_of(const char* planner);
 
 /// One row that stands alone.
 void append_claim(std::vector<PublishedRow>& rows, const char* table, const char* row, const char* published,
-                  Claim claim, Evidence evidence, const char* note = "");
+                  ClaimedDirection claim, Evidence evidence, const char* note = "");
 
 /// A number as the papers print it: without zeros at its end.
 std::string as_printed(double number);

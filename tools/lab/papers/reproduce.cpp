@@ -67,8 +67,8 @@ double mean_of(const Figures& values) {
 Verdict verdict_if(bool is_same) { return is_same ? Verdict::kSameDirection : Verdict::kOtherDirection; }
 
 /// Why a claim with a reference is judged so.
-std::string reason(Claim claim, const PairedComparison& comparison) {
-  if (claim == Claim::kEqual || judged(claim, comparison) == Verdict::kSameDirection) return "";
+std::string reason(ClaimedDirection claim, const PairedComparison& comparison) {
+  if (claim == ClaimedDirection::kEqual || judged(claim, comparison) == Verdict::kSameDirection) return "";
   return comparison.interval_excludes_zero() ? "the 95 % interval lies on the other side of zero"
                                              : "no difference is shown: the 95 % interval holds zero";
 }
@@ -90,7 +90,7 @@ void judge_share(const PublishedRow& of, const Figures& ours, ReproducedRow& row
   const double share = mean_of(ours);
   row.ours = share;
   row.n = ours.size();
-  row.verdict = verdict_if((share >= kHoldsFrom) == (of.claim == Claim::kHolds));
+  row.verdict = verdict_if((share >= kHoldsFrom) == (of.claim == ClaimedDirection::kHolds));
 }
 
 void refuse(ReproducedRow& row, const std::string& why) {
@@ -247,17 +247,17 @@ std::vector<std::string> tables_named(const std::string& wanted) {
                          (nearest.empty() ? "" : "; did you mean " + nearest + "?") + " See aisle lab list");
 }
 
-Verdict judged(Claim claim, const PairedComparison& comparison) {
+Verdict judged(ClaimedDirection claim, const PairedComparison& comparison) {
   const bool is_less = comparison.interval95[1]<0.0, is_more = comparison.interval95[0]> 0.0;
   switch (claim) {
-    case Claim::kLess:
-    case Claim::kHolds:
+    case ClaimedDirection::kLess:
+    case ClaimedDirection::kHolds:
       return verdict_if(is_less);
-    case Claim::kMore:
+    case ClaimedDirection::kMore:
       return verdict_if(is_more);
-    case Claim::kHoldsNot:
+    case ClaimedDirection::kHoldsNot:
       return verdict_if(!is_less);
-    case Claim::kEqual:
+    case ClaimedDirection::kEqual:
       break;
   }
   return verdict_if(std::abs(comparison.mean_difference) <= kEqualWithin * std::abs(comparison.mean_a));

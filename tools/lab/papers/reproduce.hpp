@@ -42,7 +42,7 @@ std::vector<std::string> tables_named(const std::string& name);
 
 /// Judges a figure with a reference: same direction when the 95 % interval of the mean difference lies on the claimed
 /// side of zero; a claimed equality when the means differ by at most 1 %.
-Verdict judged(Claim claim, const PairedComparison& comparison);
+Verdict judged(ClaimedDirection claim, const PairedComparison& comparison);
 
 /// Makes every row of these tables again. Ends early, with the rows made until then, once `is_interrupted`.
 std::vector<ReproducedRow> reproduce(const Reproduction& orders, const Progress& progress,

@@ -66,11 +66,11 @@ TEST(PublishedTables, HaveEveryRowAndColumn) {
 
 TEST(PublishedRows, AreAsPrinted) {
   EXPECT_EQ(row_of("WANG 2", "Improved A* algorithm: path length, m").published, "28.53");
-  EXPECT_EQ(row_of("WANG 2", "Improved A* algorithm: path length, m").claim, Claim::kLess);
+  EXPECT_EQ(row_of("WANG 2", "Improved A* algorithm: path length, m").claim, ClaimedDirection::kLess);
   EXPECT_EQ(row_of("YU 3", "A* algorithm with improved heuristic function and optimized folds: path length, m").claim,
-            Claim::kMore)
+            ClaimedDirection::kMore)
       << "its scene 2 is longer, and says so";
-  EXPECT_EQ(row_of("WANG 1", "Improved A* Algorithm: path length, m").claim, Claim::kEqual);
+  EXPECT_EQ(row_of("WANG 1", "Improved A* Algorithm: path length, m").claim, ClaimedDirection::kEqual);
   EXPECT_NEAR(row_of("WANG 1", "Improved A* Algorithm: planning time").printed_ratio, 0.75, 1e-9);
   EXPECT_TRUE(row_of("LI V", "Improved A* algorithm: path length").is_reference);
 }

@@ -39,17 +39,17 @@ PairedComparison difference(double low, double high, double reference = 10.0) {
 }
 
 TEST(Judged, HoldsOnlyWhenTheIntervalExcludesZeroOnTheClaimedSide) {
-  EXPECT_EQ(judged(Claim::kLess, difference(-2.0, -1.0)), Verdict::kSameDirection);
-  EXPECT_EQ(judged(Claim::kLess, difference(-2.0, 0.1)), Verdict::kOtherDirection) << "it may be zero";
-  EXPECT_EQ(judged(Claim::kLess, difference(1.0, 2.0)), Verdict::kOtherDirection);
-  EXPECT_EQ(judged(Claim::kMore, difference(1.0, 2.0)), Verdict::kSameDirection);
-  EXPECT_EQ(judged(Claim::kMore, difference(-0.1, 2.0)), Verdict::kOtherDirection);
-  EXPECT_EQ(judged(Claim::kHoldsNot, difference(-0.1, 2.0)), Verdict::kSameDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kLess, difference(-2.0, -1.0)), Verdict::kSameDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kLess, difference(-2.0, 0.1)), Verdict::kOtherDirection) << "it may be zero";
+  EXPECT_EQ(judged(ClaimedDirection::kLess, difference(1.0, 2.0)), Verdict::kOtherDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kMore, difference(1.0, 2.0)), Verdict::kSameDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kMore, difference(-0.1, 2.0)), Verdict::kOtherDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kHoldsNot, difference(-0.1, 2.0)), Verdict::kSameDirection);
 }
 
 TEST(Judged, EqualityIsWithinOnePercent) {
-  EXPECT_EQ(judged(Claim::kEqual, difference(0.08, 0.1)), Verdict::kSameDirection);
-  EXPECT_EQ(judged(Claim::kEqual, difference(0.1, 0.12)), Verdict::kOtherDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kEqual, difference(0.08, 0.1)), Verdict::kSameDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kEqual, difference(0.1, 0.12)), Verdict::kOtherDirection);
 }
 
 TEST(TablesNamed, AreOneTableAPaperOrAll) {

@@ -59,36 +59,38 @@ void append_fused(std::vector<PublishedRow>& rows) {
     std::swap(of.contestant, of.reference);
     return of;
   };
-  const auto reference = [&](const char* row, const char* published, Claim claim, const DriveEvidence& of) {
+  const auto reference = [&](const char* row, const char* published, ClaimedDirection claim, const DriveEvidence& of) {
     append_claim(rows, "LI IV", row, published, claim, as_reference(of));
     rows.back().is_reference = true;
   };
-  reference("Global planning path: number of inflection points", "1", Claim::kMore, turns);
-  reference("Global planning path: path length", "29.85", Claim::kLess, length);
-  append_claim(rows, "LI IV", "Global planning path: planning time", "11.28", Claim::kHolds, NoEvidence{kTimes});
-  append_claim(rows, "LI IV", "Final path: number of inflection points", "0", Claim::kLess, turns,
+  reference("Global planning path: number of inflection points", "1", ClaimedDirection::kMore, turns);
+  reference("Global planning path: path length", "29.85", ClaimedDirection::kLess, length);
+  append_claim(rows, "LI IV", "Global planning path: planning time", "11.28", ClaimedDirection::kHolds,
+               NoEvidence{kTimes});
+  append_claim(rows, "LI IV", "Final path: number of inflection points", "0", ClaimedDirection::kLess, turns,
                "sharp turns of the driven way");
-  append_claim(rows, "LI IV", "Final path: path length", "38.6", Claim::kMore, length);
-  append_claim(rows, "LI IV", "Final path: planning time", "60.5", Claim::kHolds, NoEvidence{kTimes});
+  append_claim(rows, "LI IV", "Final path: path length", "38.6", ClaimedDirection::kMore, length);
+  append_claim(rows, "LI IV", "Final path: planning time", "60.5", ClaimedDirection::kHolds, NoEvidence{kTimes});
 }
 
 }  // namespace
 
 void append_li(std::vector<PublishedRow>& rows) {
   append_tables(rows);
-  append_claim(rows, "LI section V.A", "fewer break points, both environments", "44 %", Claim::kMore,
+  append_claim(rows, "LI section V.A", "fewer break points, both environments", "44 %", ClaimedDirection::kMore,
                PlanEvidence{"li-simple,li-complex", "li", "traditional-four", PlanFigure::kTurns, true},
                "table II gives 50 and 37.5 %");
-  append_claim(rows, "LI section V.A", "shorter path, both environments", "17.18 %", Claim::kMore,
+  append_claim(rows, "LI section V.A", "shorter path, both environments", "17.18 %", ClaimedDirection::kMore,
                PlanEvidence{"li-simple,li-complex", "li", "traditional-four", PlanFigure::kLength, true},
                "does not follow from table II, which gives 17.61 and 21.45 %");
-  append_claim(rows, "LI section V.A", "less planning time, both environments", "14.68 %", Claim::kMore,
+  append_claim(rows, "LI section V.A", "less planning time, both environments", "14.68 %", ClaimedDirection::kMore,
                PlanEvidence{"li-simple,li-complex", "li", "traditional-four", PlanFigure::kTime, true},
                "does not follow from table II, which gives 28.74 and 51.81 %");
-  append_claim(rows, "LI figures 11 and 12", "facing a dynamic obstacle, the car slows down", "slower", Claim::kLess,
-               DriveEvidence{"li-iv", "improved", nullptr, DriveFigure::kSpeedNearMover});
+  append_claim(rows, "LI figures 11 and 12", "facing a dynamic obstacle, the car slows down", "slower",
+               ClaimedDirection::kLess, DriveEvidence{"li-iv", "improved", nullptr, DriveFigure::kSpeedNearMover});
   append_claim(rows, "LI figures 12 and 13", "facing a dynamic obstacle, it changes its angular velocity and attitude",
-               "turns more", Claim::kMore, DriveEvidence{"li-iv", "improved", nullptr, DriveFigure::kTurnNearMover});
+               "turns more", ClaimedDirection::kMore,
+               DriveEvidence{"li-iv", "improved", nullptr, DriveFigure::kTurnNearMover});
   append_fused(rows);
   append(rows, PlanTable{"LI V",
                          "",
@@ -100,7 +102,7 @@ void append_li(std::vector<PublishedRow>& rows) {
                           {"Ant Colony Algorithm", "ant-colony", {32.04, 9, 12.08}}},
                          {"", kVertices}});
   append_claim(rows, "LI figure 14", "the ants' path passes obliquely through the vertices of obstacles", "yes",
-               Claim::kHolds, NoEvidence{"our ants cut no corner, as no vehicle may"});
+               ClaimedDirection::kHolds, NoEvidence{"our ants cut no corner, as no vehicle may"});
 }
 
 }  // namespace aisle::lab

@@ -24,14 +24,14 @@ void append_settings_of_qu(std::vector<PublishedRow>& rows) {
                   {{"Initial line speed, m/s", 0, 0.0},
                    {"Max. linear speed, m/s", 2, limits.max_speed_mps},
                    {"Max. linear acceleration, m/s2", 0.4, limits.max_acceleration_mps2}});
-  append_claim(rows, "QU 1", "Initial azimuth angle, rad", "-pi/2", Claim::kEqual,
+  append_claim(rows, "QU 1", "Initial azimuth angle, rad", "-pi/2", ClaimedDirection::kEqual,
                NoEvidence{"our drives begin with a turn on the spot towards the path, whatever the first heading"});
-  append_claim(rows, "QU 1", "Angular speed fractional variability, deg/s", "1", Claim::kEqual, sampled);
+  append_claim(rows, "QU 1", "Angular speed fractional variability, deg/s", "1", ClaimedDirection::kEqual, sampled);
   append_settings(rows, "QU 1",
                   {{"Initial angular velocity, deg/s", 0, 0.0, "printed twice"},
                    {"Max. angular velocity, deg/s", 40, limits.max_turn_radps * kDegrees},
                    {"Max. angular acceleration, deg/s2", 60, limits.max_turn_acceleration_radps2 * kDegrees}});
-  append_claim(rows, "QU 1", "Linear speed resolution, m/s", "0.01", Claim::kEqual, sampled);
+  append_claim(rows, "QU 1", "Linear speed resolution, m/s", "0.01", ClaimedDirection::kEqual, sampled);
   append_settings(rows, "QU 1", {{"dt, s", 0.1, 0.1}});
 }
 
@@ -44,21 +44,21 @@ void append_paths(std::vector<PublishedRow>& rows, const char* scene, const char
                          {{"Traditional A* algorithm", "traditional", {turns, length}},
                           {"Improving the A* algorithm", "qu", {turns_to, length_to}}}});
   const std::string row = std::string(scene) + ", Improving the A* algorithm: ";
-  append_claim(rows, "QU 2", (row + "turning point optimization ratio").c_str(), fewer, Claim::kMore,
+  append_claim(rows, "QU 2", (row + "turning point optimization ratio").c_str(), fewer, ClaimedDirection::kMore,
                PlanEvidence{map, "qu", "traditional", PlanFigure::kTurns, true});
-  append_claim(rows, "QU 2", (row + "path length optimization ratio").c_str(), shorter, Claim::kMore,
+  append_claim(rows, "QU 2", (row + "path length optimization ratio").c_str(), shorter, ClaimedDirection::kMore,
                PlanEvidence{map, "qu", "traditional", PlanFigure::kLength, true}, slip);
 }
 
 void append_fused(std::vector<PublishedRow>& rows, const char* row, const char* scene, const char* length,
                   const char* ratio, const char* slip) {
   const auto named = [&](const char* column) { return std::string(row) + ": " + column; };
-  append_claim(rows, "QU 3", named("path length, m").c_str(), length, Claim::kLess,
+  append_claim(rows, "QU 3", named("path length, m").c_str(), length, ClaimedDirection::kLess,
                DriveEvidence{scene, "improved", "traditional-plan", DriveFigure::kLength},
                "against the path of the traditional A*");
-  append_claim(rows, "QU 3", named("path length optimization ratio").c_str(), ratio, Claim::kMore,
+  append_claim(rows, "QU 3", named("path length optimization ratio").c_str(), ratio, ClaimedDirection::kMore,
                DriveEvidence{scene, "improved", "traditional-plan", DriveFigure::kLength, true}, slip);
-  append_claim(rows, "QU 3", named("avoid dynamic obstacles").c_str(), "Yes", Claim::kHolds,
+  append_claim(rows, "QU 3", named("avoid dynamic obstacles").c_str(), "Yes", ClaimedDirection::kHolds,
                DriveEvidence{scene, "improved", nullptr, DriveFigure::kArrivesUntouched},
                "the share of drives that met a mover, arrived and touched nothing");
 }
@@ -70,19 +70,19 @@ void append_qu(std::vector<PublishedRow>& rows) {
   append_paths(rows, "Map 1", "qu-simple", 8, 2, 24.4879, 21.0280, "75 %", "15.48 %", "its own lengths give 14.13 %");
   append_paths(rows, "Map 2", "qu-maze", 12, 5, 30.3848, 25.1659, "58.33 %", "17.18 %", "");
   append_claim(rows, "QU figure 5", "the path of the improved algorithm is safer, the other is closer to the obstacle",
-               "safer", Claim::kMore, PlanEvidence{"qu-simple", "qu", "traditional", PlanFigure::kClearance},
+               "safer", ClaimedDirection::kMore, PlanEvidence{"qu-simple", "qu", "traditional", PlanFigure::kClearance},
                "by the least clearance along the path");
   append_fused(rows, "Map 1, one mover", "qu-1-one", "21.0337", "15.46 %", "its own lengths give 14.11 %");
   append_fused(rows, "Map 1, two movers", "qu-1-two", "21.5279", "13.47 %", "its own lengths give 12.09 %");
   append_fused(rows, "Map 2, one mover", "qu-2-one", "26.1942", "13.79 %", "");
   append_fused(rows, "Map 2, two movers", "qu-2-two", "26.6783", "12.20 %", "");
   append_claim(rows, "QU figures 6 and 7", "driving the path of the improved A* alone would collide with the movers",
-               "collides", Claim::kHolds,
+               "collides", ClaimedDirection::kHolds,
                NoEvidence{"nothing here drives a path blindly: every vehicle of ours stops before what it sees"});
-  append_claim(rows, "QU figure 8", "linear velocity falls while two movers are avoided", "falls", Claim::kLess,
-               DriveEvidence{"qu-1-two", "improved", nullptr, DriveFigure::kSpeedNearMover});
-  append_claim(rows, "QU figure 8", "angular velocity falls while two movers are avoided", "falls", Claim::kLess,
-               DriveEvidence{"qu-1-two", "improved", nullptr, DriveFigure::kTurnNearMover});
+  append_claim(rows, "QU figure 8", "linear velocity falls while two movers are avoided", "falls",
+               ClaimedDirection::kLess, DriveEvidence{"qu-1-two", "improved", nullptr, DriveFigure::kSpeedNearMover});
+  append_claim(rows, "QU figure 8", "angular velocity falls while two movers are avoided", "falls",
+               ClaimedDirection::kLess, DriveEvidence{"qu-1-two", "improved", nullptr, DriveFigure::kTurnNearMover});
 }
 
 }  // namespace aisle::lab

@@ -27,8 +27,8 @@ void append_settings_of_wang(std::vector<PublishedRow>& rows) {
        {"prediction time, s", 2, limits.horizon_s}});
   const NoEvidence sampled{
       "our samples are spread evenly over the window, whatever its width: 7 speeds, 17 turn rates"};
-  append_claim(rows, "WANG section 5", "linear velocity resolution, m/s", "0.05", Claim::kEqual, sampled);
-  append_claim(rows, "WANG section 5", "angular velocity resolution, rad/s", "1", Claim::kEqual, sampled);
+  append_claim(rows, "WANG section 5", "linear velocity resolution, m/s", "0.05", ClaimedDirection::kEqual, sampled);
+  append_claim(rows, "WANG section 5", "angular velocity resolution, rad/s", "1", ClaimedDirection::kEqual, sampled);
 }
 
 void append_paths(std::vector<PublishedRow>& rows) {
@@ -63,7 +63,7 @@ void append_paths(std::vector<PublishedRow>& rows) {
 void append_percents(std::vector<PublishedRow>& rows) {
   const auto percent = [&](const char* row, const char* published, const char* planner, const char* reference,
                            PlanFigure figure, const char* note = "") {
-    append_claim(rows, "WANG sections 5.1 and 5.2", row, published, Claim::kMore,
+    append_claim(rows, "WANG sections 5.1 and 5.2", row, published, ClaimedDirection::kMore,
                  PlanEvidence{"wang-1", planner, reference, figure, true}, note);
   };
   percent("planning time less than the traditional A*'s", "26.3 %", "wang-without-passes", "traditional-chebyshev",
@@ -78,7 +78,7 @@ void append_percents(std::vector<PublishedRow>& rows) {
   percent("fewer path nodes", "85.7 %", "wang", "traditional-chebyshev", PlanFigure::kNodes);
   percent("fewer turning points", "71.4 %", "wang", "traditional-chebyshev", PlanFigure::kTurns);
   const auto fused = [&](const char* row, const char* published, DriveFigure figure) {
-    append_claim(rows, "WANG sections 5.1 and 5.2", row, published, Claim::kMore,
+    append_claim(rows, "WANG sections 5.1 and 5.2", row, published, ClaimedDirection::kMore,
                  DriveEvidence{"wang-2", "improved", "astar", figure, true});
   };
   fused("fusion: less time", "18.3 %", DriveFigure::kTime);
@@ -106,12 +106,12 @@ void append_dynamic(std::vector<PublishedRow>& rows) {
     const std::string prefix = row;
     append_claim(rows, "WANG section 5.3",
                  (prefix + ": avoids the mover and the unknown obstacle, reaches the target").c_str(), "yes",
-                 Claim::kHolds, DriveEvidence{scene, "improved", nullptr, DriveFigure::kArrivesUntouched},
+                 ClaimedDirection::kHolds, DriveEvidence{scene, "improved", nullptr, DriveFigure::kArrivesUntouched},
                  "the share of drives that arrive and touch nothing");
-    append_claim(rows, "WANG section 5.3", (prefix + ": path length, m").c_str(), length, Claim::kMore,
+    append_claim(rows, "WANG section 5.3", (prefix + ": path length, m").c_str(), length, ClaimedDirection::kMore,
                  DriveEvidence{scene, "improved", "improved-plan", DriveFigure::kLength},
                  "5.2: slightly longer than the global path; published without its plan");
-    append_claim(rows, "WANG section 5.3", (prefix + ": path-planning time, s").c_str(), time, Claim::kLess,
+    append_claim(rows, "WANG section 5.3", (prefix + ": path-planning time, s").c_str(), time, ClaimedDirection::kLess,
                  DriveEvidence{scene, "improved", "astar", DriveFigure::kTime},
                  "published without a reference: against A* with the traditional DWA; the time that the drive takes");
   };
@@ -126,12 +126,12 @@ void append_wang(std::vector<PublishedRow>& rows) {
   append_settings_of_wang(rows);
   append_paths(rows);
   append_percents(rows);
-  append_claim(rows, "WANG figure 6", "linear velocity changes less", "less", Claim::kLess,
+  append_claim(rows, "WANG figure 6", "linear velocity changes less", "less", ClaimedDirection::kLess,
                DriveEvidence{"wang-2", "improved", "astar", DriveFigure::kChangesOfV});
-  append_claim(rows, "WANG figure 7", "angular velocity changes less", "less", Claim::kLess,
+  append_claim(rows, "WANG figure 7", "angular velocity changes less", "less", ClaimedDirection::kLess,
                DriveEvidence{"wang-2", "improved", "astar", DriveFigure::kChangesOfW});
   append_claim(rows, "WANG figure 5", "the driven way is slightly longer than the globally optimal path", "longer",
-               Claim::kMore, DriveEvidence{"wang-2", "improved", "improved-plan", DriveFigure::kLength});
+               ClaimedDirection::kMore, DriveEvidence{"wang-2", "improved", "improved-plan", DriveFigure::kLength});
   append_maps(rows);
   append_dynamic(rows);
 }

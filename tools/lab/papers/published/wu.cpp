@@ -43,43 +43,46 @@ void append_figures(std::vector<PublishedRow>& rows) {
                          "wu",
                          {{"turns", PlanFigure::kTurns}},
                          {{"traditional A*", "traditional", {8}}, {"improved A*", "wu", {3}}}});
-  append_claim(rows, "WU figure 8", "turning times reduced", "62.5 %", Claim::kMore,
+  append_claim(rows, "WU figure 8", "turning times reduced", "62.5 %", ClaimedDirection::kMore,
                PlanEvidence{"wu", "wu", "traditional", PlanFigure::kTurns, true});
-  append_claim(rows, "WU figure 8", "smaller turning angle", "smaller", Claim::kLess,
+  append_claim(rows, "WU figure 8", "smaller turning angle", "smaller", ClaimedDirection::kLess,
                PlanEvidence{"wu", "wu", "traditional", PlanFigure::kTurned});
-  const auto drive = [&](const char* table, const char* row, const char* published, Claim claim, DriveFigure figure,
-                         const char* note = "") {
+  const auto drive = [&](const char* table, const char* row, const char* published, ClaimedDirection claim,
+                         DriveFigure figure, const char* note = "") {
     append_claim(rows, table, row, published, claim, DriveEvidence{kScene, "improved", "improved-traditional", figure},
                  note);
   };
-  drive("WU figure 9", "the local path is closer to the global path", "closer", Claim::kLess,
+  drive("WU figure 9", "the local path is closer to the global path", "closer", ClaimedDirection::kLess,
         DriveFigure::kDistanceToPath);
-  drive("WU figure 9", "the actual moving distance is significantly reduced", "shorter", Claim::kLess,
+  drive("WU figure 9", "the actual moving distance is significantly reduced", "shorter", ClaimedDirection::kLess,
         DriveFigure::kLength);
-  drive("WU figure 9", "the overall path smoothness is better", "smoother", Claim::kLess, DriveFigure::kChangesOfW);
+  drive("WU figure 9", "the overall path smoothness is better", "smoother", ClaimedDirection::kLess,
+        DriveFigure::kChangesOfW);
   drive("WU figures 10 and 11", "line speed near the obstacle, m/s, original -> improved",
-        "0.6-0.7 -> 0.3-0.4, 0.5-0.6", Claim::kLess, DriveFigure::kSpeedNear,
+        "0.6-0.7 -> 0.3-0.4, 0.5-0.6", ClaimedDirection::kLess, DriveFigure::kSpeedNear,
         "where a wall or the box is within 0.6 m");
   drive("WU figures 10 and 11", "angular velocity, rad/s, original -> improved", "[-0.4, 0.4] -> [-0.3, 0.4]",
-        Claim::kLess, DriveFigure::kRangeOfW);
+        ClaimedDirection::kLess, DriveFigure::kRangeOfW);
   drive("WU figures 10 and 11", "angle adjustment is stable when approaching obstacles, jitter is small", "less jitter",
-        Claim::kLess, DriveFigure::kChangesOfW);
+        ClaimedDirection::kLess, DriveFigure::kChangesOfW);
   using Property = WindowEvidence::Property;
   append_claim(rows, "WU figure 12", "a fast mover that will not collide: drives on along the path", "no detour",
-               Claim::kHolds, WindowEvidence{"window-ahead", Property::kNoDetour});
+               ClaimedDirection::kHolds, WindowEvidence{"window-ahead", Property::kNoDetour});
   append_claim(rows, "WU figure 13", "a slow mover that will not collide: drives on along the path", "no detour",
-               Claim::kHolds, WindowEvidence{"window-behind", Property::kNoDetour});
+               ClaimedDirection::kHolds, WindowEvidence{"window-behind", Property::kNoDetour});
   append_claim(rows, "WU figure 14", "a mover on collision course: avoids it by a local path, returns to the path",
-               "detour and return", Claim::kHolds, WindowEvidence{"window-collision", Property::kDetoursAndReturns});
+               "detour and return", ClaimedDirection::kHolds,
+               WindowEvidence{"window-collision", Property::kDetoursAndReturns});
   append_claim(rows, "WU figure 15", "an unknown static obstacle: avoids it by a local path, returns to the path",
-               "detour and return", Claim::kHolds, WindowEvidence{"window-box", Property::kDetoursAndReturns});
+               "detour and return", ClaimedDirection::kHolds,
+               WindowEvidence{"window-box", Property::kDetoursAndReturns});
 }
 
 /// A cell of table 2. `evidence` measures the property, a share of maps or drives; the paper's tick is `has`.
 void append_property(std::vector<PublishedRow>& rows, const char* algorithm, const char* property, bool has,
                      Evidence evidence, const char* note = "") {
   append_claim(rows, "WU 2", (std::string(algorithm) + ": " + property).c_str(), has ? "yes" : "no",
-               has ? Claim::kHolds : Claim::kHoldsNot, std::move(evidence), note);
+               has ? ClaimedDirection::kHolds : ClaimedDirection::kHoldsNot, std::move(evidence), note);
 }
 
 void append_comparison(std::vector<PublishedRow>& rows) {

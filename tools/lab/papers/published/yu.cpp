@@ -34,7 +34,7 @@ void append_scene(std::vector<PublishedRow>& rows, const char* table, const char
 void append_percents(std::vector<PublishedRow>& rows) {
   const auto percent = [&](const char* row, const char* published, const char* map, PlanFigure figure,
                            const char* note = "") {
-    append_claim(rows, "YU section 4", row, published, Claim::kMore,
+    append_claim(rows, "YU section 4", row, published, ClaimedDirection::kMore,
                  PlanEvidence{map, "yu", "traditional", figure, true}, note);
   };
   percent("scene 1: fewer turning points", "20 %", "yu-1", PlanFigure::kTurns);
@@ -44,8 +44,8 @@ void append_percents(std::vector<PublishedRow>& rows) {
   percent("scene 1: less search time", "16.27 %", "yu-1", PlanFigure::kTime, "the abstract prints 16.26 %");
   percent("scene 2: fewer turning points", "77.78 %", "yu-2", PlanFigure::kTurns);
   percent("scene 2: fewer traversed nodes", "17.86 %", "yu-2", PlanFigure::kExpanded);
-  append_claim(rows, "YU section 4", "scene 2: longer path, since it keeps off the corners", "4.11 %", Claim::kLess,
-               PlanEvidence{"yu-2", "yu", "traditional", PlanFigure::kLength, true},
+  append_claim(rows, "YU section 4", "scene 2: longer path, since it keeps off the corners", "4.11 %",
+               ClaimedDirection::kLess, PlanEvidence{"yu-2", "yu", "traditional", PlanFigure::kLength, true},
                "ours as a reduction: a negative figure is longer");
   percent("scene 2: less search time", "21.58 %", "yu-2", PlanFigure::kTime);
   percent("50 x 50: fewer turning points", "38.46 %", "yu-3", PlanFigure::kTurns);
@@ -74,7 +74,7 @@ void append_fused(std::vector<PublishedRow>& rows) {
                 {{28.4446, 79.300621}, {25.4588, 94.402967}, {26.3942, 88.878559}, {24.6606, 66.881723}}, "");
   const auto percent = [&](const char* row, const char* published, const char* scene, const char* reference,
                            DriveFigure figure, const char* note = "") {
-    append_claim(rows, "YU section 4", row, published, Claim::kMore,
+    append_claim(rows, "YU section 4", row, published, ClaimedDirection::kMore,
                  DriveEvidence{scene, "improved", reference, figure, true}, note);
   };
   percent("static fusion: shorter than the DWA", "8.99 %", "yu-5", "dwa", DriveFigure::kLength);
@@ -82,15 +82,15 @@ void append_fused(std::vector<PublishedRow>& rows) {
           "the conclusion prints 16.26 %");
   percent("dynamic fusion: shorter than the DWA", "13.30 %", "yu-6", "dwa", DriveFigure::kLength);
   percent("dynamic fusion: less time than the DWA", "15.66 %", "yu-6", "dwa", DriveFigure::kTime);
-  append_claim(rows, "YU section 5", "conclusion: shorter than the A* algorithm", "4.56 %", Claim::kMore,
+  append_claim(rows, "YU section 5", "conclusion: shorter than the A* algorithm", "4.56 %", ClaimedDirection::kMore,
                DriveEvidence{"yu-5", "improved", "traditional-plan", DriveFigure::kLength, true},
                "follows from no pair of its tables");
   append_claim(rows, "YU figure 7a", "angular velocity converges fastest and is the most stable", "soonest steady",
-               Claim::kLess, DriveEvidence{"yu-6", "improved", "astar", DriveFigure::kChangesOfW});
-  append_claim(rows, "YU figure 7b", "linear velocity converges fastest", "soonest steady", Claim::kLess,
+               ClaimedDirection::kLess, DriveEvidence{"yu-6", "improved", "astar", DriveFigure::kChangesOfW});
+  append_claim(rows, "YU figure 7b", "linear velocity converges fastest", "soonest steady", ClaimedDirection::kLess,
                DriveEvidence{"yu-6", "improved", "astar", DriveFigure::kChangesOfV});
-  append_claim(rows, "YU figure 7c", "a smooth attitude angle that reaches the target faster", "sooner", Claim::kLess,
-               DriveEvidence{"yu-6", "improved", "astar", DriveFigure::kTime});
+  append_claim(rows, "YU figure 7c", "a smooth attitude angle that reaches the target faster", "sooner",
+               ClaimedDirection::kLess, DriveEvidence{"yu-6", "improved", "astar", DriveFigure::kTime});
 }
 
 }  // namespace
@@ -123,12 +123,13 @@ void append_yu(std::vector<PublishedRow>& rows) {
                 {8, 211, 60.0237, 118.618}});
   append_percents(rows);
   append_fused(rows);
-  append_claim(rows, "YU 7", "Initial position", "(-1.95, -1.95, 0)", Claim::kEqual, NoEvidence{kRviz});
-  append_claim(rows, "YU 7", "Initial target point", "(13.5, 16.5, 90)", Claim::kEqual, NoEvidence{kRviz});
-  append_claim(rows, "YU 7", "Straight line width", "0.05", Claim::kEqual, NoEvidence{kRviz});
-  append_claim(rows, "YU figure 8", "fewer turning points than A*, smoother paths when fused", "fewer", Claim::kLess,
+  append_claim(rows, "YU 7", "Initial position", "(-1.95, -1.95, 0)", ClaimedDirection::kEqual, NoEvidence{kRviz});
+  append_claim(rows, "YU 7", "Initial target point", "(13.5, 16.5, 90)", ClaimedDirection::kEqual, NoEvidence{kRviz});
+  append_claim(rows, "YU 7", "Straight line width", "0.05", ClaimedDirection::kEqual, NoEvidence{kRviz});
+  append_claim(rows, "YU figure 8", "fewer turning points than A*, smoother paths when fused", "fewer",
+               ClaimedDirection::kLess, NoEvidence{kRviz});
+  append_claim(rows, "YU figure 9", "smoother local path on a SLAM map", "smoother", ClaimedDirection::kLess,
                NoEvidence{kRviz});
-  append_claim(rows, "YU figure 9", "smoother local path on a SLAM map", "smoother", Claim::kLess, NoEvidence{kRviz});
 }
 
 }  // namespace aisle::lab
