@@ -18,21 +18,22 @@ void append_settings_of_qu(std::vector<PublishedRow>& rows) {
                    {"gamma, Vel", 0.3, weight_of("qu", velocity_critic)},
                    {"eta, DistD", 0.4, weight_of("qu", dynamic_clearance_critic)}});
   const local_planner::PaperLimits limits = limits_of("qu");
-  const NoEvidence sampled{
-      "our samples are spread evenly over the window, whatever its width: 7 speeds, 17 turn rates"};
+  const local_planner::AsPrinted& printed = local_planner::find_variant("qu")->printed;
+  const char* const sampled = "of the drive as printed; our own has 7 speeds and 17 turn rates in its window";
   append_settings(rows, "QU 1",
                   {{"Initial line speed, m/s", 0, 0.0},
                    {"Max. linear speed, m/s", 2, limits.max_speed_mps},
                    {"Max. linear acceleration, m/s2", 0.4, limits.max_acceleration_mps2}});
   append_claim(rows, "QU 1", "Initial azimuth angle, rad", "-pi/2", ClaimedDirection::kEqual,
                NoEvidence{"our drives begin with a turn on the spot towards the path, whatever the first heading"});
-  append_claim(rows, "QU 1", "Angular speed fractional variability, deg/s", "1", ClaimedDirection::kEqual, sampled);
   append_settings(rows, "QU 1",
-                  {{"Initial angular velocity, deg/s", 0, 0.0, "printed twice"},
+                  {{"Angular speed fractional variability, deg/s", 1, printed.angular_step_radps * kDegrees, sampled},
+                   {"Initial angular velocity, deg/s", 0, 0.0, "printed twice"},
                    {"Max. angular velocity, deg/s", 40, limits.max_turn_radps * kDegrees},
                    {"Max. angular acceleration, deg/s2", 60, limits.max_turn_acceleration_radps2 * kDegrees}});
-  append_claim(rows, "QU 1", "Linear speed resolution, m/s", "0.01", ClaimedDirection::kEqual, sampled);
-  append_settings(rows, "QU 1", {{"dt, s", 0.1, 0.1}});
+  append_settings(
+      rows, "QU 1",
+      {{"Linear speed resolution, m/s", 0.01, printed.linear_step_mps, sampled}, {"dt, s", 0.1, printed.interval_s}});
 }
 
 void append_paths(std::vector<PublishedRow>& rows, const char* scene, const char* map, double turns, double turns_to,

@@ -25,10 +25,12 @@ void append_settings_of_wang(std::vector<PublishedRow>& rows) {
        {"beta, dist", 0.2, weight_of("wang", clearance_critic)},
        {"gamma, velocity", 0.3, weight_of("wang", velocity_critic)},
        {"prediction time, s", 2, limits.horizon_s}});
-  const NoEvidence sampled{
-      "our samples are spread evenly over the window, whatever its width: 7 speeds, 17 turn rates"};
-  append_claim(rows, "WANG section 5", "linear velocity resolution, m/s", "0.05", ClaimedDirection::kEqual, sampled);
-  append_claim(rows, "WANG section 5", "angular velocity resolution, rad/s", "1", ClaimedDirection::kEqual, sampled);
+  const local_planner::AsPrinted& printed = local_planner::find_variant("wang")->printed;
+  append_settings(rows, "WANG section 5",
+                  {{"linear velocity resolution, m/s", 0.05, printed.linear_step_mps,
+                    "of the drive as printed; our own has 7 speeds in its window"},
+                   {"angular velocity resolution, rad/s", 1, printed.angular_step_radps * kDegrees,
+                    "degrees, printed as radians; of the drive as printed, our own has 17 turn rates in its window"}});
 }
 
 void append_paths(std::vector<PublishedRow>& rows) {
