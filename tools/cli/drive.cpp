@@ -18,11 +18,15 @@
 #include "common/process/own_usage.hpp"
 #include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/critic.hpp"
+#include "services/local-planner/core/parameters.hpp"
 #include "tools/cli/cli.hpp"
+#include "tools/cli/coordinates.hpp"
 #include "tools/cli/json.hpp"
 #include "tools/cli/known_names.hpp"
 #include "tools/cli/progress_line.hpp"
 #include "tools/cli/text.hpp"
+#include "tools/lab/driving/printed_drive.hpp"
+#include "tools/lab/planning/drawn_map.hpp"
 #include "tools/referee/core/walls.hpp"
 #include "tools/referee/report/fleet_svg.hpp"
 #include "tools/referee/report/report_json.hpp"
@@ -37,7 +41,10 @@ namespace {
 struct Options {
   std::string scenario;
   std::string local{"wang"};
-  std::string global{"direct"};
+  std::string global;  // empty: `direct`, or as printed that of the local planner's paper
+  std::string map;
+  std::vector<std::string> sets;
+  bool as_printed{false};
   int seed{1};
   int runs{1};
   std::string svg;
@@ -58,12 +65,34 @@ std::string known_vehicle(const std::string& id, const scenario::Scenario& scena
   return id;
 }
 
+/// The local planner's variant, with what `--set NAME.PARAMETER=VALUE` says of it.
+local_planner::Variant variant_of(const Options& options) {
+  local_planner::Variant variant = *local_planner::find_variant(options.local);
+  for (const std::string& text : options.sets) {
+    const std::size_t dot = text.find('.'), equals = text.find('=');
+    if (dot == std::string::npos || equals == std::string::npos || equals < dot)
+      throw config::BadInput(fmt::format("--set: '{}' is not NAME.PARAMETER=VALUE, for example wang.alpha=0.1", text));
+    if (text.substr(0, dot) != variant.name)
+      throw config::BadInput(fmt::format("--set: '{}' is of another planner than --local {}", text, variant.name));
+    const double value = parse_numbers("--set", text.substr(equals + 1), 1, "0.1").front();
+    const std::string refused = local_planner::set_parameter(variant, text.substr(dot + 1, equals - dot - 1), value);
+    if (!refused.empty()) throw config::BadInput("--set: " + refused);
+  }
+  return variant;
+}
+
 /// The scenario of one run, with what the flags change.
 sim::Setup setup_of(const Options& options, int run) {
-  sim::Setup setup =
-      sim::named_setup(options.scenario, static_cast<std::uint64_t>(options.seed) + static_cast<std::uint64_t>(run));
+  const std::uint64_t seed = static_cast<std::uint64_t>(options.seed) + static_cast<std::uint64_t>(run);
+  if (options.as_printed) {
+    sim::Setup setup = lab::printed_setup(lab::read_drawn_map(options.map, 1.0), variant_of(options), options.global);
+    setup.seed = seed;
+    return setup;
+  }
+  sim::Setup setup = sim::named_setup(options.scenario, seed);
   setup.local = options.local;
   setup.planner = options.global;
+  if (!options.sets.empty()) setup.own_variant = variant_of(options);
   setup.paper_limits = options.paper_limits;
   setup.only_scans_of = known_vehicle(options.only_scans_of, setup.scenario);
   if (options.truth) setup.perception = sim::Perception::kTruth;
@@ -226,14 +255,30 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
   return true;
 }
 
-/// All flags are checked before the first run, which may take minutes.
-int drive(const Cli& cli, const Options& options) {
-  check_name("--local", options.local, names_of(local_planner::all_variants()));
-  check_name("--global", options.global, names_of(global_planner::all_variants()));
-
-  if (options.scenario.empty())
+/// What is driven: a scenario, or a paper's map as printed.
+void check_subject(const Options& options) {
+  if (options.as_printed != !options.map.empty())
+    throw config::BadInput("--as-printed and --map FILE go together: the paper's map, with S and T");
+  if (options.as_printed && !options.scenario.empty())
+    throw config::BadInput("--as-printed drives --map, and --scenario is another drive: give one of them");
+  if (!options.as_printed && options.scenario.empty())
     throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(sim::families()));
+}
 
+/// With the global planner named.
+Options completed(Options options) {
+  check_name("--local", options.local, names_of(local_planner::all_variants()));
+  if (options.global.empty())
+    options.global =
+        options.as_printed ? lab::global_planner_of(*local_planner::find_variant(options.local)) : "direct";
+  check_name("--global", options.global, names_of(global_planner::all_variants()));
+  return options;
+}
+
+/// All flags are checked before the first run, which may take minutes.
+int drive(const Cli& cli, const Options& given) {
+  const Options options = completed(given);
+  check_subject(options);
   if (!options.svg.empty()) process::check_writable(options.svg);
 
   Driven driven;
@@ -259,7 +304,12 @@ void add_drive(CLI::App& parent, Cli& cli) {
       .option("--local", options->local,
               "local planner: " + local_planner::variant_names() + "; default: " + options->local)
       .option("--global", options->global,
-              "global planner: " + listed(names_of(global_planner::all_variants())) + "; default: " + options->global)
+              "global planner: " + listed(names_of(global_planner::all_variants())) +
+                  "; default: direct, as printed that of the same paper")
+      .option("--map", options->map, "with --as-printed: a paper's map, e.g. deploy/experiments/wang-1.txt")
+      .flag("--as-printed", options->as_printed,
+            "the local planner as its paper prints it on --map, with nothing of ours in between")
+      .list("--set", options->sets, "NAME.PARAMETER=VALUE of the local planner, e.g. wang.alpha=0.1; several times")
       .option("--seed", options->seed, 0, 1'000'000'000, "of the first run; the next one has the next seed")
       .option("--runs", options->runs, 1, 100'000, "how many")
       .option("--svg", options->svg, "file for a picture of the first run")

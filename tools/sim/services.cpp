@@ -21,7 +21,8 @@ namespace {
 constexpr const char* kStateFile = "state";
 constexpr const char* kJournalFile = "map.sqlite";
 constexpr const char* kMapId = "site";
-constexpr int kFewestRays = 8;  // where nobody looks at scans
+constexpr double kPrintedArrivalM = 0.5;  // the papers say not when a goal is reached; half of their cell
+constexpr int kFewestRays = 8;            // where nobody looks at scans
 
 /// Each function builds one service as its main() does, with the files on the process's simulated disk.
 std::shared_ptr<void> make_map(const Setup& setup, service::Shell& shell) {
@@ -33,6 +34,10 @@ std::shared_ptr<void> make_map(const Setup& setup, service::Shell& shell) {
 std::shared_ptr<void> make_global_planner(const Setup& setup, service::Shell& shell) {
   global_planner::ServiceConfig config;
   config.planner = setup.planner;
+  if (setup.as_printed) {
+    config.fleet.as_printed = true;
+    config.fleet.margin_m = 0.0;
+  }
   return std::make_shared<global_planner::GlobalPlannerService>(shell, config);
 }
 
@@ -104,6 +109,7 @@ std::shared_ptr<void> make_local_planner(const Setup& setup, const HearsCycle& h
   local_planner::ServiceConfig config;
   config.variant = variant_of(setup);
   config.settings = setup.settings;
+  config.settings.as_printed = setup.as_printed;
 
   if (setup.paper_limits) {
     const local_planner::PaperLimits& paper = variant_of(setup).paper;
@@ -123,6 +129,7 @@ std::shared_ptr<void> make_dispatcher(const Setup& setup, service::Shell& shell)
   dispatcher::ServiceConfig config;
   config.scenario = setup.scenario;
   config.state_file = kStateFile;
+  if (setup.as_printed) config.settings.position_tolerance_m = kPrintedArrivalM;
   return std::make_shared<dispatcher::DispatcherService>(shell, config);
 }
 

@@ -29,6 +29,7 @@ struct Setup {
   std::string local{"wang"};                            // of the local planner
   std::optional<local_planner::Variant> own_variant{};  // instead of `local`
   bool paper_limits{false};                             // vehicles and horizon as in the paper of `local`
+  bool as_printed{false};  // planners, outline and arrival too: with nothing of ours between the paper's parts
   local_planner::Settings settings;
   std::uint64_t seed{1};
 };
