@@ -22,10 +22,10 @@ struct ServiceConfig {
   /// Second zero of the scenario, nanoseconds since the Unix epoch; none: when all vehicles are heard.
   std::optional<std::int64_t> start_at_ns;
 
+  std::filesystem::path state_file;  // empty: nothing is kept
+
   /// Of each recording, where they are read already; none: read from the scenario's files.
   std::optional<std::vector<std::vector<RecordedPerson>>> people{};
-
-  std::filesystem::path state_file;  // empty: nothing is kept
 };
 
 /// Shows the things of a scenario on `world_obstacle`, 50 times a second, from second zero on, and reads there where
