@@ -14,6 +14,7 @@
 
 #include "common/wire/codecs.hpp"
 #include "common/wire/extras.hpp"
+#include "common/wire/field_kind.hpp"
 #include "common/wire/geometry.hpp"
 #include "idl/fields.hpp"
 
@@ -38,21 +39,8 @@ inline Json to_json(const geometry::Pose2& pose_in_map) { return to_json(encode(
 
 namespace detail {
 
-/// Is it a bounded string of the IDL? Is it a sequence or an array?
-template <class T, class = void>
-struct IsText : std::false_type {};
-
-template <class T>
-struct IsText<T, std::void_t<decltype(std::declval<const T&>().to_string())>> : std::true_type {};
-
 /// Counters are an object, by name.
 Json json_of_field(const std::string& name, const std::vector<aisle::Counter>& counters);
-
-template <class T, class = void>
-struct IsSequence : std::false_type {};
-
-template <class T>
-struct IsSequence<T, std::void_t<decltype(std::declval<const T&>().begin())>> : std::true_type {};
 
 /// 16 digits.
 std::string hexadecimal(std::uint64_t value);

@@ -4,6 +4,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "common/wire/field_kind.hpp"
 #include "idl/fields.hpp"
 
 namespace aisle::bus_test {
@@ -13,15 +14,6 @@ namespace detail {
 inline bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
-
-template <class T, class = void>
-struct IsText : std::false_type {};
-template <class T>
-struct IsText<T, std::void_t<decltype(std::declval<const T&>().to_string())>> : std::true_type {};
-template <class T, class = void>
-struct IsSequence : std::false_type {};
-template <class T>
-struct IsSequence<T, std::void_t<decltype(std::declval<T&>().begin())>> : std::true_type {};
 
 /// Sets the field, and each field inside it, to something of its own that a decoder is likely to accept; `count` goes
 /// on from field to field. Numbers that are not whole are multiples of 1/64, below 2 in most types. What is counted in
@@ -37,9 +29,9 @@ void set(const char* name, Field& field, int& count) {
     field = ends_with(name, "_cells") ? Field{2} : static_cast<Field>(count);
   } else if constexpr (std::is_enum_v<Field>) {
     field = static_cast<Field>(idl::words_of(Field{}).size() - 1);
-  } else if constexpr (IsText<Field>::value) {
+  } else if constexpr (wire::IsText<Field>::value) {
     field = std::string(name) + "-" + std::to_string(count);
-  } else if constexpr (IsSequence<Field>::value) {
+  } else if constexpr (wire::IsSequence<Field>::value) {
     if constexpr (!std::is_aggregate_v<Field>)  // no array
       field.resize(std::is_same_v<Field, std::vector<std::uint8_t>> ? 4 : 2);
     for (auto& element : field) set(name, element, count);

@@ -12,6 +12,7 @@
 
 #include "common/bus/sample_codec.hpp"
 #include "common/wire/json/json.hpp"
+#include "tests/support/every_topic.hpp"
 #include "tests/unit/bus/filled_sample.hpp"
 #include "tests/unit/bus/golden_samples.hpp"
 
@@ -43,19 +44,7 @@ class GoldenBytes : public testing::Test {
   const Bytes golden_{read_golden_bytes(Topic::kName)};
 };
 
-template <class List>
-struct Types;
-template <class... Topics>
-struct Types<topics::List<Topics...>> {
-  using type = testing::Types<Topics...>;
-};
-struct Names {
-  template <class Topic>
-  static std::string GetName(int) {
-    return Topic::kName;
-  }
-};
-TYPED_TEST_SUITE(GoldenBytes, Types<topics::All>::type, Names);
+TYPED_TEST_SUITE(GoldenBytes, test_support::EveryTopic, test_support::TopicNames);
 
 TYPED_TEST(GoldenBytes, AreReadAndWrittenAgain) {
   typename TypeParam::Sample sample;

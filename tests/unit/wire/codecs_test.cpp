@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "common/bus/topics.hpp"
+#include "tests/support/every_topic.hpp"
 #include "tests/unit/wire/sound_samples.hpp"
 
 namespace aisle::wire {
@@ -16,19 +17,7 @@ namespace {
 template <class Topic>
 class Codecs : public testing::Test {};
 
-template <class List>
-struct Types;
-template <class... Topics>
-struct Types<topics::List<Topics...>> {
-  using type = testing::Types<Topics...>;
-};
-struct Names {
-  template <class Topic>
-  static std::string GetName(int) {
-    return Topic::kName;
-  }
-};
-TYPED_TEST_SUITE(Codecs, Types<topics::All>::type, Names);
+TYPED_TEST_SUITE(Codecs, test_support::EveryTopic, test_support::TopicNames);
 
 TYPED_TEST(Codecs, EncodeWhatTheyDecodeToTheSameSample) {
   using Sample = typename TypeParam::Sample;

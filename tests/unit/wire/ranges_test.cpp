@@ -11,6 +11,7 @@
 #include "common/bus/sample_codec.hpp"
 #include "common/bus/topics.hpp"
 #include "common/wire/codecs.hpp"
+#include "tests/support/every_topic.hpp"
 #include "tests/unit/wire/sound_samples.hpp"
 
 namespace aisle::wire {
@@ -166,19 +167,7 @@ std::uint64_t nasty(std::mt19937_64& random) {
 template <class Topic>
 class Ranges : public testing::Test {};
 
-template <class List>
-struct Types;
-template <class... Topics>
-struct Types<topics::List<Topics...>> {
-  using type = testing::Types<Topics...>;
-};
-struct Names {
-  template <class Topic>
-  static std::string GetName(int) {
-    return Topic::kName;
-  }
-};
-TYPED_TEST_SUITE(Ranges, Types<topics::All>::type, Names);
+TYPED_TEST_SUITE(Ranges, test_support::EveryTopic, test_support::TopicNames);
 
 /// The golden sample's bytes with up to six words replaced, at the places where doubles, counts and enumerators lie.
 TYPED_TEST(Ranges, HoldWhateverTheBytesSay) {

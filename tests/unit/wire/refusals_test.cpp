@@ -16,7 +16,9 @@
 
 #include "common/bus/topics.hpp"
 #include "common/wire/codecs.hpp"
+#include "common/wire/field_kind.hpp"
 #include "idl/fields.hpp"
+#include "tests/support/every_topic.hpp"
 #include "tests/support/places.hpp"
 #include "tests/unit/wire/sound_samples.hpp"
 
@@ -25,15 +27,6 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-template <class T, class = void>
-struct IsText : std::false_type {};
-template <class T>
-struct IsText<T, std::void_t<decltype(std::declval<const T&>().to_string())>> : std::true_type {};
-template <class T, class = void>
-struct IsSequence : std::false_type {};
-template <class T>
-struct IsSequence<T, std::void_t<decltype(std::declval<T&>().begin())>> : std::true_type {};
 
 /// A value put into a field, and what the table calls it.
 template <class Field>
@@ -129,19 +122,7 @@ class RefusalTable {
 template <class Topic>
 class RefusalsOf : public testing::Test {};
 
-template <class List>
-struct Types;
-template <class... Topics>
-struct Types<topics::List<Topics...>> {
-  using type = testing::Types<Topics...>;
-};
-struct Names {
-  template <class Topic>
-  static std::string GetName(int) {
-    return Topic::kName;
-  }
-};
-TYPED_TEST_SUITE(RefusalsOf, Types<topics::All>::type, Names);
+TYPED_TEST_SUITE(RefusalsOf, test_support::EveryTopic, test_support::TopicNames);
 
 TYPED_TEST(RefusalsOf, EachFieldAreThoseOfItsTable) {
   auto sample = sound_sample<typename TypeParam::Sample>();
