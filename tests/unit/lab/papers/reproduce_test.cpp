@@ -23,6 +23,8 @@ std::vector<ReproducedRow> few(const std::vector<std::string>& tables, unsigned 
   return reproduce(orders, silent, [] { return false; });
 }
 
+const ReproducedRow& row_of(std::vector<ReproducedRow>&& rows, const std::string& name) = delete;  // it would dangle
+
 const ReproducedRow& row_of(const std::vector<ReproducedRow>& rows, const std::string& name) {
   for (const ReproducedRow& row : rows)
     if (row.of->row == name) return row;
@@ -86,7 +88,8 @@ TEST(Reproduce, IsTheSameForTheSameSeedButForTimes) {
 }
 
 TEST(Reproduce, LeavesNothingToGuessWhereARowCannotBeMade) {
-  const ReproducedRow& row = row_of(few({"YU 2"}), "Cheng 2017 proposed improvements to A*: path length, m");
+  const auto rows = few({"YU 2"});
+  const ReproducedRow& row = row_of(rows, "Cheng 2017 proposed improvements to A*: path length, m");
   EXPECT_EQ(row.verdict, Verdict::kNotComparable);
   EXPECT_FALSE(row.ours);
   EXPECT_THAT(row.why, HasSubstr("no formula"));
