@@ -1,6 +1,7 @@
 #include "common/bus/dds/dds_bus.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <deque>
 #include <map>
 #include <mutex>
@@ -9,23 +10,13 @@
 #include "common/bus/dds/host_clock.hpp"
 #include "common/bus/dds/site.hpp"
 #include "common/bus/dds/topic_reader.hpp"
+#include "common/bus/timers.hpp"
 
 namespace aisle::bus {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-}  // namespace
 
 /// The loop: it waits on a WaitSet until a reader has something, a timer is due, or the guard condition
 /// wakes it; then it handles everything that has come.
 struct DdsBus::State {
-  struct Timer {
-    std::chrono::nanoseconds period;
-    Clock::time_point next;
-    std::function<void()> handler;
-  };
-
   explicit State(const Settings& given) : settings(given), site(std::make_shared<Site>(given)) {
     wait_set.attach_condition(site->guard());
   }
@@ -38,11 +29,10 @@ struct DdsBus::State {
   bool handle_posted();
   bool handle_incidents();
   bool handle_readers();
-  bool handle_timers();
   bool handle_all();
 
   /// Until `limit`, or the next timer if that is earlier. Not at all when a reader has more.
-  void wait_until(Clock::time_point limit);
+  void wait_until(time::Stamp limit);
 
   void report(const Incident& incident) const {
     for (const auto& handler : incident_handlers) handler(incident);
@@ -52,7 +42,7 @@ struct DdsBus::State {
   std::shared_ptr<Site> site;
   fast::dds::WaitSet wait_set;
   std::map<std::string, std::unique_ptr<TopicReader>> readers;  // by topic
-  std::deque<Timer> timers;                                     // references stay good while handlers add more
+  Timers timers;
   std::deque<std::function<void(const Incident&)>> incident_handlers;
   std::vector<Endpoint> own;
   std::mutex post_mutex;
@@ -86,24 +76,6 @@ bool DdsBus::State::handle_readers() {
   return handled;
 }
 
-/// A timer that was missed several times fires once, and next at the next multiple of its period.
-bool DdsBus::State::handle_timers() {
-  bool handled = false;
-  const Clock::time_point now = Clock::now();
-
-  for (std::size_t i = 0; i < timers.size(); ++i) {
-    Timer& timer = timers[i];
-    if (timer.next > now) continue;
-
-    const auto missed = (now - timer.next) / timer.period;
-    timer.next += (missed + 1) * timer.period;
-    timer.handler();
-    handled = true;
-  }
-
-  return handled;
-}
-
 /// Posted work first, timers last; each kind gets its turn.
 bool DdsBus::State::handle_all() {
   site->guard().set_trigger_value(false);  // first: what comes from now on wakes the next wait
@@ -111,19 +83,19 @@ bool DdsBus::State::handle_all() {
   const bool posted_work = handle_posted();
   const bool incidents = handle_incidents();
   const bool samples = handle_readers();
-  const bool ticks = handle_timers();
+  const bool ticks = timers.handle(monotonic_now());
 
   return posted_work || incidents || samples || ticks;
 }
 
-void DdsBus::State::wait_until(Clock::time_point limit) {
+void DdsBus::State::wait_until(time::Stamp limit) {
   for (const auto& [name, reader] : readers) {
     if (reader->has_more()) return;
   }
 
-  for (const Timer& timer : timers) limit = std::min(limit, timer.next);
+  if (const auto tick = timers.next()) limit = std::min(limit, *tick);
 
-  const auto left = limit - Clock::now();
+  const auto left = limit - monotonic_now();
   if (left <= std::chrono::nanoseconds(0)) return;
 
   fast::dds::ConditionSeq active;
@@ -157,8 +129,7 @@ void DdsBus::raw_on(const char* topic, detail::RawHandler handler) {
 }
 
 void DdsBus::every(std::chrono::nanoseconds period, std::function<void()> handler) {
-  const std::chrono::nanoseconds bounded = std::max(period, std::chrono::nanoseconds(1000));
-  state_->timers.push_back({bounded, Clock::now() + bounded, std::move(handler)});
+  state_->timers.add(period, monotonic_now(), std::move(handler));
 }
 
 void DdsBus::on_incident(std::function<void(const Incident&)> handler) {
@@ -176,9 +147,9 @@ void DdsBus::post(std::function<void()> work) {
 
 /// Again until something was handled or the time is over: a wait may end for nothing.
 bool DdsBus::run_once(std::chrono::nanoseconds limit) {
-  const Clock::time_point end = Clock::now() + limit;
+  const time::Stamp end = monotonic_now() + limit;
   while (!state_->handle_all()) {
-    if (Clock::now() >= end) return false;
+    if (monotonic_now() >= end) return false;
     state_->wait_until(end);
   }
 

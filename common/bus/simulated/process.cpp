@@ -11,8 +11,7 @@ Process::Process(Core& its_core, int its_id, int its_host, const Settings& its_s
     : core(its_core), id(its_id), host(its_host), settings(its_settings) {}
 
 void Process::every(std::chrono::nanoseconds period, std::function<void()> handler) {
-  const std::chrono::nanoseconds bounded = std::max(period, std::chrono::nanoseconds(1000));
-  timers_.push_back({bounded, core.now() + bounded, std::move(handler)});
+  timers_.add(period, core.now(), std::move(handler));
   wake_for_timers();
 }
 
@@ -23,17 +22,14 @@ void Process::post(std::function<void()> work) {
 
 /// An event at the next tick: it ends a wait, and gives the turn to a process that is driven.
 void Process::wake_for_timers() {
-  if (timers_.empty() || gone) return;
+  const std::optional<time::Stamp> first = timers_.next();
+  if (!first || gone) return;
+  if (wake_ && *wake_ <= *first) return;
 
-  const auto first =
-      std::min_element(timers_.begin(), timers_.end(), [](const Timer& a, const Timer& b) { return a.next < b.next; });
-  const time::Stamp next = first->next;
-  if (wake_ && *wake_ <= next) return;
+  wake_ = first;
 
-  wake_ = next;
-
-  core.at(next, [this, next] {
-    if (wake_ != next) return;
+  core.at(*first, [this, first] {
+    if (wake_ != first) return;
     wake_.reset();
     core.give_turn(*this);
   });
@@ -41,7 +37,8 @@ void Process::wake_for_timers() {
 
 bool Process::has_work() const {
   if (samples_wait || !posted_.empty() || !incidents.empty()) return true;
-  return std::any_of(timers_.begin(), timers_.end(), [&](const Timer& timer) { return timer.next <= core.now(); });
+  const std::optional<time::Stamp> tick = timers_.next();
+  return tick && *tick <= core.now();
 }
 
 /// A turn that comes while the last one still takes its time is put off to its end.
@@ -84,7 +81,7 @@ bool Process::handle_all() {
   const bool posted_work = handle_posted();
   const bool told_incidents = handle_incidents();
   const bool samples = handle_readers();
-  const bool ticks = handle_timers();
+  const bool ticks = timers_.handle(core.now());
 
   wake_for_timers();
   return posted_work || told_incidents || samples || ticks;
@@ -110,24 +107,6 @@ bool Process::handle_readers() {
   for (auto& [topic, reader] : readers) {  // a map: readers that a handler adds do not disturb
     handled |= reader->drain([this](const Incident& incident) { report(incident); });
     samples_wait |= reader->has_work();
-  }
-
-  return handled;
-}
-
-/// A timer that was missed several times fires once.
-bool Process::handle_timers() {
-  bool handled = false;
-  const time::Stamp now = core.now();
-
-  for (std::size_t i = 0; i < timers_.size(); ++i) {
-    Timer& timer = timers_[i];
-    if (timer.next > now) continue;
-
-    const auto missed = (now - timer.next) / timer.period;
-    timer.next += (missed + 1) * timer.period;
-    timer.handler();
-    handled = true;
   }
 
   return handled;

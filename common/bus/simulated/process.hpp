@@ -11,6 +11,7 @@
 
 #include "common/bus/bus.hpp"
 #include "common/bus/simulated/endpoints.hpp"
+#include "common/bus/timers.hpp"
 
 namespace aisle::bus::simulated {
 
@@ -65,17 +66,10 @@ class Process {
   time::Stamp turn_time{};
 
  private:
-  struct Timer {
-    std::chrono::nanoseconds period;
-    time::Stamp next;
-    std::function<void()> handler;
-  };
-
   /// Each handles one kind of work; true when there was some.
   bool handle_posted();
   bool handle_incidents();
   bool handle_readers();
-  bool handle_timers();
   bool handle_all();
   void report(const Incident& incident) const;
 
@@ -85,7 +79,7 @@ class Process {
   /// What an endpoint of this process announces; see SimulatedBus::announce_as().
   Announced announce(const SampleCodec& codec, bool is_writer) const;
 
-  std::deque<Timer> timers_;  // references stay good while handlers add more
+  Timers timers_;
   std::vector<std::function<void()>> posted_;
   std::optional<time::Stamp> wake_;
   time::Stamp busy_until_{};
