@@ -13,15 +13,16 @@
 namespace aisle::bus {
 
 /// The timers of one loop, on the bus's monotonic clock. A loop that is late skips ticks: after a late tick comes the
-/// next one of the same grid, not all that were missed.
+/// next one of the same grid, not all that were missed. Timers of one period share a grid, so that one wake-up serves
+/// all of them: the vehicles of a shared process cost one wake-up a cycle, not one each.
 class Timers {
  public:
   static constexpr std::chrono::nanoseconds kShortestPeriod{1000};
 
-  /// First one period after `now`.
+  /// First one period after `now`; at most a period later where an earlier timer of this period has set the grid.
   void add(std::chrono::nanoseconds period, time::Stamp now, std::function<void()> handler) {
     const std::chrono::nanoseconds bounded = std::max(period, kShortestPeriod);
-    timers_.push_back({bounded, now + bounded, std::move(handler)});
+    timers_.push_back({bounded, first_tick(bounded, now + bounded), std::move(handler)});
   }
 
   /// Calls each handler that is due at `now`, once; handlers may add timers. True when there was one.
@@ -56,6 +57,16 @@ class Timers {
     time::Stamp next;
     std::function<void()> handler;
   };
+
+  /// The first instant of the period's grid that is not before `earliest`.
+  time::Stamp first_tick(std::chrono::nanoseconds period, time::Stamp earliest) const {
+    const auto alike =
+        std::find_if(timers_.begin(), timers_.end(), [&](const Timer& timer) { return timer.period == period; });
+    if (alike == timers_.end()) return earliest;
+
+    const auto phase = (alike->next - earliest) % period;  // in (-period, period)
+    return earliest + (phase.count() < 0 ? phase + period : phase);
+  }
 
   std::deque<Timer> timers_;  // references stay good while handlers add more
 };
