@@ -18,6 +18,10 @@ using geometry::Twist2;
 
 /// A block of samples: each takes up its twist for one step and then brakes along its arc, until it stands or touches
 /// something. The first thing touched is what obstructs it.
+///
+/// Repaired: the papers' V_a (LI eq. 7, QU eq. 8, YU eq. 10, WANG eq. 9) is v <= sqrt(2 dist a), for a point and for
+/// what stands. Followed along the arc it is the same limit for an outline and among things that move, and stronger: v
+/// and w brake together. WANG prints the acceleration for a; the deceleration is meant.
 class BrakingBlock {
  public:
   /// The first step is set, and samples are done of which nothing need be looked at.

@@ -1,4 +1,5 @@
-// C8, QU eq. 15: clearance D to what moves, where it will be at that time.
+// C8, QU eq. 15: clearance D to what moves, where it will be at that time. D is the gap between the outlines; eq. 14
+// takes the distance of the centres, which for the papers' points is the same.
 //
 //     dist_d(v, w) = 0 where D < 1.2 |v| dt, else D / mover cap, in [0, 1]
 #include "services/local-planner/core/critic.hpp"

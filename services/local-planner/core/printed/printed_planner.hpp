@@ -21,7 +21,7 @@ namespace aisle::local_planner {
 ///
 /// There is no lane, no speed profile or cap, no detour, no right of way, no turn on the spot but YU's first, no
 /// recovery and no margin: a sample is refused only when the disc would touch a wall or a thing at its predicted place.
-/// What algorithms.md repairs stays repaired: signs, braking along the arc, rewards.
+/// What the papers print wrongly stays repaired: signs, braking along the arc, rewards.
 class PrintedPlanner final : public Planner {
  public:
   PrintedPlanner(const Settings& settings, const Variant& variant);

@@ -1,5 +1,6 @@
 // L1, LI: the traditional critics and the heading to the sub-target on the global path. Table III calls gamma "dynamic
-// distance"; eq. 10 gives it to the speed, and so does this.
+// distance"; eq. 10 gives it to the speed, and so does this. Eq. 6 prints a minus on both sides of w: V_d reaches from
+// w - dw dt to w + dw dt.
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {

@@ -1,4 +1,5 @@
-// L3, QU: clearance to what stands and to what moves are two critics.
+// L3, QU: clearance to what stands and to what moves are two critics. Its prediction time is not printed: 2 s is
+// chosen.
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {

@@ -1,5 +1,5 @@
 // L4, YU: the traditional critics, fast. Its turn rates are degrees, printed as radians. Its linear acceleration is not
-// printed: 0.4 m/s^2 is chosen.
+// printed: 0.4 m/s^2 is chosen. Eq. 9 prints v + dv for the upper end of V_d: v + dv dt is meant.
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {

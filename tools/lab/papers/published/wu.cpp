@@ -75,7 +75,8 @@ void append_figures(std::vector<PublishedRow>& rows) {
                WindowEvidence{"window-collision", Property::kDetoursAndReturns});
   append_claim(rows, "WU figure 15", "an unknown static obstacle: avoids it by a local path, returns to the path",
                "detour and return", ClaimedDirection::kHolds,
-               WindowEvidence{"window-box", Property::kDetoursAndReturns});
+               WindowEvidence{"window-box", Property::kDetoursAndReturns},
+               "our own drive searches its detour on a lattice; as printed the local sub-target leads around");
 }
 
 /// A cell of table 2. `evidence` measures the property, a share of maps or drives; the paper's tick is `has`.
