@@ -63,6 +63,26 @@ TEST(SafeDistance, JoinsOnlyWhatKeepsIt) {
   EXPECT_EQ(passed(passes::safe_distance, kBlock, around, 0.8).size(), 4U);
 }
 
+// QU 2.3.2: "the above steps are repeated from the beginning". Without a safe distance a line of sight is one round.
+TEST(SafeDistance, GoesOnUntilNothingChanges) {
+  const std::unique_ptr<Planner> greedy = find_variant("greedy")->make();
+  int more_than_one_round = 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) {
+    std::mt19937 random(seed);
+    const grid::ClearanceField clearance(test_support::random_blocks(random, 40, 25, 8, 0.1), 3.0);
+    const Problem problem{clearance, {0.05, 0.05}, {3.95, 3.95}};
+    const Path path = greedy->plan(problem, nullptr).waypoints_in_map;
+    Path once = path, last = path;
+    passes::greedy_line_of_sight(Drivable(problem), once);
+    passes::safe_distance(Drivable(problem), last);
+    more_than_one_round += last != once ? 1 : 0;
+    Path again = last;
+    passes::greedy_line_of_sight(Drivable(problem), again);
+    EXPECT_EQ(again, last) << "seed " << seed;
+  }
+  EXPECT_GT(more_than_one_round, 0);
+}
+
 TEST(Interpolated, PullsACornerAlongItsSegment) {
   const Path around{{0.5, 4.5}, {0.5, 0.5}, {6.5, 0.5}};
   const Path forward = passed(passes::interpolated_forward, kBlock, around);

@@ -298,6 +298,37 @@ TEST(Choose, TurnsTowardsTheTarget) {
   EXPECT_LT(choose(world.scene({5.0, 5.0, 0.0}, {0.4, 0.0, 0.0}, 0.5), aim, wang(), {}).twist.angular_radps, -0.2);
 }
 
+/// The heading critic in another unit: a power of two, so that nothing is rounded otherwise.
+const Critic heading_in_another_unit{
+    [](const Sample<double>& sample, const Aim& aim) { return 1024.0 * heading_critic.score(sample, aim); },
+    [](const SampleBlock& samples, const Aim& aim, PerSample& scores) {
+      heading_critic.score_block(samples, aim, scores);
+      for (std::size_t i = 0; i < kBlock; ++i) scores[i] *= 1024.0;
+    }};
+
+// The papers' smoothing sigma: the unit of a critic does not matter, its weight does.
+TEST(Choose, WeighsCriticsWhateverTheirUnit) {
+  World world(hall(12.0, 12.0));
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> place(2.0, 10.0), angle(-3.1, 3.1), unit(0.0, 1.0);
+  Variant other_unit = wang(), other_weight = wang();
+  other_unit.critics.front().critic = heading_in_another_unit;
+  other_weight.critics.front().weight *= 1024.0;
+  const auto speeds = [](const Choice& choice) {
+    return std::pair(choice.twist.linear_mps, choice.twist.angular_radps);
+  };
+  int differ = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Scene scene = world.scene({place(random), place(random), angle(random)}, {unit(random), 0.0, 0.0});
+    Aim aim;
+    aim.target_in_map = {place(random), place(random)};
+    const auto chosen = speeds(choose(scene, aim, wang(), {}));
+    EXPECT_EQ(speeds(choose(scene, aim, other_unit, {})), chosen) << i;
+    differ += speeds(choose(scene, aim, other_weight, {})) == chosen ? 0 : 1;
+  }
+  EXPECT_GT(differ, 20);
+}
+
 TEST(Choose, KeepsToTheSpeedCapAsFarAsBrakesAllow) {
   const World world(hall(20.0, 10.0));
   Aim aim;

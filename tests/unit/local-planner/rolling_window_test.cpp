@@ -71,6 +71,13 @@ TEST(RollingWindow, WhoDrivesBesideAtTheSameSpeedIsNotMet) {
 }
 TEST(RollingWindow, EndsAtTheSensorsRange) { EXPECT_EQ(meet({13.0, 10.0}, {}, 2.5).encounter, Encounter::kNone); }
 
+// WU eqs. 6 and 7: (v1 + v2) T < r.
+TEST(RollingWindow, NothingCrossesItBetweenTwoLooks) {
+  const Variant& wu = *find_variant("wu");
+  constexpr double kFastestOtherMps = 10.0;
+  EXPECT_LT((wu.paper.max_speed_mps + kFastestOtherMps) * wu.printed.interval_s, kWindowM);
+}
+
 TEST(RollingWindow, TheSoonestIsTold) {
   static const grid::ClearanceField clearance(hall(20.0, 20.0));
   static const std::vector<PeerMotion> kNoPeers;

@@ -72,8 +72,9 @@ TEST(Variants, HaveTheLimitsOfTheirPapers) {
             std::tuple(2.0, from_degrees(40.0), 0.4, from_degrees(60.0)));
   EXPECT_EQ(std::tuple(yu.max_speed_mps, yu.max_turn_radps, yu.max_turn_acceleration_radps2, yu.horizon_s),
             std::tuple(2.0, from_degrees(20.0), from_degrees(50.0), 3.0));
-  EXPECT_EQ(std::tuple(wang.max_speed_mps, wang.max_turn_radps, wang.max_acceleration_mps2, wang.horizon_s),
-            std::tuple(1.5, from_degrees(40.0), 1.0, 2.0));
+  EXPECT_EQ(std::tuple(wang.max_speed_mps, wang.max_turn_radps, wang.max_acceleration_mps2,
+                       wang.max_turn_acceleration_radps2, wang.horizon_s),
+            std::tuple(1.5, from_degrees(40.0), 1.0, from_degrees(50.0), 2.0));
 }
 
 TEST_P(AnyVariant, HasWeightedCriticsAndTheLimitsOfItsPaper) {

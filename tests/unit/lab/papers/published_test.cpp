@@ -16,6 +16,7 @@ namespace aisle::lab {
 namespace {
 
 using testing::Contains;
+using testing::HasSubstr;
 using testing::IsSupersetOf;
 using testing::StartsWith;
 
@@ -73,6 +74,89 @@ TEST(PublishedRows, AreAsPrinted) {
   EXPECT_EQ(row_of("WANG 1", "Improved A* Algorithm: path length, m").claim, ClaimedDirection::kEqual);
   EXPECT_NEAR(row_of("WANG 1", "Improved A* Algorithm: planning time").printed_ratio, 0.75, 1e-9);
   EXPECT_TRUE(row_of("LI V", "Improved A* algorithm: path length").is_reference);
+}
+
+/// "planner < reference: figure", by what the row is measured.
+std::string measured(const std::string& table, const std::string& name) {
+  const Evidence& evidence = row_of(table, name).evidence;
+  const auto text = [](const char* ours, const char* reference) {
+    return std::string(ours) + " against " + (reference != nullptr ? reference : "none");
+  };
+  if (const auto* plan = std::get_if<PlanEvidence>(&evidence)) return text(plan->planner, plan->reference);
+  if (const auto* drive = std::get_if<DriveEvidence>(&evidence)) return text(drive->contestant, drive->reference);
+  return "not measured";
+}
+
+PlanFigure plan_figure(const std::string& table, const std::string& name) {
+  return std::get<PlanEvidence>(row_of(table, name).evidence).figure;
+}
+
+DriveFigure drive_figure(const std::string& table, const std::string& name) {
+  return std::get<DriveEvidence>(row_of(table, name).evidence).figure;
+}
+
+// A row of the right name that measures another figure would pass all other tests.
+TEST(PublishedRows, OfPathsAreMeasuredByWhatThePaperMeans) {
+  EXPECT_EQ(plan_figure("LI II", "Simple environment, Improved A* algorithm: vertices"), PlanFigure::kTurns);
+  EXPECT_EQ(plan_figure("LI V", "Ant Colony Algorithm: vertices"), PlanFigure::kTurns);
+  EXPECT_EQ(measured("LI II", "Complex environment, Improved A* algorithm: path length"),
+            "li against traditional-four");
+  EXPECT_EQ(measured("LI V", "Ant Colony Algorithm: path length"), "ant-colony against li");
+  EXPECT_EQ(measured("WU figure 8", "improved A*: turns"), "wu against traditional");
+  const char* const safer = "the path of the improved algorithm is safer, the other is closer to the obstacle";
+  EXPECT_EQ(plan_figure("QU figure 5", safer), PlanFigure::kClearance);
+  EXPECT_EQ(measured("QU figure 5", safer), "qu against traditional");
+  for (const char* table : {"YU 2", "YU 3", "YU 4"}) {
+    EXPECT_EQ(measured(table, "A* algorithm with improved heuristic function: path length, m"),
+              "yu-without-passes against traditional");
+    EXPECT_EQ(
+        plan_figure(table,
+                    "A* algorithm with improved heuristic function and optimized folds: number of nodes traversed"),
+        PlanFigure::kExpanded);
+  }
+  EXPECT_EQ(measured("WANG 1", "Improved A* Algorithm: search scope, m2"),
+            "wang-without-passes against traditional-chebyshev");
+  EXPECT_EQ(plan_figure("WANG 1", "Modified A* Algorithm: planning time"), PlanFigure::kTime);
+  EXPECT_EQ(plan_figure("WANG 2", "Improved A* algorithm: number of path nodes"), PlanFigure::kNodes);
+}
+
+TEST(PublishedRows, OfDrivesAreMeasuredByWhatThePaperMeans) {
+  EXPECT_EQ(drive_figure("LI IV", "Final path: number of inflection points"), DriveFigure::kSharpTurns);
+  EXPECT_EQ(drive_figure("WU figure 9", "the local path is closer to the global path"), DriveFigure::kDistanceToPath);
+  const char* const figures = "WU figures 10 and 11";
+  const char* const slower = "line speed near the obstacle, m/s, original -> improved";
+  EXPECT_EQ(drive_figure(figures, slower), DriveFigure::kSpeedNear);
+  EXPECT_EQ(measured(figures, slower), "improved against improved-traditional") << "the critics alone differ";
+  EXPECT_EQ(drive_figure(figures, "angular velocity, rad/s, original -> improved"), DriveFigure::kRangeOfW);
+  for (const char* table : {"YU 5", "YU 6"}) {
+    const std::string length = "In this paper, we improve the A* algorithm to fuse DWA: path length, m";
+    EXPECT_EQ(measured(table, length), "improved against dwa") << "shorter than the DWA alone";
+    EXPECT_EQ(drive_figure(table, length), DriveFigure::kLength);
+    EXPECT_EQ(measured(table, "Improved A* Fusion DWA proposed by Wu 2020: path length, m"), "not measured");
+  }
+  EXPECT_EQ(drive_figure("WANG figure 6", "linear velocity changes less"), DriveFigure::kChangesOfV);
+  EXPECT_EQ(drive_figure("WANG figure 7", "angular velocity changes less"), DriveFigure::kChangesOfW);
+  for (const char* map : {"Map 1", "Map 2", "Map 3"}) {
+    EXPECT_EQ(drive_figure("WANG section 5.3", std::string(map) + ": path length, m"), DriveFigure::kLength);
+    EXPECT_EQ(drive_figure("WANG section 5.3", std::string(map) + ": path-planning time, s"), DriveFigure::kTime);
+  }
+}
+
+TEST(PublishedRows, SayWhereAPaperContradictsItself) {
+  const auto note = [](const char* table, const char* name) { return row_of(table, name).note; };
+  EXPECT_THAT(note("LI section V.A", "shorter path, both environments"), HasSubstr("17.61 and 21.45 %"));
+  EXPECT_THAT(note("LI section V.A", "less planning time, both environments"), HasSubstr("28.74 and 51.81 %"));
+  const char* const ratio = "Map 1, Improving the A* algorithm: path length optimization ratio";
+  EXPECT_THAT(note("QU 2", ratio), HasSubstr("14.13 %"));
+  EXPECT_THAT(note("QU 3", "Map 1, one mover: path length optimization ratio"), HasSubstr("14.11 %"));
+  EXPECT_THAT(note("QU 3", "Map 1, two movers: path length optimization ratio"), HasSubstr("12.09 %"));
+  EXPECT_THAT(note("YU 5", "Dynamic Window Approach: path length, m"), HasSubstr("repeats table 2"));
+  EXPECT_THAT(note("YU section 5", "conclusion: shorter than the A* algorithm"), HasSubstr("no pair"));
+  const char* const wang = "WANG sections 5.1 and 5.2";
+  EXPECT_THAT(note(wang, "planning time less than the modified A*'s"), HasSubstr("swapped"));
+  EXPECT_THAT(note(wang, "search scope less than the modified A*'s"), HasSubstr("swapped"));
+  EXPECT_THAT(note("WANG 1", "Modified A* Algorithm: planning time"), HasSubstr("0.076 s"));
+  EXPECT_THAT(note("WANG 1", "Modified A* Algorithm: search scope, m2"), HasSubstr("228"));
 }
 
 TEST(PublishedRows, BeginWithTheirPaperAndStandOnce) {

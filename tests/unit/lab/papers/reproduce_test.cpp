@@ -103,6 +103,12 @@ TEST(Reproduce, ComparesParametersWithThoseInUse) {
   EXPECT_EQ(row_of(rows, "obstacle at N (orthogonal): remaining child nodes").ours, 6.0);
 }
 
+TEST(Reproduce, ShowsThatWusPathTurnsLess) {
+  const ReproducedRow& turns = row_of(few({"WU figure 8"}), "improved A*: turns");
+  EXPECT_EQ(turns.verdict, Verdict::kSameDirection);
+  EXPECT_LT(*turns.ours, *turns.reference);
+}
+
 TEST(Reproduce, CountsEachClaimOnce) {
   const auto rows = few({"WU figure 8"});
   EXPECT_EQ(rows.size(), 4U);

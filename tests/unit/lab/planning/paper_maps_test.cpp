@@ -53,6 +53,33 @@ TEST(PaperMaps, HaveStartGoalAndSizeOfTheirPaper) {
   EXPECT_EQ(find_paper_map_kind("wang-4"), nullptr);
 }
 
+// WU prints neither size nor ends of its map, YU no ends.
+TEST(PaperMaps, AreAsLargeAsThePapersSayAndLeadWhereTheyLead) {
+  struct Printed {
+    const char* name;
+    int edge;
+    grid::Cell start, goal;
+  };
+  for (const Printed& printed : {Printed{"li-simple", 10, {0, 0}, {9, 9}},
+                                 {"li-complex", 20, {0, 0}, {19, 19}},
+                                 {"qu-simple", 21, {5, 16}, {19, 3}},
+                                 {"qu-maze", 21, {2, 20}, {19, 3}},
+                                 {"wang-1", 20, {1, 1}, {19, 19}},
+                                 {"wang-map-1", 20, {1, 1}, {19, 19}},
+                                 {"wang-map-2", 20, {1, 1}, {19, 19}},
+                                 {"wang-map-3", 40, {1, 1}, {39, 39}}}) {
+    const PaperMapKind& kind = *find_paper_map_kind(printed.name);
+    EXPECT_EQ(kind.edge, printed.edge) << kind.name;
+    EXPECT_EQ(kind.start, printed.start) << kind.name;
+    EXPECT_EQ(kind.goal, printed.goal) << kind.name;
+  }
+  EXPECT_EQ(find_paper_map_kind("yu-1")->edge, 20);
+  EXPECT_EQ(find_paper_map_kind("yu-2")->edge, 20);
+  EXPECT_EQ(find_paper_map_kind("yu-3")->edge, 50);
+  EXPECT_EQ(find_paper_map_kind("wang-map-1")->most_blocks, 5);
+  EXPECT_EQ(find_paper_map_kind("wang-map-2")->most_blocks, 19);
+}
+
 TEST(PaperMaps, AsTextAreReadBack) {
   const DrawnMap map = paper_map(*find_paper_map_kind("qu-maze"), 3);
   const auto file = std::filesystem::path(testing::TempDir()) / "aisle-paper-map.txt";

@@ -78,6 +78,66 @@ TEST(PrintedWindow, HoldsWhatOneIntervalReachesAtThePapersResolution) {
   EXPECT_LE(speeds.size(), 10u);
 }
 
+/// The paper's vehicle, without its model.
+kinematics::Limits limits_of(const PaperLimits& paper) {
+  kinematics::Limits limits;
+  limits.max_speed_mps = paper.max_speed_mps;
+  limits.max_turn_radps = paper.max_turn_radps;
+  limits.max_acceleration_mps2 = paper.max_acceleration_mps2;
+  limits.max_deceleration_mps2 = paper.max_deceleration_mps2;
+  limits.max_turn_acceleration_radps2 = paper.max_turn_acceleration_radps2;
+  return limits;
+}
+
+/// The greatest speed and turn rate of a paper's window, and how many speeds it holds.
+struct WindowEnds {
+  double most_mps{0.0}, most_radps{0.0};
+  std::set<double> speeds;
+};
+
+WindowEnds ends_of(const Variant& variant, const geometry::Twist2& now) {
+  static const grid::ClearanceField clearance(hall(10.0, 10.0));
+  WindowEnds ends;
+  for (const geometry::Twist2& twist :
+       speed_window(scene_at(clearance, limits_of(variant.paper), now), printed_window({}, variant))) {
+    ends.most_mps = std::max(ends.most_mps, twist.linear_mps);
+    ends.most_radps = std::max(ends.most_radps, twist.angular_radps);
+    ends.speeds.insert(twist.linear_mps);
+  }
+  return ends;
+}
+
+// V_s, V_x, V_m: a vehicle at its limits is offered nothing beyond.
+TEST(PrintedWindow, EndsAtThePapersLimits) {
+  for (const char* name : {"li", "qu", "yu", "wang"}) {
+    const Variant& variant = *find_variant(name);
+    const PaperLimits& paper = variant.paper;
+    const WindowEnds ends = ends_of(variant, {paper.max_speed_mps, paper.max_turn_radps, 0.0});
+    EXPECT_NEAR(ends.most_mps, paper.max_speed_mps, 1e-9) << name;
+    EXPECT_NEAR(ends.most_radps, paper.max_turn_radps, 1e-9) << name;
+  }
+}
+
+TEST(PrintedWindow, OfWangIsSampledEveryFiveCentimetresASecond) {
+  const WindowEnds ends = ends_of(wang(), {0.5, 0.0, 0.0});
+  EXPECT_NEAR(ends.most_mps, 0.6, 1e-9) << "1 m/s^2 for 0.1 s";
+  EXPECT_NEAR(ends.most_radps, from_degrees(5.0), 1e-9) << "50 deg/s^2 for 0.1 s";
+  std::set<long> hundredths;
+  for (const double speed : ends.speeds) hundredths.insert(std::lround(100.0 * speed));
+  EXPECT_EQ(hundredths, (std::set<long>{40, 45, 50, 55, 60}));
+}
+
+// heading and dist-2 are of the end of the trajectory; our own drive looks after 0.8 s.
+TEST(PrintedWindow, LooksAtTheEndOfThePapersTrajectory) {
+  for (const char* name : {"li", "wu", "qu", "yu", "wang"}) {
+    const DwaSettings window = printed_window({}, *find_variant(name));
+    EXPECT_EQ(window.horizon_s, find_variant(name)->paper.horizon_s) << name;
+    EXPECT_EQ(window.look_step(), window.steps()) << name;
+    EXPECT_EQ(window.step_s, 0.1) << name;
+  }
+  EXPECT_LT(DwaSettings{}.look_step(), DwaSettings{}.steps());
+}
+
 TEST(PrintedWindow, OfAForkliftHoldsOnlyWhatItsWheelCanSteer) {
   const grid::ClearanceField clearance(hall(10.0, 10.0));
   const Variant& wu = *find_variant("wu");
