@@ -73,7 +73,7 @@ class RefusalTable {
  public:
   explicit RefusalTable(Sample sound) : sample_(std::move(sound)) {
     idl::visit_fields(sample_, [this](const char* name, auto& field) {
-      if (std::string(name) != "by") look_at(name, name, field);  // decoders leave the origin to origin_of()
+      if (std::string(name) != "by") this->look_at(name, name, field);  // decoders leave the origin to origin_of()
     });
   }
   const std::string& text() const { return text_; }

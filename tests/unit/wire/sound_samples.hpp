@@ -1,5 +1,7 @@
 #pragma once
 // A sample of each type that its decoder accepts.
+#include <cstddef>
+
 #include "common/geometry/footprint.hpp"
 #include "common/grid/tiles.hpp"
 #include "tests/unit/bus/golden_samples.hpp"
@@ -14,7 +16,7 @@ Sample sound_sample() {
 template <>
 inline aisle::MapInfo sound_sample() {
   auto sample = bus_test::golden_sample<aisle::MapInfo>();
-  sample.tile_hashes().resize(13 * 8, 7);
+  sample.tile_hashes().resize(std::size_t{13} * 8, 7);
   sample.hash(grid::map_hash(sample.tile_hashes()));
   return sample;
 }
