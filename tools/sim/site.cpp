@@ -4,7 +4,6 @@
 #include <spdlog/details/null_mutex.h>
 #include <spdlog/logger.h>
 #include <spdlog/sinks/base_sink.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <chrono>
@@ -52,20 +51,6 @@ class LineSink final : public spdlog::sinks::base_sink<spdlog::details::null_mut
   std::function<void(const std::string&)> say_;
 };
 
-/// While it lives, what is logged without a name goes the same way.
-class ScopedDefaultLogger {
- public:
-  explicit ScopedDefaultLogger(std::shared_ptr<spdlog::logger> logger) : before_(spdlog::default_logger()) {
-    spdlog::set_default_logger(std::move(logger));
-  }
-  ~ScopedDefaultLogger() { spdlog::set_default_logger(before_); }
-  ScopedDefaultLogger(const ScopedDefaultLogger&) = delete;
-  ScopedDefaultLogger& operator=(const ScopedDefaultLogger&) = delete;
-
- private:
-  std::shared_ptr<spdlog::logger> before_;
-};
-
 nanoseconds of_milliseconds(double ms) { return nanoseconds(static_cast<std::int64_t>(ms * 1e6)); }
 
 referee::Expectation expectation_of(const scenario::Scenario& scenario) {
@@ -87,7 +72,6 @@ class Site {
         faults_(faults),
         hooks_(hooks),
         log_(std::make_shared<spdlog::logger>("site", std::make_shared<LineSink>([this](const auto& l) { say(l); }))),
-        default_logger_(log_),
         network_(setup.seed * 1'000'003 + faults.seed),
         begun_(network_.now()),
         walls_(setup.grid),
@@ -356,7 +340,6 @@ class Site {
   const Faults& faults_;
   const Hooks& hooks_;
   std::shared_ptr<spdlog::logger> log_;
-  ScopedDefaultLogger default_logger_;
   Network network_;
   time::Stamp begun_;
   referee::Walls walls_;

@@ -38,7 +38,7 @@ struct Hooks {
 /// Runs a scenario with all its services, as they are, on a simulated network in this thread: map, planners, tracker
 /// (or its stand-in, Perception::kTruth), fake vehicles and world, dispatcher, referee. Ends when the referee says so,
 /// when the scenario's time is over, or when `hooks.goes_on` says no. The same setup and faults give the same outcome
-/// to the bit.
+/// to the bit, whatever other threads drive meanwhile.
 ///
 /// @throws config::BadInput for a fault plan that names a process which does not exist
 Outcome drive(const Setup& setup, const Faults& faults = {}, const Hooks& hooks = {});
