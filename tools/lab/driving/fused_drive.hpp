@@ -4,16 +4,10 @@
 #include <vector>
 
 #include "services/local-planner/core/critic.hpp"
+#include "tools/lab/driving/encounters.hpp"
 #include "tools/sim/result.hpp"
 
 namespace aisle::lab {
-
-/// What the papers meet on the way, beside their map.
-struct Surprises {
-  int movers{0};        // cross the planned way, one after the other
-  int hidden_boxes{0};  // stand on it, where there is room beside
-  bool any() const { return movers + hidden_boxes > 0; }
-};
 
 /// One vehicle, as in the local planner's paper, from S to T of a paper's map, cells of 1 m.
 struct FusedDrive {
@@ -33,16 +27,22 @@ struct DrivePoint {
   double angular_radps{0.0};
   double gap_m{1e9};        // from the outline to walls and boxes
   double mover_gap_m{1e9};  // between the outlines, from the nearest mover
+  double box_gap_m{1e9};    // from the outline to the nearest box
 };
+
+/// So near, between the outlines, a mover or box has to be reacted to: a drive that came nowhere so near met nothing.
+inline constexpr double kMetWithinM = 1.5;
 
 struct DriveFigures {
   sim::Result result;
   std::vector<DrivePoint> points;  // from the goal being given to its end (result.driven_s), ten a second
-  int movers{0};                   // that there was room for
+  int movers{0};                   // on this map
+  Encounters encounters{};         // all that there was on this map
   /// Between the outlines, while both were there.
   double nearest_mover_m() const;
-  /// Did a mover come so near that something had to be done about it?
-  bool met_a_mover() const { return movers > 0 && nearest_mover_m() < 1.5; }
+  /// Did the driving vehicle come nearer than kMetWithinM to a mover, to a box?
+  bool met_a_mover() const { return met(&DrivePoint::mover_gap_m); }
+  bool met_a_box() const { return met(&DrivePoint::box_gap_m); }
   bool arrived() const { return result.goals_reached == result.goals_assigned; }
   /// Sums of all changes, up and down: m/s and rad/s.
   double changes_of_v() const;
@@ -50,16 +50,25 @@ struct DriveFigures {
   double greatest_change_of_w() const;  // within a tenth of a second
   /// Mean speed where walls or boxes are nearer to the outline than this; 0: it never was there.
   double mean_speed_near(double gap_m) const;
+
+ private:
+  bool met(double DrivePoint::*gap_m) const;
 };
 
 /// The traditional critics along a path: what the papers call A* fused with DWA.
 local_planner::Variant traditional_with_path();
 /// The same without one: drives at the goal.
 local_planner::Variant traditional_alone();
+/// A paper's own critics straight at the goal, without a path.
+local_planner::Variant paper_critics_alone(const std::string& name);
 /// A paper's own local planner. @pre there is one
 local_planner::Variant paper_variant(const std::string& name);
 
-/// @throws config::BadInput when the map cannot be read
+/// What the paper puts there is met at encounters_of_paper. @throws config::BadInput when the map cannot be read
 DriveFigures drive_fused(const FusedDrive& drive, const std::filesystem::path& maps);
+
+/// The same on a map in memory, with what is given; `drive.map` and `drive.surprises` are not looked at. May be called
+/// from several threads.
+DriveFigures drive_fused(const FusedDrive& drive, const DrawnMap& map, const Encounters& encounters);
 
 }  // namespace aisle::lab

@@ -1,15 +1,17 @@
 #include "tools/lab/papers/drive_measurements.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
+#include <future>
+#include <mutex>
 #include <stdexcept>
-#include <system_error>
 
 #include "common/grid/clearance.hpp"
-#include "common/process/output_file.hpp"
+#include "services/fake-world/core/walker.hpp"
 #include "services/global-planner/core/variant.hpp"
+#include "services/local-planner/core/route.hpp"
 #include "tools/lab/driving/fused_drive.hpp"
 #include "tools/lab/papers/plan_measurements.hpp"
 #include "tools/lab/planning/paper_maps.hpp"
@@ -17,16 +19,17 @@
 namespace aisle::lab {
 namespace {
 
-namespace fs = std::filesystem;
 using geometry::Point2;
 using Path = std::vector<Point2>;
 
-constexpr double kPlannedRadiusM = 0.45;  // the vehicle and its margin, as drive_fused plans
+constexpr double kRadiusM = 0.35;         // of the vehicle
+constexpr double kPlannedRadiusM = 0.45;  // with its margin, as drive_fused plans
 constexpr double kNearM = 0.6;            // a wall or box is near: between it and the outline
 constexpr double kNearMoverM = 1.5;       // a mover is near
 constexpr double kSharpTurnRad = 0.35;    // 20 degrees, within kSharpWithinM
 constexpr double kSharpWithinM = 0.3;
 constexpr double kMovingMps = 0.02;
+constexpr double kBlindStepS = 0.05;
 
 double turned_between(Point2 a, Point2 b, Point2 c) {
   return std::abs(std::atan2(geometry::cross(b - a, c - b), geometry::dot(b - a, c - b)));
@@ -81,9 +84,35 @@ Path planned(const DrawnMap& map, const std::string& planner, double radius_m) {
 DriveOutcome outcome_of_path(const Path& path) {
   DriveOutcome outcome;
   outcome.arrived = !path.empty();
-  outcome.met_a_mover = true;  // nothing can be left out for it
+  outcome.met_something = true;  // a path meets nothing and is left out for nothing
   outcome.figures[DriveFigure::kLength] = global_planner::path_length_m(path);
   outcome.figures[DriveFigure::kSharpTurns] = sharp_turns_of_path(path);
+  return outcome;
+}
+
+/// The vehicle follows the path at a constant speed and stops for nothing; only whether it touches something is found.
+DriveOutcome outcome_of_blind_drive(const Path& path, const Encounters& encounters, double speed_mps) {
+  DriveOutcome outcome = outcome_of_path(path);
+  if (path.empty()) return outcome;
+
+  const local_planner::Route way(path);
+  std::vector<fake_world::Walker> walkers;
+  for (const scenario::Mover& mover : encounters.movers) walkers.emplace_back(mover, fake_world::Walker::Progress{});
+  for (double t_s = 0.0; t_s * speed_mps < way.length_m() && !outcome.touched; t_s += kBlindStepS) {
+    const Point2 here = way.at(t_s * speed_mps);
+    for (fake_world::Walker& walker : walkers) {
+      const scenario::Mover& mover = walker.mover();
+      outcome.touched |= geometry::distance(here, walker.motion().position_in_map) < kRadiusM + mover.radius_m;
+      if (t_s >= mover.start_s) walker.step(kBlindStepS, {});
+    }
+    for (const scenario::Block& box : encounters.boxes) {
+      const Point2 middle = box.center_in_map.position();
+      const double across_m = std::max(0.0, std::abs(here.x - middle.x) - 0.5 * box.length_m);
+      const double along_m = std::max(0.0, std::abs(here.y - middle.y) - 0.5 * box.width_m);
+      outcome.touched |= std::hypot(across_m, along_m) < kRadiusM;
+    }
+  }
+  outcome.figures[DriveFigure::kTouches] = outcome.touched ? 1.0 : 0.0;
   return outcome;
 }
 
@@ -103,11 +132,11 @@ void add_near_movers(const DriveFigures& drive, DriveOutcome& outcome) {
   outcome.elsewhere_radps /= elsewhere;
 }
 
-DriveOutcome outcome_of(const DriveFigures& drive, const Path& path) {
+DriveOutcome outcome_of(const DriveFigures& drive, const Path& path, const Surprises& surprises) {
   DriveOutcome outcome;
   outcome.arrived = drive.arrived();
   outcome.touched = drive.result.contacts_moving_vehicle > 0;
-  outcome.met_a_mover = drive.met_a_mover();
+  outcome.met_something = surprises.movers > 0 ? drive.met_a_mover() : !surprises.any() || drive.met_a_box();
   Path way;
   double low_radps = 0.0, high_radps = 0.0, off_m = 0.0, near = 0.0;
   for (const DrivePoint& point : drive.points) {
@@ -123,6 +152,7 @@ DriveOutcome outcome_of(const DriveFigures& drive, const Path& path) {
   figures[DriveFigure::kSharpTurns] = sharp_turns_of_way(way);
   figures[DriveFigure::kChangesOfV] = drive.changes_of_v();
   figures[DriveFigure::kChangesOfW] = drive.changes_of_w();
+  figures[DriveFigure::kTouches] = outcome.touched ? 1.0 : 0.0;
   figures[DriveFigure::kRangeOfW] = high_radps - low_radps;
   figures[DriveFigure::kDistanceToPath] = off_m / std::max<double>(1.0, static_cast<double>(drive.points.size()));
   if (near > 0.0) figures[DriveFigure::kSpeedNear] = drive.mean_speed_near(kNearM);
@@ -134,30 +164,55 @@ DriveOutcome outcome_of(const DriveFigures& drive, const Path& path) {
 FusedDrive drive_of(const DriveScene& scene, const std::string& contestant) {
   FusedDrive drive;
   drive.limits = paper_variant(scene.paper).paper;
-  drive.surprises = {scene.movers, scene.hidden_boxes};
+  drive.surprises = scene.surprises;
   drive.global = contestant == "astar" || contestant == "astar-own" ? "astar" : scene.paper;
   drive.local = contestant == "dwa"                                     ? traditional_alone()
+                : contestant == "dwa-own"                               ? paper_critics_alone(scene.paper)
                 : contestant == "improved" || contestant == "astar-own" ? paper_variant(scene.paper)
                                                                         : traditional_with_path();
   return drive;
 }
 
+DriveOutcome outcome_on(const DrawnMap& map, const DriveScene& scene, const std::string& contestant) {
+  if (contestant == "improved-plan") return outcome_of_path(planned(map, scene.paper, kPlannedRadiusM));
+  if (contestant == "traditional-plan") return outcome_of_path(planned(map, "traditional", 0.0));
+
+  const FusedDrive drive = drive_of(scene, contestant);
+  const Encounters encounters = encounters_on(map, scene.surprises, drive.limits.max_speed_mps);
+  const Path path = planned(map, drive.global, kPlannedRadiusM);
+  if (contestant == "improved-blind")
+    return outcome_of_blind_drive(path, encounters, nominal_speed_mps(drive.limits.max_speed_mps));
+  return outcome_of(drive_fused(drive, map, encounters), path, scene.surprises);
+}
+
+/// Calls `work` with 0 to count - 1, from so many threads at once. @throws what `work` throws, after all have ended
+void on_threads(int threads, int count, const std::function<void(int)>& work) {
+  std::atomic<int> next{0};
+  const auto take = [&] {
+    for (int i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::future<void>> others;
+  for (int i = 1; i < std::min(threads, count); ++i) others.push_back(std::async(std::launch::async, take));
+  take();
+  for (std::future<void>& other : others) other.get();
+}
+
 }  // namespace
 
 const std::vector<DriveScene>& drive_scenes() {
-  static const std::vector<DriveScene> all{{"li-iv", "li-complex", "li", 1, 2},
-                                           {"wu-9-11", "wu", "wu", 0, 1},
-                                           {"wu-mover", "wu", "wu", 1, 0},
-                                           {"qu-1-one", "qu-simple", "qu", 1, 0},
-                                           {"qu-1-two", "qu-simple", "qu", 2, 0},
-                                           {"qu-2-one", "qu-maze", "qu", 1, 0},
-                                           {"qu-2-two", "qu-maze", "qu", 2, 0},
-                                           {"yu-5", "yu-1", "yu", 0, 1},
-                                           {"yu-6", "yu-1", "yu", 1, 1},
-                                           {"wang-2", "wang-1", "wang", 0, 0},
-                                           {"wang-map-1", "wang-map-1", "wang", 1, 1},
-                                           {"wang-map-2", "wang-map-2", "wang", 1, 1},
-                                           {"wang-map-3", "wang-map-3", "wang", 1, 2}};
+  static const std::vector<DriveScene> all{{"li-iv", "li-complex", "li", {1, 2}},
+                                           {"wu-9-11", "wu", "wu", {0, 1}},
+                                           {"wu-mover", "wu", "wu", {1, 0}},
+                                           {"qu-1-one", "qu-simple", "qu", {1, 0}},
+                                           {"qu-1-two", "qu-simple", "qu", {2, 0}},
+                                           {"qu-2-one", "qu-maze", "qu", {1, 0}},
+                                           {"qu-2-two", "qu-maze", "qu", {2, 0}},
+                                           {"yu-5", "yu-1", "yu", {0, 1}},
+                                           {"yu-6", "yu-1", "yu", {1, 1}},
+                                           {"wang-2", "wang-1", "wang", {0, 0}},
+                                           {"wang-map-1", "wang-map-1", "wang", {1, 1}},
+                                           {"wang-map-2", "wang-map-2", "wang", {1, 1}},
+                                           {"wang-map-3", "wang-map-3", "wang", {1, 2}}};
   return all;
 }
 
@@ -168,14 +223,7 @@ const DriveScene& scene_named(const std::string& name) {
 }
 
 DriveMeasurements::DriveMeasurements(const DriveDraw& draw, Progress progress)
-    : draw_(draw),
-      progress_(std::move(progress)),
-      maps_(fs::temp_directory_path() / ("aisle-lab-" + std::to_string(getpid()))) {}
-
-DriveMeasurements::~DriveMeasurements() {
-  std::error_code ignored;
-  fs::remove_all(maps_, ignored);
-}
+    : draw_(draw), progress_(std::move(progress)) {}
 
 const std::vector<DriveOutcome>& DriveMeasurements::of(const std::string& scene, const std::string& contestant) {
   const auto key = std::pair(scene, contestant);
@@ -186,26 +234,16 @@ const std::vector<DriveOutcome>& DriveMeasurements::of(const std::string& scene,
 
 std::vector<DriveOutcome> DriveMeasurements::measure(const DriveScene& scene, const std::string& contestant) {
   const PaperMapKind& kind = *find_paper_map_kind(scene.map);
-  fs::create_directories(maps_);
-  std::vector<DriveOutcome> outcomes;
-  for (unsigned i = 0; i < static_cast<unsigned>(draw_.drives); ++i) {
-    const unsigned seed = draw_.first() + i;
-    const DrawnMap map = paper_map(kind, seed);
-    if (contestant == "improved-plan") {
-      outcomes.push_back(outcome_of_path(planned(map, scene.paper, kPlannedRadiusM)));
-      continue;
-    }
-    if (contestant == "traditional-plan") {
-      outcomes.push_back(outcome_of_path(planned(map, "traditional", 0.0)));
-      continue;
-    }
-    progress_("driving " + std::string(scene.name) + ", " + contestant + ": " + std::to_string(i + 1) + " of " +
+  std::vector<DriveOutcome> outcomes(static_cast<std::size_t>(draw_.drives));
+  std::mutex telling;
+  int done = 0;
+  on_threads(draw_.threads, draw_.drives, [&](int i) {
+    const DrawnMap map = paper_map(kind, draw_.first() + static_cast<unsigned>(i));
+    outcomes[static_cast<std::size_t>(i)] = outcome_on(map, scene, contestant);
+    const std::lock_guard lock(telling);
+    progress_("driving " + std::string(scene.name) + ", " + contestant + ": " + std::to_string(++done) + " of " +
               std::to_string(draw_.drives));
-    FusedDrive drive = drive_of(scene, contestant);
-    drive.map = std::string(kind.name) + "-" + std::to_string(seed);
-    process::write_output_file(maps_ / (drive.map + ".txt"), text_of(map));
-    outcomes.push_back(outcome_of(drive_fused(drive, maps_), planned(map, drive.global, kPlannedRadiusM)));
-  }
+  });
   return outcomes;
 }
 

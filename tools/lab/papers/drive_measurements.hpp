@@ -1,11 +1,11 @@
 #pragma once
 #include <array>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tools/lab/driving/encounters.hpp"
 #include "tools/lab/page/progress.hpp"
 #include "tools/lab/papers/published.hpp"
 
@@ -16,8 +16,7 @@ struct DriveScene {
   const char* name;
   const char* map;    // kind, planning/paper_maps.hpp
   const char* paper;  // its global and local planner, and its limits
-  int movers;
-  int hidden_boxes;
+  Surprises surprises;
 };
 const std::vector<DriveScene>& drive_scenes();
 /// @throws std::logic_error when there is none of this name
@@ -27,6 +26,7 @@ const DriveScene& scene_named(const std::string& name);
 struct DriveDraw {
   int drives{30};
   unsigned seed{1};
+  int threads{2};  // that drive at the same time; the figures do not depend on it
   unsigned first() const { return (seed - 1) * static_cast<unsigned>(drives) + 1; }
 };
 
@@ -34,22 +34,28 @@ struct DriveDraw {
 struct DriveOutcome {
   bool arrived{false};
   bool touched{false};
-  bool met_a_mover{false};
+  bool met_something{false};  // a mover of a scene that has movers, else a box of one that has boxes; or there is none
   std::map<DriveFigure, double> figures;
   double elsewhere_mps{0.0};    // the reference of kSpeedNearMover
   double elsewhere_radps{0.0};  // of kTurnNearMover
 };
 
-/// Drives of contestants over a scene's maps, made when they are asked for. Contestants: "improved" (the paper's path
-/// and its critics), "improved-traditional" (the paper's path, the traditional critics), "astar" (the path of an A*
-/// that cuts no corner, the traditional critics), "astar-own" (that path, the paper's critics), "dwa" (the traditional
-/// critics straight at the goal), and the bare paths "improved-plan" and "traditional-plan".
+/// Drives of contestants over a scene's maps, made when they are asked for. What they meet stands and moves at places
+/// and times of the map, the same for all of them (encounters_on). Contestants:
+///
+///   improved              the paper's path, the paper's critics
+///   improved-traditional  the paper's path, the traditional critics
+///   astar                 the path of an A* that cuts no corner, the traditional critics
+///   astar-own             that path, the paper's critics: differs from `improved` in the path alone
+///   dwa                   no path, straight at the goal, the traditional critics
+///   dwa-own               the same with the paper's critics
+///   improved-blind        the paper's path at nominal_speed_mps, whatever is in the way
+///   improved-plan         the bare path of the paper
+///   traditional-plan      the bare path of the traditional A*, which may cut corners
+///
 class DriveMeasurements {
  public:
   DriveMeasurements(const DriveDraw& draw, Progress progress);
-  ~DriveMeasurements();
-  DriveMeasurements(const DriveMeasurements&) = delete;
-  DriveMeasurements& operator=(const DriveMeasurements&) = delete;
 
   /// One a map. @pre there are such a scene and contestant
   const std::vector<DriveOutcome>& of(const std::string& scene, const std::string& contestant);
@@ -59,7 +65,6 @@ class DriveMeasurements {
 
   DriveDraw draw_;
   Progress progress_;
-  std::filesystem::path maps_;  // where the drawn maps lie while this lives
   std::map<std::pair<std::string, std::string>, std::vector<DriveOutcome>> measured_;
 };
 

@@ -41,6 +41,7 @@ enum class DriveFigure {
   kDistanceToPath,    // m, mean from the global path
   kArrivesUntouched,  // 1 when the goal is reached and nothing was touched, else 0
   kArrives,           // 1 when the goal is reached
+  kTouches,           // 1 when the moving vehicle touched something, else 0
 };
 
 /// On maps drawn by seed of a kind (paper_maps.hpp): a planner against another one.

@@ -148,36 +148,49 @@ class Reproducing {
         drive.figure == DriveFigure::kSpeedNearMover || drive.figure == DriveFigure::kTurnNearMover;
     const std::vector<DriveOutcome>& ours = drives_.of(drive.scene, drive.contestant);
     if (is_share) return judge_arrivals(of, ours, drive, row);
-    const bool has_movers = scene_named(drive.scene).movers > 0;
     Pairs pairs;
     const std::vector<DriveOutcome>& reference = is_near_mover ? ours : drives_.of(drive.scene, drive.reference);
     for (std::size_t i = 0; i < ours.size(); ++i) {
       if (!ours[i].arrived || !reference[i].arrived) continue;
-      if (has_movers && (!ours[i].met_a_mover || !reference[i].met_a_mover)) continue;  // it shows nothing
+      if (!ours[i].met_something || !reference[i].met_something) continue;  // it shows nothing
       const auto figure = ours[i].figures.find(drive.figure);
       if (figure == ours[i].figures.end()) continue;
+      const double other = drive.figure == DriveFigure::kSpeedNearMover  ? ours[i].elsewhere_mps
+                           : drive.figure == DriveFigure::kTurnNearMover ? ours[i].elsewhere_radps
+                                                                         : figure_of(reference[i], drive.figure);
+      if (std::isnan(other)) continue;
       pairs.ours.push_back(figure->second);
-      pairs.reference.push_back(drive.figure == DriveFigure::kSpeedNearMover  ? ours[i].elsewhere_mps
-                                : drive.figure == DriveFigure::kTurnNearMover ? ours[i].elsewhere_radps
-                                                                              : reference[i].figures.at(drive.figure));
+      pairs.reference.push_back(other);
     }
+    const char* const condition = is_near_mover ? "arrived, met a mover and drove elsewhere too"
+                                  : scene_named(drive.scene).surprises.any()
+                                      ? "arrived with both, and both met what stands or moves there"
+                                      : "arrived with both";
     if (pairs.ours.size() < kFewestPairs)
-      return refuse(row, fmt::format("only {} of {} drives arrived with both and met what the figure needs",
-                                     pairs.ours.size(), ours.size()));
+      return refuse(row, fmt::format("only {} of {} drives count: {}", pairs.ours.size(), ours.size(), condition));
     judge_pairs(of, drive.as_percent ? as_percent_less(pairs) : pairs, row);
+    row.why = joined(row.why, fmt::format("{} of {} drives count: {}", pairs.ours.size(), ours.size(), condition));
+  }
+
+  /// Not a number where this drive has no such figure.
+  static double figure_of(const DriveOutcome& outcome, DriveFigure figure) {
+    const auto found = outcome.figures.find(figure);
+    return found != outcome.figures.end() ? found->second : std::nan("");
   }
 
   static void judge_arrivals(const PublishedRow& of, const std::vector<DriveOutcome>& drives,
                              const DriveEvidence& drive, ReproducedRow& row) {
-    const bool has_movers = scene_named(drive.scene).movers > 0;
+    const bool wants_untouched = drive.figure == DriveFigure::kArrivesUntouched;
     Figures good;
     for (const DriveOutcome& outcome : drives) {
-      if (has_movers && drive.figure == DriveFigure::kArrivesUntouched && !outcome.met_a_mover) continue;
-      good.push_back(outcome.arrived && (drive.figure == DriveFigure::kArrives || !outcome.touched) ? 1.0 : 0.0);
+      if (wants_untouched && !outcome.met_something) continue;
+      good.push_back(outcome.arrived && (!wants_untouched || !outcome.touched) ? 1.0 : 0.0);
     }
-    if (good.size() < kFewestPairs)
-      return refuse(row, fmt::format("only {} of {} drives met a mover", good.size(), drives.size()));
+    const std::string counted = fmt::format("{} of {} drives count", good.size(), drives.size()) +
+                                (wants_untouched ? ": those that met what stands or moves there" : "");
+    if (good.size() < kFewestPairs) return refuse(row, "only " + counted);
     judge_share(of, good, row);
+    row.why = joined(row.why, counted);
   }
 
   void judge(const PublishedRow& of, const WindowEvidence& window, ReproducedRow& row) {

@@ -56,6 +56,18 @@ TEST(FusedDrive, GoesThroughADoorThatItSeesFromAfar) {
   EXPECT_LT(figures.result.driven_s, 50.0) << "it was driven off its way before the door";
 }
 
+TEST(FusedDrive, MeetsOneAndTwoMoversOnQusMaps) {
+  for (const char* map : {"qu-simple", "qu-maze"}) {
+    const DriveFigures alone = drive_fused(own_drive(map, "qu", {}), kMaps);
+    const DriveFigures one = drive_fused(own_drive(map, "qu", {1, 0}), kMaps);
+    const DriveFigures two = drive_fused(own_drive(map, "qu", {2, 0}), kMaps);
+    EXPECT_EQ(alone.movers + one.movers + two.movers, 0 + 1 + 2) << map;
+    EXPECT_TRUE(one.met_a_mover() && two.met_a_mover()) << map;
+    EXPECT_NE(one.changes_of_v(), alone.changes_of_v()) << map << ": it reacts to the mover";
+    EXPECT_NE(two.changes_of_v(), one.changes_of_v()) << map << ": it reacts to the second one";
+  }
+}
+
 TEST(FusedDrive, GoesOnWhenWhoCrossedHasPassed) {
   const DriveFigures figures = drive_fused(own_drive("wang-map-2", "wang", {1, 1}), kMaps);
   EXPECT_TRUE(figures.met_a_mover());

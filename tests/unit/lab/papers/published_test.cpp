@@ -195,5 +195,19 @@ TEST(PublishedRows, AreMadeFromWhatThereIs) {
   }
 }
 
+// WANG, table 2: one dynamic window after two paths; YU, tables 5 and 6: one table of weights for all four.
+TEST(PublishedRows, CompareFusionsOfWangAndYuThatDifferInThePathAlone) {
+  for (const PublishedRow& row : published_rows()) {
+    const auto* drive = std::get_if<DriveEvidence>(&row.evidence);
+    if (drive == nullptr || (row.table.rfind("WANG", 0) != 0 && row.table.rfind("YU", 0) != 0)) continue;
+    for (const char* contestant : {drive->contestant, drive->reference}) {
+      if (contestant == nullptr) continue;
+      EXPECT_THAT((std::vector<std::string>{"improved", "astar-own", "dwa-own", "improved-plan", "traditional-plan"}),
+                  Contains(contestant))
+          << row.table << ", " << row.row;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace aisle::lab
