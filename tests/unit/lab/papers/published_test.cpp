@@ -130,7 +130,7 @@ TEST(PublishedRows, OfDrivesAreMeasuredByWhatThePaperMeans) {
   EXPECT_EQ(drive_figure(figures, "angular velocity, rad/s, original -> improved"), DriveFigure::kRangeOfW);
   for (const char* table : {"YU 5", "YU 6"}) {
     const std::string length = "In this paper, we improve the A* algorithm to fuse DWA: path length, m";
-    EXPECT_EQ(measured(table, length), "improved against dwa") << "shorter than the DWA alone";
+    EXPECT_EQ(measured(table, length), "improved against dwa-own") << "shorter than the DWA alone, with YU's weights";
     EXPECT_EQ(drive_figure(table, length), DriveFigure::kLength);
     EXPECT_EQ(measured(table, "Improved A* Fusion DWA proposed by Wu 2020: path length, m"), "not measured");
   }

@@ -104,7 +104,8 @@ TEST(Reproduce, ComparesParametersWithThoseInUse) {
 }
 
 TEST(Reproduce, ShowsThatWusPathTurnsLess) {
-  const ReproducedRow& turns = row_of(few({"WU figure 8"}), "improved A*: turns");
+  const auto rows = few({"WU figure 8"});
+  const ReproducedRow& turns = row_of(rows, "improved A*: turns");
   EXPECT_EQ(turns.verdict, Verdict::kSameDirection);
   EXPECT_LT(*turns.ours, *turns.reference);
 }
