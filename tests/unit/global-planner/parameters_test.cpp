@@ -60,6 +60,21 @@ TEST(PlannerParameters, EveryWeightAndRuleOfAPapersSearchHasAName) {
   EXPECT_THAT(names_of("ant-colony"), Contains("evaporation"));
 }
 
+// A pass that is right is of no use where a variant does not have it.
+TEST(PlannerParameters, HaveThePassesOfTheirPapers) {
+  const auto passes_of = [](const char* planner) {
+    for (const Parameter& parameter : find_variant(planner)->parameters())
+      if (parameter.name == "passes") return parameter.value;
+    return std::string("no such parameter");
+  };
+  EXPECT_EQ(passes_of("li"), "collinear-but-one-beside-obstacles,right-angle") << "IV.B.2";
+  EXPECT_EQ(passes_of("wu"), "collinear,interpolated-forward,interpolated-backward") << "2.2";
+  EXPECT_EQ(passes_of("qu"), "collinear,safe-distance") << "2.3.2";
+  EXPECT_EQ(passes_of("yu"), "collinear,line-of-sight,interpolated-at-safe-distance") << "2.3";
+  EXPECT_EQ(passes_of("wang"), "collinear,line-of-sight") << "2.2.2";
+  EXPECT_EQ(passes_of("modified-astar"), "none");
+}
+
 TEST(PlannerParameters, SetToTheirDefaultsChangeNothing) {
   for (const Variant& variant : all_variants()) {
     Parameters defaults;

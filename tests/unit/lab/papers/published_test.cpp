@@ -134,6 +134,10 @@ TEST(PublishedRows, OfDrivesAreMeasuredByWhatThePaperMeans) {
     EXPECT_EQ(drive_figure(table, length), DriveFigure::kLength);
     EXPECT_EQ(measured(table, "Improved A* Fusion DWA proposed by Wu 2020: path length, m"), "not measured");
   }
+  EXPECT_EQ(drive_figure("QU figure 8", "linear velocity falls while two movers are avoided"),
+            DriveFigure::kSpeedNearMover);
+  EXPECT_EQ(drive_figure("QU figure 8", "angular velocity falls while two movers are avoided"),
+            DriveFigure::kTurnNearMover);
   EXPECT_EQ(drive_figure("WANG figure 6", "linear velocity changes less"), DriveFigure::kChangesOfV);
   EXPECT_EQ(drive_figure("WANG figure 7", "angular velocity changes less"), DriveFigure::kChangesOfW);
   for (const char* map : {"Map 1", "Map 2", "Map 3"}) {
