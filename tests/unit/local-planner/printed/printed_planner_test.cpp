@@ -158,10 +158,9 @@ TEST(PrintedPlanner, YuTurnsToTheFirstNodeBeforeItMoves) {
   drive.give_printed_plan({{3.0, 5.0}, {10.0, 5.0}, {16.0, 7.0}});
   double farthest_m = 0.0;
   ASSERT_TRUE(drive.until(30.0, [&] {
-    if (drive.output.phase != Phase::kTurning)
-      return std::abs(geometry::wrap(drive.base.yaw)) < from_degrees(3.0) && drive.twist.linear_mps > 0.0;
-    farthest_m = std::max(farthest_m, geometry::distance(drive.base.position(), {3.0, 5.0}));
-    return false;
+    const bool faces_it = std::abs(geometry::wrap(drive.base.yaw)) < from_degrees(3.0);
+    if (!faces_it) farthest_m = std::max(farthest_m, geometry::distance(drive.base.position(), {3.0, 5.0}));
+    return faces_it && drive.twist.linear_mps > 0.0;
   })) << drive.base.yaw;
   EXPECT_LT(farthest_m, 1e-3);
 }
