@@ -85,6 +85,12 @@ void append_fused(std::vector<PublishedRow>& rows) {
   append_claim(rows, "YU section 5", "conclusion: shorter than the A* algorithm", "4.56 %", ClaimedDirection::kMore,
                DriveEvidence{"yu-5", "improved", "traditional-plan", DriveFigure::kLength, true},
                "follows from no pair of its tables");
+  append_claim(rows, "YU figure 6", "the shortest path of all, static and dynamic obstacles", "shortest",
+               ClaimedDirection::kLess, DriveEvidence{"yu-6", "improved", "astar-own", DriveFigure::kLength},
+               "against A* fused with the same DWA");
+  append_claim(rows, "YU figure 6", "the smoothest path of all, static and dynamic obstacles", "smoothest",
+               ClaimedDirection::kLess, DriveEvidence{"yu-6", "improved", "astar-own", DriveFigure::kSharpTurns},
+               "by sharp turns of the driven way, against A* fused with the same DWA");
   append_claim(rows, "YU figure 7a", "angular velocity converges fastest and is the most stable", "soonest steady",
                ClaimedDirection::kLess, DriveEvidence{"yu-6", "improved", "astar-own", DriveFigure::kChangesOfW});
   append_claim(rows, "YU figure 7b", "linear velocity converges fastest", "soonest steady", ClaimedDirection::kLess,
