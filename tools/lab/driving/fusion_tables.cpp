@@ -7,6 +7,7 @@
 #include "common/process/output_file.hpp"
 #include "tools/lab/driving/curves_svg.hpp"
 #include "tools/lab/driving/fused_drive.hpp"
+#include "tools/lab/driving/ways_svg.hpp"
 #include "tools/lab/page/markdown.hpp"
 
 namespace aisle::lab {
@@ -92,17 +93,33 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-/// The same case driven in the three ways of the papers.
+/// The same case driven by all contestants, past the same movers and boxes.
 struct Driven {
   const Case* of;
-  DriveFigures dwa, astar_dwa, improved;
+  DriveFigures dwa;               // straight at the goal
+  DriveFigures astar;             // A* + the traditional critics
+  DriveFigures astar_own;         // A* + the paper's critics
+  DriveFigures improved;          // the paper's path + its critics
+  DriveFigures improved_plain{};  // the paper's path + the traditional critics: WU compares its DWA with that one
+  /// What the paper compares its fusion with: the path alone differs, but for WU the critics alone.
+  const DriveFigures& reference() const { return is_wu() ? improved_plain : astar_own; }
+  bool is_wu() const { return std::string(of->paper) == "wu"; }
 };
 
+/// YU's and WANG's dynamic windows have the traditional critics with weights of their own.
+local_planner::Variant dwa_of(const std::string& paper) {
+  return paper == "yu" || paper == "wang" ? paper_critics_alone(paper) : traditional_alone();
+}
+
 Driven drive(const Case& of, const std::filesystem::path& maps) {
-  const local_planner::PaperLimits limits = paper_variant(of.paper).paper;
-  return {&of, drive_fused({of.map, of.paper, traditional_alone(), limits, of.surprises}, maps),
-          drive_fused({of.map, "astar", traditional_with_path(), limits, of.surprises}, maps),
-          drive_fused({of.map, of.paper, paper_variant(of.paper), limits, of.surprises}, maps)};
+  const local_planner::Variant own = paper_variant(of.paper);
+  const auto driven = [&](const char* global, const local_planner::Variant& local) {
+    return drive_fused({of.map, global, local, own.paper, of.surprises}, maps);
+  };
+  Driven all{&of, driven(of.paper, dwa_of(of.paper)), driven("astar", traditional_with_path()), driven("astar", own),
+             driven(of.paper, own)};
+  if (all.is_wu()) all.improved_plain = driven(of.paper, traditional_with_path());
+  return all;
 }
 
 std::string length(const DriveFigures& d) {
@@ -111,15 +128,17 @@ std::string length(const DriveFigures& d) {
 }
 
 std::string lengths_table(const std::vector<Driven>& all) {
-  Rows rows{{"table", "published: DWA", "A* + DWA", "improved + DWA", "ours: DWA", "A* + DWA", "improved + DWA",
-             "its plan", "driven over plan", "s", "movers there", "nearest m"}};
+  Rows rows{{"table", "published: DWA", "A* + DWA", "improved + DWA", "ours: DWA", "A* + traditional critics",
+             "A* + paper's critics", "improved + paper's critics", "its plan", "driven over plan", "s",
+             "movers and boxes", "nearest mover m"}};
   for (const Driven& d : all) {
     const sim::Result& r = d.improved.result;
-    rows.push_back({d.of->title, d.of->dwa, d.of->astar_dwa, d.of->improved, length(d.dwa), length(d.astar_dwa),
-                    length(d.improved), digits(r.planned_m, 2),
+    const Encounters& there = d.improved.encounters;
+    rows.push_back({d.of->title, d.of->dwa, d.of->astar_dwa, d.of->improved, length(d.dwa), length(d.astar),
+                    length(d.astar_own), length(d.improved), digits(r.planned_m, 2),
                     d.improved.arrived() ? digits(r.distance_m / r.planned_m, 3) : "-",
                     digits(d.improved.result.driven_s, 1),
-                    std::to_string(d.improved.movers) + " of " + std::to_string(d.of->surprises.movers),
+                    std::to_string(there.movers.size()) + " and " + std::to_string(there.boxes.size()),
                     d.improved.movers > 0 ? digits(d.improved.nearest_mover_m(), 2) : "-"});
   }
   return markdown_table(rows);
@@ -131,13 +150,13 @@ std::string smoothness_table(const std::vector<Driven>& all) {
   Rows rows{{"table", "changes of v, m/s", "changes of w, rad/s", "greatest change of w in 0.1 s", "sign changes of w",
              "time s"}};
   for (const Driven& d : all) {
-    if (!d.astar_dwa.arrived() || !d.improved.arrived()) continue;
-    rows.push_back({d.of->title, arrow(d.astar_dwa.changes_of_v(), d.improved.changes_of_v()),
-                    arrow(d.astar_dwa.changes_of_w(), d.improved.changes_of_w()),
-                    arrow(d.astar_dwa.greatest_change_of_w(), d.improved.greatest_change_of_w()),
-                    std::to_string(d.astar_dwa.result.turn_sign_changes) + " -> " +
+    if (!d.reference().arrived() || !d.improved.arrived()) continue;
+    rows.push_back({d.of->title, arrow(d.reference().changes_of_v(), d.improved.changes_of_v()),
+                    arrow(d.reference().changes_of_w(), d.improved.changes_of_w()),
+                    arrow(d.reference().greatest_change_of_w(), d.improved.greatest_change_of_w()),
+                    std::to_string(d.reference().result.turn_sign_changes) + " -> " +
                         std::to_string(d.improved.result.turn_sign_changes),
-                    arrow(d.astar_dwa.result.driven_s, d.improved.result.driven_s)});
+                    arrow(d.reference().result.driven_s, d.improved.result.driven_s)});
   }
   return markdown_table(rows);
 }
@@ -173,11 +192,11 @@ std::string wu_terms_row(const std::filesystem::path& maps) {
 std::string claims_table(const std::vector<Driven>& all, const std::filesystem::path& maps) {
   const auto is_static = [](const Driven& d) { return !d.of->surprises.any(); };
   const auto has_movers = [](const Driven& d) { return d.improved.met_a_mover(); };
-  const auto both = [](const Driven& d) { return d.astar_dwa.arrived() && d.improved.arrived(); };
+  const auto both = [](const Driven& d) { return d.reference().arrived() && d.improved.arrived(); };
   const auto said = [&](const Driven& d) { return both(d) && d.of->is_said_smoother; };
   const auto unsaid = [&](const Driven& d) { return both(d) && !d.of->is_said_smoother; };
-  const auto fewer_of_v = [](const Driven& d) { return d.improved.changes_of_v() <= d.astar_dwa.changes_of_v(); };
-  const auto fewer_of_w = [](const Driven& d) { return d.improved.changes_of_w() <= d.astar_dwa.changes_of_w(); };
+  const auto fewer_of_v = [](const Driven& d) { return d.improved.changes_of_v() <= d.reference().changes_of_v(); };
+  const auto fewer_of_w = [](const Driven& d) { return d.improved.changes_of_w() <= d.reference().changes_of_w(); };
   return markdown_table({
       {"claim", "here"},
       {"driven length within 3 % of the improved global path, static maps",
@@ -185,9 +204,10 @@ std::string claims_table(const std::vector<Driven>& all, const std::filesystem::
                [](const Driven& d) {
                  return d.improved.arrived() && d.improved.result.distance_m <= 1.03 * d.improved.result.planned_m;
                })},
-      {"shorter with the improved path than with traditional A\\*",
-       counted(all, both,
-               [](const Driven& d) { return d.improved.result.distance_m <= d.astar_dwa.result.distance_m + 0.005; })},
+      {"shorter with the improved path than with that of A\\*, WU's with its critics than with the traditional ones",
+       counted(
+           all, both,
+           [](const Driven& d) { return d.improved.result.distance_m <= d.reference().result.distance_m + 0.005; })},
       {"fewer changes of v with the improved path, where the paper says so (WU 10-11, YU 7, WANG 6-7)",
        counted(all, said, fewer_of_v)},
       {"fewer changes of w, the same tables", counted(all, said, fewer_of_w)},
@@ -214,13 +234,19 @@ std::string curve_figures(const DriveFigures& d) {
 
 /// What the papers say in words and numbers; their curves themselves are printed as pictures.
 std::string curves_table(const std::vector<Driven>& all) {
-  Rows rows{{"curves", "the paper says, traditional -> improved", "ours: A* + traditional DWA",
-             "ours: improved A* + its DWA"}};
+  Rows rows{
+      {"curves", "the paper says, traditional -> improved", "ours: its reference", "ours: improved + paper's critics"}};
   for (const Driven& d : all)
     if (!std::string(d.of->curves).empty())
-      rows.push_back({d.of->figure, d.of->said, curve_figures(d.astar_dwa), curve_figures(d.improved)});
+      rows.push_back({d.of->figure, d.of->said, curve_figures(d.reference()), curve_figures(d.improved)});
   return markdown_table(rows);
 }
+
+std::string reference_name(const Driven& d) {
+  return d.is_wu() ? "improved A* + traditional critics" : std::string("A* + ") + d.of->paper;
+}
+
+std::string improved_name(const Driven& d) { return std::string("improved A* + ") + d.of->paper; }
 
 std::string curves(const std::vector<Driven>& all, const std::filesystem::path& pictures,
                    const std::string& from_page) {
@@ -230,9 +256,35 @@ std::string curves(const std::vector<Driven>& all, const std::filesystem::path& 
     const std::string file = std::string(d.of->curves) + ".svg";
     process::write_output_file(pictures / file,
                                curves_svg(std::string(d.of->title) + " (compare " + d.of->figure + ")",
-                                          {{"A* + traditional DWA", &d.astar_dwa},
-                                           {std::string("improved A* + ") + d.of->paper, &d.improved}}));
+                                          {{reference_name(d), &d.reference()}, {improved_name(d), &d.improved}}));
     text += std::string("![") + d.of->title + "](" + from_page + "/" + file + ")\n\n";
+  }
+  return text;
+}
+
+DrivenWay way_of(const std::string& name, const DriveFigures& figures) {
+  DrivenWay way{name + (figures.arrived() ? "" : ", never arrives"), {}};
+  for (const DrivePoint& point : figures.points) way.in_map.push_back(point.base_in_map.position());
+  return way;
+}
+
+/// One picture a map: of the case that puts most into the way.
+std::string ways(const std::vector<Driven>& all, const std::filesystem::path& maps,
+                 const std::filesystem::path& pictures, const std::string& from_page) {
+  const auto things = [](const Driven& d) { return d.of->surprises.movers + d.of->surprises.hidden_boxes; };
+  std::string text;
+  for (const Driven& d : all) {
+    const bool another_has_more = std::any_of(all.begin(), all.end(), [&](const Driven& other) {
+      return std::string(other.of->map) == d.of->map && things(other) > things(d);
+    });
+    if (another_has_more) continue;
+    const std::string map = d.of->map, file = "ways-" + map + ".svg";
+    process::write_output_file(
+        pictures / file,
+        ways_svg(d.of->title, read_drawn_map(maps / (map + ".txt"), 1.0), d.improved.encounters,
+                 {way_of(improved_name(d), d.improved), way_of(std::string("A* + ") + d.of->paper, d.astar_own),
+                  way_of("A* + traditional critics", d.astar), way_of("DWA alone", d.dwa)}));
+    text += std::string("![") + d.of->title + ", driven ways](" + from_page + "/" + file + ")\n\n";
   }
   return text;
 }
@@ -246,8 +298,12 @@ FusionTables fusion_tables(const std::filesystem::path& maps, const std::filesys
     progress(std::string("fusion: ") + of.title);
     all.push_back(drive(of, maps));
   }
-  return {lengths_table(all), claims_table(all, maps), smoothness_table(all), curves_table(all),
-          curves(all, pictures, pictures_from_page)};
+  return {lengths_table(all),
+          claims_table(all, maps),
+          smoothness_table(all),
+          curves_table(all),
+          curves(all, pictures, pictures_from_page),
+          ways(all, maps, pictures, pictures_from_page)};
 }
 
 }  // namespace aisle::lab
