@@ -259,8 +259,14 @@ TEST(PrintedPlanner, KeepsAChoiceForOneInterval) {
   drive.cycle();
   const double first_mps = drive.output.twist.linear_mps;
   EXPECT_NEAR(first_mps, 1.0 * 0.02, 1e-9) << "of the 0.1 m/s that were chosen for 0.1 s";
-  for (int i = 0; i < 4; ++i) drive.cycle();
-  EXPECT_NEAR(drive.output.twist.linear_mps, 0.1, 1e-9);
+  const auto cycle_before_a_box = [&] {  // which leaves no room to move at all
+    drive.inputs.tracks = {drive.track({drive.base.x + 0.46, 5.0}, {}, true)};
+    drive.cycle();
+  };
+  for (int i = 0; i < 4; ++i) cycle_before_a_box();
+  EXPECT_NEAR(drive.output.twist.linear_mps, 0.1, 1e-9) << "chosen before there was a box";
+  cycle_before_a_box();
+  EXPECT_LT(drive.output.twist.linear_mps, 0.1) << "chosen anew";
 }
 
 TEST(MakePlanner, GivesTheSitesOwnUnlessAsPrinted) {
