@@ -1,6 +1,7 @@
 #include "tools/lab/driving/local_experiment.hpp"
 
 #include "tools/lab/driving/fusion_tables.hpp"
+#include "tools/lab/driving/printed_table.hpp"
 #include "tools/lab/driving/suite_tables.hpp"
 #include "tools/lab/driving/window_cases.hpp"
 #include "tools/lab/page/templates.hpp"
@@ -20,6 +21,8 @@ FilledPage local_section(const LocalExperiment& orders, const Progress& progress
   texts["smoothness"] = fusion.smoothness;
   texts["curves"] = fusion.curves;
   texts["curve_pictures"] = fusion.pictures;
+  texts["way_pictures"] = fusion.ways;
+  texts["printed"] = printed_table(orders.maps, progress);
 
   const WindowTable window = window_table(orders.pictures, orders.pictures_from_page, progress);
   texts["windows"] = window.rows;
