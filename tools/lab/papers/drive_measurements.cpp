@@ -26,6 +26,7 @@ constexpr double kRadiusM = 0.35;         // of the vehicle
 constexpr double kPlannedRadiusM = 0.45;  // with its margin, as drive_fused plans
 constexpr double kNearM = 0.6;            // a wall or box is near: between it and the outline
 constexpr double kNearMoverM = 1.5;       // a mover is near
+constexpr double kNearTurnM = 1.0;        // a node where the path turns sharply is near
 constexpr double kSharpTurnRad = 0.35;    // 20 degrees, within kSharpWithinM
 constexpr double kSharpWithinM = 0.3;
 constexpr double kMovingMps = 0.02;
@@ -55,11 +56,12 @@ int sharp_turns_of_way(const Path& way) {
   return turns;
 }
 
-int sharp_turns_of_path(const Path& path) {
-  int turns = 0;
+/// The nodes where the path turns sharply.
+Path sharp_nodes(const Path& path) {
+  Path nodes;
   for (std::size_t i = 2; i < path.size(); ++i)
-    turns += turned_between(path[i - 2], path[i - 1], path[i]) > kSharpTurnRad ? 1 : 0;
-  return turns;
+    if (turned_between(path[i - 2], path[i - 1], path[i]) > kSharpTurnRad) nodes.push_back(path[i - 1]);
+  return nodes;
 }
 
 double distance_to_path(Point2 point, const Path& path) {
@@ -86,7 +88,7 @@ DriveOutcome outcome_of_path(const Path& path) {
   outcome.arrived = !path.empty();
   outcome.met_something = true;  // a path meets nothing and is left out for nothing
   outcome.figures[DriveFigure::kLength] = global_planner::path_length_m(path);
-  outcome.figures[DriveFigure::kSharpTurns] = sharp_turns_of_path(path);
+  outcome.figures[DriveFigure::kSharpTurns] = static_cast<double>(sharp_nodes(path).size());
   return outcome;
 }
 
@@ -132,6 +134,19 @@ void add_near_movers(const DriveFigures& drive, DriveOutcome& outcome) {
   outcome.elsewhere_radps /= elsewhere;
 }
 
+/// The mean speed near sharp turns of the path, only when there was a moment near one.
+void add_near_turns(const DriveFigures& drive, const Path& path, DriveOutcome& outcome) {
+  const Path nodes = sharp_nodes(path);
+  double sum_mps = 0.0, near = 0.0;
+  for (const DrivePoint& point : drive.points) {
+    const Point2 here = point.base_in_map.position();
+    const bool is_near = std::any_of(nodes.begin(), nodes.end(),
+                                     [&](Point2 node) { return geometry::distance(here, node) < kNearTurnM; });
+    if (is_near) sum_mps += point.linear_mps, near += 1.0;
+  }
+  if (near > 0.0) outcome.figures[DriveFigure::kSpeedNearTurn] = sum_mps / near;
+}
+
 DriveOutcome outcome_of(const DriveFigures& drive, const Path& path, const Surprises& surprises) {
   DriveOutcome outcome;
   outcome.arrived = drive.arrived();
@@ -156,13 +171,19 @@ DriveOutcome outcome_of(const DriveFigures& drive, const Path& path, const Surpr
   figures[DriveFigure::kRangeOfW] = high_radps - low_radps;
   figures[DriveFigure::kDistanceToPath] = off_m / std::max<double>(1.0, static_cast<double>(drive.points.size()));
   if (near > 0.0) figures[DriveFigure::kSpeedNear] = drive.mean_speed_near(kNearM);
+  add_near_turns(drive, path, outcome);
   add_near_movers(drive, outcome);
   return outcome;
 }
 
+constexpr const char* kByCriticsAlone = "-by-critics";
+
 /// The drive of a contestant, without its map.
-FusedDrive drive_of(const DriveScene& scene, const std::string& contestant) {
+FusedDrive drive_of(const DriveScene& scene, std::string contestant) {
   FusedDrive drive;
+  const std::size_t suffix = contestant.rfind(kByCriticsAlone);
+  drive.slows_on_the_way = suffix == std::string::npos;
+  contestant = contestant.substr(0, suffix);
   drive.limits = paper_variant(scene.paper).paper;
   drive.surprises = scene.surprises;
   drive.global = contestant == "astar" || contestant == "astar-own" ? "astar" : scene.paper;

@@ -53,6 +53,8 @@ struct DriveOutcome {
 ///   improved-plan         the bare path of the paper
 ///   traditional-plan      the bare path of the traditional A*, which may cut corners
 ///
+/// A name with "-by-critics" behind it: without our own slowing before bends and walls, which slows all contestants
+/// alike.
 class DriveMeasurements {
  public:
   DriveMeasurements(const DriveDraw& draw, Progress progress);

@@ -36,6 +36,7 @@ enum class DriveFigure {
   kRangeOfW,          // rad/s, greatest minus least
   kWhenSteady,        // s: when w last changed by more than a tenth of its greatest value, before the goal's approach
   kSpeedNear,         // m/s, mean where a wall or box is near
+  kSpeedNearTurn,     // m/s, mean near a node where the global path turns sharply
   kSpeedNearMover,    // m/s, mean where a mover is near; its reference is the mean elsewhere
   kTurnNearMover,     // rad/s, mean |w| where a mover is near; its reference is the mean elsewhere
   kDistanceToPath,    // m, mean from the global path

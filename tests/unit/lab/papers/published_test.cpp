@@ -213,5 +213,17 @@ TEST(PublishedRows, CompareFusionsOfWangAndYuThatDifferInThePathAlone) {
   }
 }
 
+// Our own slowing before bends and walls would hide what eq. 10 does.
+TEST(PublishedRows, OfLisSlowingAreMeasuredByItsCriticsAlone) {
+  EXPECT_EQ(rows_of("LI section IV.C"), 2U);
+  for (const PublishedRow& row : published_rows()) {
+    if (row.table != "LI section IV.C") continue;
+    const auto& drive = std::get<DriveEvidence>(row.evidence);
+    EXPECT_STREQ(drive.contestant, "improved-by-critics");
+    EXPECT_STREQ(drive.reference, "improved-traditional-by-critics");
+    EXPECT_EQ(row.claim, ClaimedDirection::kLess);
+  }
+}
+
 }  // namespace
 }  // namespace aisle::lab
