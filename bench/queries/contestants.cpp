@@ -6,12 +6,10 @@
 #ifdef AISLE_BENCH_BOOST
 #include "bench/peers/boost_astar.hpp"
 #endif
-#ifdef AISLE_BENCH_OMPL
-#include "bench/peers/ompl_planners.hpp"
-#endif
 #include "services/global-planner/core/drivable.hpp"
 #include "services/global-planner/core/passes/passes.hpp"
 #include "services/global-planner/core/variant.hpp"
+#include "tools/lab/planning/ompl_planners.hpp"
 
 namespace aisle::bench {
 namespace {
@@ -21,15 +19,16 @@ namespace planning = global_planner;
 using Pass = void (*)(const planning::Drivable&, std::vector<geometry::Point2>&);
 
 /// Kept from query to query.
-struct Ours {
+struct Asked {
   std::unique_ptr<planning::Planner> planner;
   planning::PlannedPath plan;
 };
 
-/// A variant, with passes over its path.
-Contestant ours(const Site& site, const planning::Variant& variant, const std::string& name, std::vector<Pass> then) {
-  auto state = std::make_shared<Ours>();
-  state->planner = variant.make();
+/// A planner, with passes over its path.
+Contestant contestant(const Site& site, std::unique_ptr<planning::Planner> planner, const std::string& name,
+                      std::vector<Pass> then) {
+  auto state = std::make_shared<Asked>();
+  state->planner = std::move(planner);
 
   const auto answer = [&site, state, then = std::move(then)](const lab::Query& query) {
     const planning::Problem problem{site.clearance, query.start_in_map, query.goal_in_map};
@@ -46,6 +45,17 @@ Contestant ours(const Site& site, const planning::Variant& variant, const std::s
   };
 
   return {name, true, true, answer};
+}
+
+/// OMPL's, until its first path.
+Contestant ompl(const Site& site, const std::string& name) {
+  lab::SamplingBounds bounds;
+  bounds.seconds = 0.5;
+  bounds.ends_at_first_path = true;
+
+  Contestant peer = contestant(site, lab::ompl_planner(name, bounds), "ompl " + name, {});
+  peer.is_ours = peer.is_on_grid = false;
+  return peer;
 }
 
 /// Cells to metres.
@@ -69,20 +79,18 @@ std::vector<Contestant> contestants(const Site& site) {
                  }});
 #endif
   for (const planning::Variant& variant : planning::all_variants()) {
-    all.push_back(ours(site, variant, variant.name, {}));
+    all.push_back(contestant(site, variant.make(), variant.name, {}));
 
     if (variant.name == "astar") {
-      all.push_back(
-          ours(site, variant, "astar+removal", {planning::passes::collinear, planning::passes::greedy_line_of_sight}));
+      all.push_back(contestant(site, variant.make(), "astar+removal",
+                               {planning::passes::collinear, planning::passes::greedy_line_of_sight}));
     }
   }
-#ifdef AISLE_BENCH_OMPL
-  for (const char* name : {"RRTConnect", "BITstar"}) {
-    all.push_back({std::string("ompl ") + name, false, false, [&site, name](const lab::Query& query) {
-                     return reply_of(ompl_plan(name, site.clearance, query.start_in_map, query.goal_in_map, 0.5), site);
-                   }});
+
+  if (!lab::ompl_version().empty()) {
+    for (const char* name : {"rrtconnect", "bitstar"}) all.push_back(ompl(site, name));
   }
-#endif
+
   return all;
 }
 
