@@ -96,6 +96,7 @@ void add_experiment_suite(CLI::App& parent, Cli& cli);
 void add_experiment_tracking(CLI::App& parent, Cli& cli);
 void add_lab_list(CLI::App& parent, Cli& cli);
 void add_lab_reproduce(CLI::App& parent, Cli& cli);
+void add_lab_compare(CLI::App& parent, Cli& cli);
 void add_plan(CLI::App& parent, Cli& cli);
 void add_doctor(CLI::App& parent, Cli& cli);
 void add_health(CLI::App& parent, Cli& cli);

@@ -59,6 +59,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   CLI::App& lab = *add_group("lab", "the five papers' tables and figures, made again");
   add_lab_list(lab, cli);
   add_lab_reproduce(lab, cli);
+  add_lab_compare(lab, cli);
 
   add_doctor(app, cli);
   add_health(app, cli);

@@ -1,6 +1,7 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,15 @@ namespace aisle::lab {
 /// A planner that papers compare, by its name in the tables: a variant, or
 /// "traditional", "traditional-chebyshev" and "traditional-four" (the baselines as drawn: through obstacles' corners,
 /// with the Euclidean and the Chebyshev distance, in four directions), "NAME-without-passes" (a variant without its
-/// passes).
-/// @pre there is one
+/// passes), and OMPL's (ompl_planners.hpp), each with kSamplingIterations.
+/// @pre there is one; @throws config::BadEnvironment for one of OMPL's where it is not built in
 std::unique_ptr<global_planner::Planner> plan_contestant(const std::string& name);
+
+/// Every name of plan_contestant() but those without passes.
+std::vector<std::string> plan_contestant_names();
+
+/// Of OMPL's planners, whatever the map: figures repeat, as they would not with a bound in seconds.
+inline constexpr std::size_t kSamplingIterations = 2000;
 
 /// What QU's and YU's passes keep beside their lines, for a vehicle without size; printed nowhere. The service keeps
 /// the same beside the vehicle's outline.
@@ -28,8 +35,15 @@ struct MapDraw {
   unsigned first() const { return (seed - 1) * static_cast<unsigned>(maps) + 1; }
 };
 
-/// Figures of planners on the maps of one kind, map by map; all planners on a map after another, so that times are of
-/// the same run. Times are the least of some runs.
+/// One figure a map; not a number where the planner found no path.
+using PlanFigures = std::map<PlanFigure, std::vector<double>>;
+
+/// Figures of these planners on the maps of one kind, map by map: all of them on a map after another, so that times
+/// (microseconds, the least of some runs) are of the same run. @pre there are such a kind and planners
+std::map<std::string, PlanFigures> measure_plans(const std::string& map_kind, const std::set<std::string>& planners,
+                                                 const MapDraw& draw);
+
+/// Figures of all planners that the papers' tables have on the maps of one kind; made when they are asked for.
 class PlanMeasurements {
  public:
   PlanMeasurements(const MapDraw& draw, Progress progress) : draw_(draw), progress_(std::move(progress)) {}
@@ -38,12 +52,9 @@ class PlanMeasurements {
   const std::vector<double>& of(const std::string& map_kind, const std::string& planner, PlanFigure figure);
 
  private:
-  using Figures = std::map<PlanFigure, std::vector<double>>;
-  void measure(const std::string& map_kind);
-
   MapDraw draw_;
   Progress progress_;
-  std::map<std::string, std::map<std::string, Figures>> measured_;  // by kind and planner
+  std::map<std::string, std::map<std::string, PlanFigures>> measured_;  // by kind and planner
 };
 
 }  // namespace aisle::lab
