@@ -8,6 +8,7 @@
 #include "common/process/output_file.hpp"
 #include "common/scenario/data_path.hpp"
 #include "tools/lab/page/markdown.hpp"
+#include "tools/lab/papers/commit.hpp"
 
 namespace aisle::lab {
 namespace {
@@ -33,6 +34,7 @@ Experiments placed(Experiments experiments) {
   if (failure) throw config::BadEnvironment(pictures.string() + ": cannot be made: " + failure.message());
   process::check_writable(experiments.page);
 
+  experiments.global.commit = experiments.local.commit = experiments.tracking.commit = source_commit();
   experiments.global.data = reference_data(experiments.maps);
   experiments.tracking.people = experiments.global.data / "pedestrians";
   experiments.global.maps = experiments.local.maps = experiments.maps;
@@ -55,6 +57,17 @@ const char* name_of(Section section) {
       break;
   }
   return "obstacle tracking";
+}
+
+constexpr Section kOrder[] = {Section::kPapers, Section::kGlobalPlanning, Section::kLocalPlanning,
+                              Section::kObstacleTracking};
+
+/// The names of the sections behind this one.
+std::vector<std::string> behind(Section section) {
+  std::vector<std::string> names;
+  for (const Section other : kOrder)
+    if (other > section) names.emplace_back(name_of(other));
+  return names;
 }
 
 FilledPage run(const Experiments& experiments, Section section, const Progress& progress) {
@@ -80,7 +93,7 @@ std::string content_of(const fs::path& file) {
 
 std::vector<std::string> write_section(const Experiments& experiments, Section section, const Progress& progress) {
   const FilledPage written = run(placed(experiments), section, progress);
-  const std::string page = with_section(content_of(experiments.page), name_of(section), written.text);
+  const std::string page = with_section(content_of(experiments.page), name_of(section), written.text, behind(section));
   process::write_output_file(experiments.page, page);
   return written.refuted;
 }
@@ -91,8 +104,7 @@ std::vector<std::string> write_page(const Experiments& experiments, const Progre
     throw config::BadEnvironment("the whole page needs the reference data: set AISLE_DATA to its folder");
   std::string page;
   std::vector<std::string> refuted;
-  for (const Section section :
-       {Section::kPapers, Section::kGlobalPlanning, Section::kLocalPlanning, Section::kObstacleTracking}) {
+  for (const Section section : kOrder) {
     const FilledPage written = run(all, section, progress);
     page = with_section(page, name_of(section), written.text);
     refuted.insert(refuted.end(), written.refuted.begin(), written.refuted.end());

@@ -11,6 +11,7 @@ namespace aisle::lab {
 
 FilledPage local_section(const LocalExperiment& orders, const Progress& progress) {
   Texts texts;
+  texts["commit"] = orders.commit;
   texts["seeds"] = std::to_string(orders.seeds);
   texts["scenarios"] = std::to_string(orders.seeds * static_cast<int>(sim::suite_families().size()));
   texts["suite"] = orders.seeds > 0 ? suite_tables(orders.seeds, progress) : "";

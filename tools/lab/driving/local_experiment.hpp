@@ -14,6 +14,7 @@ struct LocalExperiment {
   std::filesystem::path pictures;  // folder that pictures are written to; must exist
   std::string pictures_from_page;  // the same, as the page links to it
   int seeds{30};                   // of each of the suite's families; 0: no suite
+  std::string commit{"unknown"};   // that the program was built from
 };
 
 /// The section on local planning of docs/experiments.md. The same text for the same orders: nothing in it depends on

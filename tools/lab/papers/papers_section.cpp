@@ -8,7 +8,7 @@
 #include "tools/lab/page/markdown.hpp"
 #include "tools/lab/page/templates.hpp"
 #include "tools/lab/papers/commit.hpp"
-#include "tools/lab/papers/reproduce.hpp"
+#include "tools/lab/papers/comparison.hpp"
 #include "tools/lab/planning/paper_maps.hpp"
 #include "tools/lab/planning/plan_svg.hpp"
 
@@ -31,13 +31,17 @@ std::string interval(const ReproducedRow& row) {
   return shown_figure((*row.interval95)[0]) + " to " + shown_figure((*row.interval95)[1]);
 }
 
-std::string rows_table(const std::vector<ReproducedRow>& rows) {
-  std::vector<std::vector<std::string>> table{{"table", "row", "published", "ours", "its reference", "n",
-                                               "95 % of the difference", "p", "effect", "verdict", "why"}};
-  for (const ReproducedRow& row : rows)
-    table.push_back({row.of->table, escaped(row.of->row), row.of->published, or_dash(row.ours), or_dash(row.reference),
-                     row.n > 0 ? std::to_string(row.n) : "-", interval(row), or_dash(row.wilcoxon_p),
-                     or_dash(row.effect), name(row.verdict), row.why.empty() ? "-" : escaped(row.why)});
+/// Verdicts of all rows, paper by paper.
+std::string counts_table(const std::vector<ReproducedRow>& rows) {
+  std::vector<std::vector<std::string>> table{{"paper", "rows", "same direction", "other direction", "not comparable"}};
+  const auto add = [&](const std::string& paper) {
+    VerdictCount counted;
+    for (const ReproducedRow& row : rows)
+      if (paper == "all" || row.of->table.rfind(paper + " ", 0) == 0) counted.add(row.verdict);
+    table.push_back({paper, std::to_string(counted.all()), std::to_string(counted.same_direction),
+                     std::to_string(counted.other_direction), std::to_string(counted.not_comparable)});
+  };
+  for (const char* paper : {"LI", "WU", "QU", "YU", "WANG", "all"}) add(paper);
   return markdown_table(table);
 }
 
@@ -68,14 +72,26 @@ std::string kinds_table() {
   return markdown_table(table);
 }
 
-std::string pictures(const PapersExperiment& orders) {
+}  // namespace
+
+std::string papers_rows_table(const std::vector<ReproducedRow>& rows) {
+  std::vector<std::vector<std::string>> table{{"table", "row", "published", "ours", "its reference", "n",
+                                               "95 % of the difference", "p", "effect", "verdict", "why"}};
+  for (const ReproducedRow& row : rows)
+    table.push_back({row.of->table, escaped(row.of->row), row.of->published, or_dash(row.ours), or_dash(row.reference),
+                     row.n > 0 ? std::to_string(row.n) : "-", interval(row), or_dash(row.wilcoxon_p),
+                     or_dash(row.effect), name(row.verdict), row.why.empty() ? "-" : escaped(row.why)});
+  return markdown_table(table);
+}
+
+std::string papers_pictures(const std::filesystem::path& folder, const std::string& from_page) {
   std::string text;
   for (const PaperMapKind& kind : paper_map_kinds()) {
     std::string line;
     for (unsigned seed = 1; seed <= kShownMaps; ++seed) {
       const std::string file = fmt::format("map-{}-{}.svg", kind.name, seed);
-      process::write_output_file(orders.pictures / file, picture(kind, seed));
-      line += fmt::format("![{}, seed {}]({}/{}) ", kind.name, seed, orders.pictures_from_page, file);
+      process::write_output_file(folder / file, picture(kind, seed));
+      line += fmt::format("![{}, seed {}]({}/{}) ", kind.name, seed, from_page, file);
     }
     line.pop_back();
     text += line + "\n\n";
@@ -83,27 +99,30 @@ std::string pictures(const PapersExperiment& orders) {
   return text;
 }
 
-}  // namespace
-
 FilledPage papers_section(const PapersExperiment& orders, const Progress& progress) {
   Reproduction reproduction;
   const auto seed = static_cast<unsigned>(orders.seed);
   reproduction.maps = {orders.maps, seed};
   reproduction.drives = {orders.drives, seed};
   const std::vector<ReproducedRow> rows = reproduce(reproduction, progress, [] { return false; });
-  const VerdictCount counted = count(rows);
+  VerdictCount counted;
+  for (const ReproducedRow& row : rows) counted.add(row.verdict);
 
   Texts texts;
   texts["commit"] = source_commit();
   texts["seed"] = std::to_string(orders.seed);
   texts["maps"] = std::to_string(orders.maps);
   texts["drives"] = std::to_string(orders.drives);
+  texts["all"] = std::to_string(counted.all());
+  texts["counts"] = counts_table(rows);
+  texts["iterations"] = std::to_string(kSamplingIterations);
+  texts["comparators"] = comparators_table(reproduction.maps, progress);
   texts["same"] = std::to_string(counted.same_direction);
   texts["other"] = std::to_string(counted.other_direction);
   texts["none"] = std::to_string(counted.not_comparable);
-  texts["rows"] = rows_table(rows);
+  texts["rows"] = papers_rows_table(rows);
   texts["kinds"] = kinds_table();
-  texts["pictures"] = pictures(orders);
+  texts["pictures"] = papers_pictures(orders.pictures, orders.pictures_from_page);
   return fill(kPapersTemplate, texts);
 }
 

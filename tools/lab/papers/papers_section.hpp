@@ -1,9 +1,11 @@
 #pragma once
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tools/lab/page/page_template.hpp"
 #include "tools/lab/page/progress.hpp"
+#include "tools/lab/papers/reproduce.hpp"
 
 namespace aisle::lab {
 
@@ -14,6 +16,12 @@ struct PapersExperiment {
   int drives{30};                  // of each scene
   int seed{1};
 };
+
+/// The rows as the page shows them.
+std::string papers_rows_table(const std::vector<ReproducedRow>& rows);
+
+/// Writes pictures of the first maps of each kind into `folder`. Returns links to them, as the page has them.
+std::string papers_pictures(const std::filesystem::path& folder, const std::string& from_page);
 
 /// The section of docs/experiments.md on the five papers' tables, row by row, and on their maps.
 FilledPage papers_section(const PapersExperiment& orders, const Progress& progress);

@@ -286,7 +286,7 @@ std::vector<ReproducedRow> reproduce(const Reproduction& orders, const Progress&
     if (is_interrupted()) break;
     const bool is_wanted = orders.tables.empty() ||
                            std::find(orders.tables.begin(), orders.tables.end(), row.table) != orders.tables.end();
-    if (is_wanted) rows.push_back(reproduced(row));
+    if (is_wanted && (!orders.is_wanted || orders.is_wanted(row))) rows.push_back(reproduced(row));
   }
   return rows;
 }
@@ -313,13 +313,16 @@ nlohmann::ordered_json json_of(const std::vector<ReproducedRow>& rows, unsigned 
   return all;
 }
 
+void VerdictCount::add(Verdict verdict) {
+  same_direction += verdict == Verdict::kSameDirection ? 1 : 0;
+  other_direction += verdict == Verdict::kOtherDirection ? 1 : 0;
+  not_comparable += verdict == Verdict::kNotComparable ? 1 : 0;
+}
+
 VerdictCount count(const std::vector<ReproducedRow>& rows) {
   VerdictCount counted;
   for (const ReproducedRow& row : rows) {
-    if (row.of->is_reference) continue;
-    counted.same_direction += row.verdict == Verdict::kSameDirection ? 1 : 0;
-    counted.other_direction += row.verdict == Verdict::kOtherDirection ? 1 : 0;
-    counted.not_comparable += row.verdict == Verdict::kNotComparable ? 1 : 0;
+    if (!row.of->is_reference) counted.add(row.verdict);
   }
   return counted;
 }

@@ -34,6 +34,7 @@ struct Reproduction {
   std::vector<std::string> tables;  // as in published_tables(); empty: all
   MapDraw maps;
   DriveDraw drives;
+  std::function<bool(const PublishedRow&)> is_wanted{};  // of these tables' rows; none: every one
 };
 
 /// The tables meant by a name: "all", a paper ("WANG", "wang"), or a table ("WANG 2", "wang-2", "wu-figure-8").
@@ -57,6 +58,8 @@ nlohmann::ordered_json json_of(const std::vector<ReproducedRow>& rows, unsigned 
 /// How many of each verdict; reference rows do not count, for they repeat the verdict of the paper's own row.
 struct VerdictCount {
   int same_direction{0}, other_direction{0}, not_comparable{0};
+  int all() const { return same_direction + other_direction + not_comparable; }
+  void add(Verdict verdict);
 };
 VerdictCount count(const std::vector<ReproducedRow>& rows);
 

@@ -10,6 +10,7 @@ namespace aisle::lab {
 /// Fills the template's places one by one.
 FilledPage global_section(const GlobalExperiment& orders, const Progress& progress) {
   Texts texts;
+  texts["commit"] = orders.commit;
   texts["paper_tables"] = paper_tables(orders.maps, orders.pictures, orders.pictures_from_page, progress);
   texts["block_directions"] = block_direction_table(progress);
   texts["block_expanded"] = block_map_table(progress);

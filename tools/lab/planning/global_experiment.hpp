@@ -16,6 +16,7 @@ struct GlobalExperiment {
   std::filesystem::path data;      // reference data (movingai, ros, queries); empty: that part is left out
   int random_maps{1000};           // a density
   int queries{50};                 // a real map
+  std::string commit{"unknown"};   // that the program was built from
 };
 
 /// The section on global planning of docs/experiments.md. The same text for the same orders: nothing in it depends on

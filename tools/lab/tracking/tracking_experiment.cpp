@@ -210,7 +210,7 @@ bool has_recordings(const TrackingExperiment& orders) {
 
 /// Without the recordings the section says only that they are missing.
 FilledPage tracking_section(const TrackingExperiment& orders, const Progress& progress) {
-  Texts texts{{"recorded", ""}};
+  Texts texts{{"recorded", ""}, {"commit", orders.commit}};
   if (!has_recordings(orders)) return fill(kObstacleTrackingTemplate, texts);
 
   const Recorded recorded = recorded_tables(orders, progress);

@@ -17,6 +17,7 @@ struct TrackingExperiment {
   double longest_s{3600.0};           // of each recording
   double empty_s{600.0};              // in the empty place, at least
   int detour_seeds{8};                // drives of each family, with prediction and without; 0: left out
+  std::string commit{"unknown"};      // that the program was built from
 };
 
 /// The section on the obstacle tracker of docs/experiments.md. The same text for the same orders: nothing in it depends
