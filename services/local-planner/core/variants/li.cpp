@@ -2,9 +2,9 @@
 // distance"; eq. 10 gives it to the speed, and so does this. Eq. 6 prints a minus on both sides of w: V_d reaches from
 // w - dw dt to w + dw dt.
 //
-// Section IV.C wants the car to slow down before turns and obstacles and prints eq. 10 as the only means, so the variant
-// has no other: as printed nothing else slows it, and in our own drive the way's profile (SpeedPolicy) slows every
-// variant alike. "LI section IV.C" of `aisle lab reproduce` measures what eq. 10 does by itself.
+// Section IV.C wants the car to slow down before turns and obstacles and prints eq. 10 as the only means, so the
+// variant has no other: as printed nothing else slows it, and in our own drive the way's profile (SpeedPolicy) slows
+// every variant alike. "LI section IV.C" of `aisle lab reproduce` measures what eq. 10 does by itself.
 #include "services/local-planner/core/critic.hpp"
 
 namespace aisle::local_planner {
