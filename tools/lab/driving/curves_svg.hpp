@@ -13,8 +13,8 @@ struct NamedDrive {
   const DriveFigures* figures;
 };
 
-/// Speed above, turn rate below, over time; one colour a drive, with a legend. @returns an SVG file's
-/// text
+/// Speed, turn rate and attitude (the heading in the map, without jumps at half a turn) over time, one below the other;
+/// one colour a drive, with a legend. @returns an SVG file's text
 std::string curves_svg(const std::string& title, const std::vector<NamedDrive>& drives);
 
 }  // namespace aisle::lab

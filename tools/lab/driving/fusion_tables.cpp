@@ -35,7 +35,17 @@ struct Case {
 const std::vector<Case>& cases() {
   static const std::vector<Case> all{
       {"LI, 20x20, static", "li-complex", "li", {}, "-", "-", "-", ""},
-      {"LI IV, one mover, unknown boxes", "li-complex", "li", {1, 2}, "-", "-", "38.60 (planned 29.85)", ""},
+      {"LI IV, one mover, unknown boxes",
+       "li-complex",
+       "li",
+       {1, 2},
+       "-",
+       "-",
+       "38.60 (planned 29.85)",
+       "li-11-13",
+       false,
+       "LI 11-13",
+       "before a mover it slows down and changes w and its attitude; before a box it changes w and its attitude"},
       {"WU, figures 10 and 11, one avoidance",
        "wu",
        "wu",

@@ -52,8 +52,11 @@ std::vector<std::vector<std::string>> rows_of(const std::vector<ComparedPlanner>
 /// One object a row, figures that are not there as null.
 nlohmann::ordered_json json_of(const std::vector<ComparedPlanner>& compared, unsigned seed);
 
+/// How many maps comparators_table() takes at most: samples take a thousand times a search on the grid.
+inline constexpr int kComparatorMaps = 50;
+
 /// The same for the page: each paper's planner beside OMPL's planners on one kind of its maps; a line that says so when
 /// OMPL is not built in.
-std::string comparators_table(const MapDraw& maps, const Progress& progress);
+std::string comparators_table(MapDraw maps, const Progress& progress);
 
 }  // namespace aisle::lab

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "common/process/output_file.hpp"
@@ -116,6 +117,7 @@ FilledPage papers_section(const PapersExperiment& orders, const Progress& progre
   texts["all"] = std::to_string(counted.all());
   texts["counts"] = counts_table(rows);
   texts["iterations"] = std::to_string(kSamplingIterations);
+  texts["comparator_maps"] = std::to_string(std::min(orders.maps, kComparatorMaps));
   texts["comparators"] = comparators_table(reproduction.maps, progress);
   texts["same"] = std::to_string(counted.same_direction);
   texts["other"] = std::to_string(counted.other_direction);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
+#include <sstream>
 
 #include "common/config/reader.hpp"
 #include "tests/support/places.hpp"
@@ -106,6 +108,28 @@ TEST(CurvesSvg, ShowsEveryDrive) {
   EXPECT_NE(svg.find(">one<"), std::string::npos);
   EXPECT_NE(svg.find(">two<"), std::string::npos);
   EXPECT_EQ(svg.rfind("<svg", 0), 0U);
+}
+
+/// The heights in pixels of the curve that is drawn last, which is the attitude's.
+std::vector<double> heights_of_last_curve(const std::string& svg) {
+  std::vector<double> heights;
+  const std::size_t from = svg.rfind(" d=\"", svg.rfind("stroke-linejoin")) + 4;
+  std::istringstream numbers(
+      std::regex_replace(svg.substr(from, svg.find('"', from) - from), std::regex("[ML,]"), " "));
+  for (double x = 0.0, y = 0.0; numbers >> x >> y;) heights.push_back(y);
+  return heights;
+}
+
+TEST(CurvesSvg, ShowsTheAttitudeWithoutAJumpAtHalfATurn) {
+  DriveFigures figures;
+  figures.points = {{0.0, {0.0, 0.0, 3.1}, 0.0, 0.0}, {1.0, {0.0, 0.0, -3.1}, 0.0, 0.0}};
+  const std::string svg = curves_svg("speeds", {{"one", &figures}});
+  EXPECT_NE(svg.find(">attitude (heading in the map), rad<"), std::string::npos);
+
+  const std::vector<double> heights = heights_of_last_curve(svg);
+  ASSERT_EQ(heights.size(), 2U) << svg;
+  EXPECT_LT(heights[1], heights[0]) << "it turns left, upwards";
+  EXPECT_LT(heights[0] - heights[1], 10.0) << "by a hundredth of a turn";
 }
 
 }  // namespace
