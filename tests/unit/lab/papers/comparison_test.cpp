@@ -15,8 +15,8 @@ using ::testing::HasSubstr;
 
 void silent(const std::string&) {}
 
-std::vector<ComparedPlanner> few(const std::vector<std::string>& planners) {
-  return compare({{"wang-1"}, planners, {6, 1}}, silent, [] { return false; });
+std::vector<ComparedPlanner> few(const std::vector<std::string>& planners, int maps = 6) {
+  return compare({{"wang-1"}, planners, {maps, 1}}, silent, [] { return false; });
 }
 
 TEST(Compare, MeasuresEachPlannerOnTheSameMapsAgainstTheFirst) {
@@ -43,10 +43,10 @@ TEST(Compare, HasOmplBesideOursWhereItIsBuiltIn) {
     EXPECT_THAT(comparators_table({2, 1}, silent), HasSubstr("Not built in"));
     return;
   }
-  const std::vector<ComparedPlanner> rows = few({"theta", "rrtstar"}), again = few({"theta", "rrtstar"});
-  EXPECT_EQ(rows[1].found, 6U);
+  const std::vector<ComparedPlanner> rows = few({"astar", "rrtstar"}, 2), again = few({"astar", "rrtstar"}, 2);
+  EXPECT_EQ(rows[1].found, 2U);
   EXPECT_EQ(rows[1].length_m, again[1].length_m);
-  EXPECT_GT(rows[1].length_m, rows[0].length_m) << "samples come near the shortest path, and no nearer";
+  EXPECT_LT(rows[1].length_m, rows[0].length_m) << "any angle is shorter than from cell to cell";
   EXPECT_EQ(json_of(rows, 1)[1]["library"], ompl_version());
 }
 
