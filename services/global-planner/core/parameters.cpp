@@ -32,15 +32,16 @@ std::vector<std::string> split_at_commas(const std::string& text) {
 
 }  // namespace
 
-std::string Parameters::text(const std::string& name, const std::string& default_value, const std::string& meaning) {
+std::string Parameters::text(const std::string& name, const std::string& default_value, const std::string& meaning,
+                             const std::string& range) {
   const auto found = set_.find(name);
-  known_.push_back({name, found == set_.end() ? default_value : found->second, meaning});
+  known_.push_back({name, found == set_.end() ? default_value : found->second, meaning, range});
   return known_.back().value;
 }
 
 double Parameters::number(const std::string& name, double default_value, double low, double high,
                           const std::string& meaning) {
-  const std::string value = text(name, fmt::format("{}", default_value), meaning);
+  const std::string value = text(name, fmt::format("{}", default_value), meaning, fmt::format("{} to {}", low, high));
   char* end = nullptr;
   const double number = std::strtod(value.c_str(), &end);
   const bool is_number = !value.empty() && *end == '\0' && std::isfinite(number);
@@ -51,14 +52,15 @@ double Parameters::number(const std::string& name, double default_value, double 
 
 std::string Parameters::word(const std::string& name, const std::string& default_value,
                              const std::vector<std::string>& choices, const std::string& meaning) {
-  const std::string value = text(name, default_value, meaning);
+  const std::string value = text(name, default_value, meaning, "one of " + joined(choices));
   require_choice(name, value, choices);
   return value;
 }
 
 std::vector<std::string> Parameters::words(const std::string& name, const std::string& default_value,
                                            const std::vector<std::string>& choices, const std::string& meaning) {
-  const std::string value = text(name, default_value, meaning);
+  const std::string value =
+      text(name, default_value, meaning, "any of " + joined(choices) + ", in this order; or none");
   if (value == "none") return {};
   const std::vector<std::string> words = split_at_commas(value);
   for (const std::string& word : words) require_choice(name, word, choices);

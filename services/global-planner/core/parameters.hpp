@@ -10,6 +10,7 @@ struct Parameter {
   std::string name;
   std::string value;    // in use: the default, or what was set
   std::string meaning;  // one line, with its source
+  std::string range;    // "0 to 100", "one of a, b", "any of a, b in this order, or none"
 };
 
 /// The parameters of a planner by name. A variant declares them by reading them: each reading names the default, the
@@ -34,7 +35,8 @@ class Parameters {
   void refuse_unknown() const;
 
  private:
-  std::string text(const std::string& name, const std::string& default_value, const std::string& meaning);
+  std::string text(const std::string& name, const std::string& default_value, const std::string& meaning,
+                   const std::string& range);
 
   std::map<std::string, std::string> set_;
   std::vector<Parameter> known_;

@@ -15,10 +15,12 @@ namespace aisle::global_planner {
 namespace {
 
 using geometry::Point2;
-constexpr double kAversion = 3.0;  // beside an obstacle a metre costs 1 + this many
+constexpr double kAversion = 3.0;
 
 class PreferClearance final : public Planner {
  public:
+  explicit PreferClearance(double aversion) : aversion_(aversion) {}
+
   void rest() override {
     nodes_.release();
     open_.release();
@@ -78,7 +80,7 @@ class PreferClearance final : public Planner {
   }
 
   /// Of a metre at a place with this clearance.
-  double price(double clearance_m) const { return 1.0 + kAversion * std::max(0.0, 1.0 - clearance_m / preferred_m_); }
+  double price(double clearance_m) const { return 1.0 + aversion_ * std::max(0.0, 1.0 - clearance_m / preferred_m_); }
 
   double price_of(const grid::ClearanceField& clearance, Point2 from, Point2 to) const {
     const double length_m = geometry::distance(from, to);
@@ -104,6 +106,7 @@ class PreferClearance final : public Planner {
     path.resize(kept);
   }
 
+  double aversion_;
   double preferred_m_{0.0};
   SearchNodes nodes_;
   BucketQueue open_;
@@ -114,7 +117,10 @@ class PreferClearance final : public Planner {
 Variant clear() {
   return {"clear",
           "A* that prefers clearance: nearer than preferred_clearance_m a metre costs up to four times as much", false,
-          [](Parameters&) -> std::unique_ptr<Planner> { return std::make_unique<PreferClearance>(); }};
+          [](Parameters& parameters) -> std::unique_ptr<Planner> {
+            return std::make_unique<PreferClearance>(
+                parameters.number("aversion", kAversion, 0.0, 100.0, "beside an obstacle a metre costs 1 + this many"));
+          }};
 }
 
 }  // namespace aisle::global_planner

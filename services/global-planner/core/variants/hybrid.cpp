@@ -26,10 +26,14 @@ using geometry::Point2;
 using geometry::Pose2;
 
 constexpr int kHeadings = 72;
-constexpr double kReverseFactor = 2.0;  // a metre backwards costs as much as two forwards
-constexpr double kSteerRadii =
-    0.25;  // steering otherwise costs as much as this many turning radii: a wheel takes its time
-constexpr double kTurnBackRadii = 1.0;  // and changing between them as much as this many turning radii
+
+/// What a way costs beyond its length.
+struct Prices {
+  double reverse_factor;   // a metre backwards costs as much as so many forwards
+  double steer_radii;      // steering otherwise costs as much as so many turning radii: a wheel takes its time
+  double turn_back_radii;  // and changing between forwards and backwards as much as so many
+};
+
 constexpr std::size_t kMostExpanded = 1000000;
 constexpr std::uint32_t kNoParent = std::numeric_limits<std::uint32_t>::max();
 
@@ -60,6 +64,8 @@ std::vector<float> distances_to_goal(const Drivable& drivable, grid::Cell goal) 
 
 class Hybrid final : public Planner {
  public:
+  explicit Hybrid(const Prices& prices) : prices_(prices) {}
+
   void rest() override { on_the_spot_->rest(); }
 
  private:
@@ -158,9 +164,9 @@ class Hybrid final : public Planner {
     if (!std::isfinite(heuristic_m(end))) return kNoParent;
     const bool turns_back = from.parent != kNoParent && (from.length_m < 0.0) != (length_m < 0.0);
     const bool steers = from.parent != kNoParent && from.turn != turn;
-    const double cost_m = from.cost_m + (steers ? kSteerRadii * steering_.turning_radius_m : 0.0) +
-                          std::abs(length_m) * (length_m < 0.0 ? kReverseFactor : 1.0) +
-                          (turns_back ? kTurnBackRadii * steering_.turning_radius_m : 0.0);
+    const double cost_m = from.cost_m + (steers ? prices_.steer_radii * steering_.turning_radius_m : 0.0) +
+                          std::abs(length_m) * (length_m < 0.0 ? prices_.reverse_factor : 1.0) +
+                          (turns_back ? prices_.turn_back_radii * steering_.turning_radius_m : 0.0);
     const auto [known, is_new] = best_.try_emplace(key(end), std::numeric_limits<double>::infinity());
     if (cost_m >= known->second || !is_arc_free(from.pose_in_map, turn, length_m)) return kNoParent;
     known->second = cost_m;
@@ -278,6 +284,7 @@ class Hybrid final : public Planner {
   const grid::ClearanceField* clearance_{nullptr};
   double radius_m_{0.0};   // that a disc ahead must keep
   double arc_radii_{1.0};  // of the circle on which the farthest disc turns, in turning radii
+  Prices prices_;
   Steering steering_;
   Point2 goal_in_map_;
   double lattice_m_{0.0}, step_m_{0.0}, sample_m_{0.0};
@@ -289,9 +296,19 @@ class Hybrid final : public Planner {
 }  // namespace
 
 Variant hybrid() {
-  return {"hybrid", "hybrid A* with a turning radius and headings at start and goal; without one as theta",
-          false,    [](Parameters&) -> std::unique_ptr<Planner> { return std::make_unique<Hybrid>(); },
-          true,     true};
+  return {"hybrid",
+          "hybrid A* with a turning radius and headings at start and goal; without one as theta",
+          false,
+          [](Parameters& parameters) -> std::unique_ptr<Planner> {
+            const Prices prices{
+                parameters.number("reverse_factor", 2.0, 1.0, 100.0, "a metre backwards costs as many forwards"),
+                parameters.number("steer_radii", 0.25, 0.0, 100.0, "turning radii that steering otherwise costs"),
+                parameters.number("turn_back_radii", 1.0, 0.0, 100.0,
+                                  "turning radii that changing between forwards and backwards costs")};
+            return std::make_unique<Hybrid>(prices);
+          },
+          true,
+          true};
 }
 
 }  // namespace aisle::global_planner
