@@ -20,8 +20,8 @@ constexpr std::uint32_t kMostEpochs = 2'000'000;
 constexpr const char* kPlanEpoch = "plan_epoch";  // counter in service_health: of the plans that a service follows
 
 /// @throws config::BadInput, which lists the planners that there are
-std::unique_ptr<Planner> make_planner(const std::string& name) {
-  if (const Variant* variant = find_variant(name)) return variant->make();
+std::unique_ptr<Planner> make_planner(const std::string& name, const Parameters& parameters) {
+  if (const Variant* variant = find_variant(name)) return variant->make(parameters);
 
   std::string names;
   for (const Variant& variant : all_variants()) names += (names.empty() ? "" : ", ") + variant.name;
@@ -44,7 +44,7 @@ GlobalPlannerService::GlobalPlannerService(service::Shell& shell, const ServiceC
             fleet_.set_map(map_.map_id(), map_.revision(), grid, low, high);
             work_soon_();
           })),
-      fleet_(config.fleet, make_planner(config.planner)),
+      fleet_(config.fleet, make_planner(config.planner, config.parameters)),
       leadership_(config.standby, shell.boot_id()),
       plans_(shell.outbox<topics::Plan>()),
       work_soon_(shell.soon([this] { work(); })) {

@@ -8,6 +8,7 @@
 #include "common/fleet/leadership.hpp"
 #include "common/service/shell.hpp"
 #include "services/global-planner/core/fleet_planner.hpp"
+#include "services/global-planner/core/parameters.hpp"
 
 namespace aisle::global_planner {
 
@@ -18,6 +19,7 @@ struct ServiceConfig {
   bool standby{false};            // waits until the leader is gone
   double longest_search_s{1.0};   // then a search ends without a plan
   FleetSettings fleet;
+  Parameters parameters{};  // of the planner, for experiments; no key of the config file
 
   template <class Reader>
   void describe(Reader& r) {
@@ -34,7 +36,7 @@ struct ServiceConfig {
 /// only while this planner leads.
 class GlobalPlannerService {
  public:
-  /// @throws config::BadInput for an unknown planner
+  /// @throws config::BadInput for an unknown planner, std::invalid_argument for parameters that it has not
   GlobalPlannerService(service::Shell& shell, const ServiceConfig& config);
   GlobalPlannerService(const GlobalPlannerService&) = delete;
   GlobalPlannerService& operator=(const GlobalPlannerService&) = delete;

@@ -171,9 +171,11 @@ void LocalPlannerService::cycle() {
   for (const auto& [id, peer] : peers_)
     if (peer.state_arrived != time::Stamp{}) inputs_.peers.push_back(peer);
 
+  if (before_cycle_) before_cycle_();
   const time::Stamp begun = shell_.now();
   const Output output = planner_->step(inputs_, begun);
   control_ms_ = 1e3 * time::seconds(shell_.now() - begun);
+  if (on_cycle_) on_cycle_(output);
 
   const bool changed = output.phase != phase_ || output.reason != reason_;
   const bool silent = inputs_.authority_lost;
@@ -190,7 +192,6 @@ void LocalPlannerService::cycle() {
   ++cycles_;
 
   if (changed) shell_.report_now();
-  if (on_cycle_) on_cycle_(output);
 }
 
 void LocalPlannerService::write_command(const Output& output) {

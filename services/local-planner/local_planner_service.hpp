@@ -44,9 +44,12 @@ class LocalPlannerService {
   LocalPlannerService(const LocalPlannerService&) = delete;
   LocalPlannerService& operator=(const LocalPlannerService&) = delete;
 
-  /// Called at the end of each cycle with what the core decided: for programs that run this service in their own
+  /// Called in each cycle right after the core with what it decided: for programs that run this service in their own
   /// process and show what is on no topic.
   void on_cycle(std::function<void(const Output&)> handler) { on_cycle_ = std::move(handler); }
+
+  /// Called right before the core, for programs that measure what it computes.
+  void before_cycle(std::function<void()> handler) { before_cycle_ = std::move(handler); }
 
  private:
   /// A track, and the tracker that wrote it.
@@ -89,6 +92,7 @@ class LocalPlannerService {
   service::MapClient& map_;
   std::unique_ptr<Planner> planner_;
   std::function<void(const Output&)> on_cycle_;  // may be empty
+  std::function<void()> before_cycle_;           // may be empty
   Inputs inputs_;
 
   fleet::PlanAuthority plan_authority_;

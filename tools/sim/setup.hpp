@@ -9,6 +9,8 @@
 #include "common/scenario/scenario.hpp"
 #include "services/fake-vehicle/core/parameters.hpp"
 #include "services/fake-world/core/recording.hpp"
+#include "services/global-planner/core/fleet_types.hpp"
+#include "services/global-planner/core/parameters.hpp"
 #include "services/local-planner/core/local_planner.hpp"
 
 namespace aisle::sim {
@@ -32,6 +34,8 @@ struct Setup {
   bool as_printed{false};  // planners, outline and arrival too: with nothing of ours between the paper's parts
   local_planner::Settings settings;
   std::uint64_t seed{1};
+  global_planner::Parameters planner_parameters{};  // of `planner`; those that are not set are as published
+  global_planner::FleetSettings fleet{};            // of the global planner
 };
 
 }  // namespace aisle::sim

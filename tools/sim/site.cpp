@@ -95,7 +95,8 @@ class Site {
       if (referee_.is_over()) because = "all missions are over";
       if (t_s >= setup_.scenario.duration_s) because = fmt::format("{:.0f} s are over", setup_.scenario.duration_s);
       if (hooks_.goes_on && t_s - asked_s >= 1.0 && !hooks_.goes_on(asked_s = t_s)) because = "stopped";
-      if (spectator_ && look % kShowEvery == 0 && spectator_->sees_all_vehicles()) hooks_.watch(spectator_->look(t_s));
+      if (hooks_.watch && look % kShowEvery == 0 && spectator_->sees_all_vehicles())
+        hooks_.watch(spectator_->look(t_s));
     }
     return outcome(because);
   }
@@ -115,9 +116,19 @@ class Site {
 
   /// Where nobody watches, nothing is heard for them.
   HearsCycle seat_spectator() {
-    if (!hooks_.watch) return {};
+    if (!hooks_.watch && !hooks_.on_cycle) return {};
     spectator_.emplace(referee_shell_, setup_.scenario);
-    return [this](const std::string& agv_id, const local_planner::Output& output) { spectator_->hear(agv_id, output); };
+    return [this](const std::string& agv_id, const local_planner::Output& output, double compute_us) {
+      spectator_->hear(agv_id, output);
+      if (hooks_.on_cycle && spectator_->sees_all_vehicles()) tell_cycle(agv_id, output, compute_us);
+    };
+  }
+
+  void tell_cycle(const std::string& agv_id, const local_planner::Output& output, double compute_us) {
+    const Snapshot now = spectator_->look(now_s());
+    for (std::size_t i = 0; i < setup_.scenario.vehicles.size(); ++i)
+      if (setup_.scenario.vehicles[i].id == agv_id)
+        hooks_.on_cycle({now.t_s, agv_id, now.vehicles_in_map[i], output, compute_us, now});
   }
 
   void add(Blueprint blueprint) {

@@ -33,6 +33,7 @@ struct Hooks {
   std::function<bool(double t_s)> goes_on{};            // asked each simulated second; false: the run ends there
   std::function<void(const std::string& line)> says{};  // what is done to the site, and what services log
   Watch watch{};                                        // ten times a simulated second, once all vehicles are there
+  std::function<void(const Cycle&)> on_cycle{};         // in each cycle of each local planner, as for `watch`
 };
 
 /// Runs a scenario with all its services, as they are, on a simulated network in this thread: map, planners, tracker

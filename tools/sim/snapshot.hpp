@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "common/fleet/plan.hpp"
@@ -19,6 +20,16 @@ struct Snapshot {
   std::vector<geometry::Body> things;            // people and blocks, in the order of their ids
   std::vector<fleet::Track> tracks;              // that live, as they were last told
   std::vector<const fleet::Plan*> plans;         // valid while it is looked at; null: none yet
+};
+
+/// One cycle of a vehicle's local planner. Valid while it is looked at.
+struct Cycle {
+  double t_s;                           // since the start of the run
+  const std::string& agv_id;            // "agv-1"
+  const geometry::Pose2& base_in_map;   // true
+  const local_planner::Output& output;  // what was decided
+  double compute_us;                    // CPU time of the planner; it alone differs from run to run
+  const Snapshot& around;               // of this moment
 };
 
 /// Called with a snapshot during a run; the plans it points to are valid only until the call returns.
