@@ -254,10 +254,7 @@ OccupancyGrid read_ros_map(const fs::path& file, const MapFileOptions& options) 
 
   if (!fs::exists(image_file, error)) reject(file, "image '" + map.image + "': no such file as " + image_file.string());
 
-  const std::string bytes = read_bytes(image_file);
-  const bool is_png = !bytes.empty() && bytes[0] == '\x89';
-  const MapImage image =
-      is_png ? parse_png(image_file, bytes, options.subdivide) : parse_pgm(image_file, bytes, options.subdivide);
+  const MapImage image = parse_picture(image_file, read_bytes(image_file), options.subdivide);
 
   return make_grid(image.width, image.height, map.resolution_m, options.subdivide, {map.origin[0], map.origin[1]},
                    [&](int x, int row) {

@@ -243,4 +243,9 @@ MapImage parse_png(const std::filesystem::path& file, std::string_view bytes, in
   return image;
 }
 
+MapImage parse_picture(const std::filesystem::path& file, std::string_view bytes, int subdivide) {
+  const bool is_png = !bytes.empty() && bytes[0] == '\x89';
+  return is_png ? parse_png(file, bytes, subdivide) : parse_pgm(file, bytes, subdivide);
+}
+
 }  // namespace aisle::grid

@@ -32,4 +32,7 @@ MapImage parse_pgm(const std::filesystem::path& file, std::string_view bytes, in
 /// PNG of any kind, turned into 8 bits of grey; otherwise as parse_pgm.
 MapImage parse_png(const std::filesystem::path& file, std::string_view bytes, int subdivide);
 
+/// Either of them, told apart by the first byte. @throws config::BadInput
+MapImage parse_picture(const std::filesystem::path& file, std::string_view bytes, int subdivide);
+
 }  // namespace aisle::grid
