@@ -36,6 +36,11 @@ Verb& Verb::argument(const std::string& name, std::string& value, const std::str
   return *this;
 }
 
+Verb& Verb::optional_argument(const std::string& name, std::string& value, const std::string& help) {
+  app_->add_option(name, value, help);
+  return *this;
+}
+
 Verb& Verb::flag(const std::string& name, bool& value, const std::string& help) {
   app_->add_flag(name, value, help);
   return *this;

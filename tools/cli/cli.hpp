@@ -33,6 +33,7 @@ class Verb {
   Verb(CLI::App& parent, Cli& cli, const std::string& name, const std::string& purpose);
 
   Verb& argument(const std::string& name, std::string& value, const std::string& help);  // by its place; must be given
+  Verb& optional_argument(const std::string& name, std::string& value, const std::string& help);  // may be left out
 
   /// True when the flag is there.
   Verb& flag(const std::string& name, bool& value, const std::string& help);
@@ -95,6 +96,8 @@ void add_experiment_local(CLI::App& parent, Cli& cli);
 void add_experiment_suite(CLI::App& parent, Cli& cli);
 void add_experiment_tracking(CLI::App& parent, Cli& cli);
 void add_lab_list(CLI::App& parent, Cli& cli);
+void add_lab_parameters(CLI::App& parent, Cli& cli);
+void add_lab_sweep(CLI::App& parent, Cli& cli);
 void add_lab_reproduce(CLI::App& parent, Cli& cli);
 void add_lab_compare(CLI::App& parent, Cli& cli);
 void add_plan(CLI::App& parent, Cli& cli);

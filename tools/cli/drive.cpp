@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,15 +19,17 @@
 #include "common/process/own_usage.hpp"
 #include "services/global-planner/core/variant.hpp"
 #include "services/local-planner/core/critic.hpp"
-#include "services/local-planner/core/parameters.hpp"
 #include "tools/cli/cli.hpp"
-#include "tools/cli/coordinates.hpp"
 #include "tools/cli/json.hpp"
 #include "tools/cli/known_names.hpp"
+#include "tools/cli/lab_options.hpp"
 #include "tools/cli/progress_line.hpp"
 #include "tools/cli/text.hpp"
+#include "tools/lab/driving/map_drive.hpp"
 #include "tools/lab/driving/printed_drive.hpp"
-#include "tools/lab/planning/drawn_map.hpp"
+#include "tools/lab/results/provenance.hpp"
+#include "tools/lab/results/result_text.hpp"
+#include "tools/lab/sweep/drive_rows.hpp"
 #include "tools/referee/core/walls.hpp"
 #include "tools/referee/report/fleet_svg.hpp"
 #include "tools/referee/report/report_json.hpp"
@@ -42,8 +45,10 @@ struct Options {
   std::string scenario;
   std::string local{"wang"};
   std::string global;  // empty: `direct`, or as printed that of the local planner's paper
-  std::string map;
-  std::vector<std::string> sets;
+  MapFlags map;
+  ParameterFlags parameters;
+  double radius_m{0.35};  // of the vehicle on --map
+  std::string csv, jsonl;
   bool as_printed{false};
   int seed{1};
   int runs{1};
@@ -55,6 +60,8 @@ struct Options {
   bool paper_limits{false};
   bool verbose{false};
   double trace_s{0.0};  // 0: no trace
+
+  bool writes_rows() const { return !csv.empty() || !jsonl.empty(); }
 };
 
 /// `id` as it is. @throws config::BadInput when it is neither empty nor a vehicle of the scenario
@@ -65,34 +72,52 @@ std::string known_vehicle(const std::string& id, const scenario::Scenario& scena
   return id;
 }
 
-/// The local planner's variant, with what `--set NAME.PARAMETER=VALUE` says of it.
-local_planner::Variant variant_of(const Options& options) {
-  local_planner::Variant variant = *local_planner::find_variant(options.local);
-  for (const std::string& text : options.sets) {
-    const std::size_t dot = text.find('.'), equals = text.find('=');
-    if (dot == std::string::npos || equals == std::string::npos || equals < dot)
-      throw config::BadInput(fmt::format("--set: '{}' is not NAME.PARAMETER=VALUE, for example wang.alpha=0.1", text));
-    if (text.substr(0, dot) != variant.name)
-      throw config::BadInput(fmt::format("--set: '{}' is of another planner than --local {}", text, variant.name));
-    const double value = parse_numbers("--set", text.substr(equals + 1), 1, "0.1").front();
-    const std::string refused = local_planner::set_parameter(variant, text.substr(dot + 1, equals - dot - 1), value);
-    if (!refused.empty()) throw config::BadInput("--set: " + refused);
-  }
-  return variant;
+/// What is driven in each run: read once, as maps may be large.
+struct Course {
+  std::optional<lab::Subject> subject;      // with --map
+  std::vector<lab::ParameterValue> values;  // of the parameters that are set
+
+  /// Each scenario of --scen is driven in each run.
+  int queries() const { return subject ? static_cast<int>(subject->queries.size()) : 1; }
+};
+
+Course course_of(const Options& options) {
+  Course course;
+  course.values =
+      parameters_of(options.parameters, {{options.global}, {options.local}, options.paper_limits, options.as_printed});
+  if (!options.map.map.empty()) course.subject = lab::read_subject(subject_orders_of(options.map));
+  return course;
 }
 
-/// The scenario of one run, with what the flags change.
-sim::Setup setup_of(const Options& options, int run) {
-  const std::uint64_t seed = static_cast<std::uint64_t>(options.seed) + static_cast<std::uint64_t>(run);
-  if (options.as_printed) {
-    sim::Setup setup = lab::printed_setup(lab::read_drawn_map(options.map, 1.0), variant_of(options), options.global);
-    setup.seed = seed;
-    return setup;
-  }
-  sim::Setup setup = sim::named_setup(options.scenario, seed);
+/// Over the researcher's own map: as the paper prints it, or our own drive.
+sim::Setup setup_on_map(const Options& options, const Course& course, const lab::Query& query) {
+  const lab::Subject& subject = *course.subject;
+  if (!options.as_printed) return lab::map_setup(options.map.map, subject, query, options.radius_m);
+
+  const local_planner::Variant variant = lab::local_variant(course.values, options.local);
+  lab::check_ends(options.map.map, subject.grid, query, variant.printed.radius_m);
+  sim::Setup setup = lab::printed_setup({subject.grid, query.start_in_map, query.goal_in_map}, variant, options.global);
+  if (subject.start_yaw_rad) setup.scenario.vehicles.front().start_in_map.yaw = *subject.start_yaw_rad;
+  return setup;
+}
+
+/// One run, with what the flags change.
+sim::Setup setup_of(const Options& options, const Course& course, int run) {
+  const std::uint64_t seed =
+      static_cast<std::uint64_t>(options.seed) + static_cast<std::uint64_t>(run / course.queries());
+  sim::Setup setup =
+      course.subject
+          ? setup_on_map(options, course, course.subject->queries[static_cast<std::size_t>(run % course.queries())])
+          : sim::named_setup(options.scenario, seed);
+
+  setup.seed = seed;
   setup.local = options.local;
   setup.planner = options.global;
-  if (!options.sets.empty()) setup.own_variant = variant_of(options);
+  if (!course.values.empty()) setup.own_variant = lab::local_variant(course.values, options.local);
+  setup.planner_parameters = lab::global_parameters(course.values, options.global);
+  lab::set_settings(course.values, setup.fleet, setup.settings);
+  if (options.as_printed) return setup;
+
   setup.paper_limits = options.paper_limits;
   setup.only_scans_of = known_vehicle(options.only_scans_of, setup.scenario);
   if (options.truth) setup.perception = sim::Perception::kTruth;
@@ -107,6 +132,7 @@ struct Driven {
   std::map<std::string, std::uint64_t> faults;
   Json goals_failed = Json::array();
   Json violations = Json::array();
+  std::vector<lab::Row> rows;  // where a file of them is asked for
 
   void add(const sim::Outcome& outcome) {
     totals.add(outcome.result);
@@ -211,10 +237,11 @@ sim::Watch tracer(const scenario::Scenario& scenario, double period_s, ProgressL
 }
 
 /// One run, with its picture where one is asked for. @returns false when the user stopped it
-bool drive_once(const Options& options, int run, ProgressLine& progress, Driven& driven) {
-  const sim::Setup setup = setup_of(options, run);
+bool drive_once(const Options& options, const Course& course, int run, ProgressLine& progress, Driven& driven) {
+  const sim::Setup setup = setup_of(options, course, run);
   const sim::Faults faults = faults_of(options, setup.seed);
-  const std::string prefix = options.runs > 1 ? fmt::format("seed {}: ", setup.seed) : "";
+  const int runs = options.runs * course.queries();
+  const std::string prefix = runs > 1 ? fmt::format("seed {}: ", setup.seed) : "";
 
   const auto say = [&](const std::string& line) {
     progress.clear();
@@ -223,12 +250,15 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
 
   sim::Hooks hooks;
   hooks.goes_on = [&](double t_s) {
-    progress.tell(fmt::format("run {} of {}: {:.0f} s of at most {:.0f} s simulated", run + 1, options.runs, t_s,
+    progress.tell(fmt::format("run {} of {}: {:.0f} s of at most {:.0f} s simulated", run + 1, runs, t_s,
                               setup.scenario.duration_s));
     return !is_interrupted();
   };
   if (options.verbose) hooks.says = say;
   if (options.trace_s > 0.0) hooks.watch = tracer(setup.scenario, options.trace_s, progress);
+
+  lab::DriveRows rows(setup);
+  if (options.writes_rows()) hooks.on_cycle = [&rows](const sim::Cycle& cycle) { rows.take(cycle); };
 
   const std::chrono::nanoseconds begun = process::cpu_time();
   const sim::Outcome outcome = sim::drive(setup, faults, hooks);
@@ -237,6 +267,7 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
 
   driven.took_s += Seconds(process::cpu_time() - begun).count();
   driven.add(outcome);
+  driven.rows.insert(driven.rows.end(), rows.rows().begin(), rows.rows().end());
   progress.clear();
 
   if (!options.svg.empty() && run == 0)
@@ -255,14 +286,38 @@ bool drive_once(const Options& options, int run, ProgressLine& progress, Driven&
   return true;
 }
 
-/// What is driven: a scenario, or a paper's map as printed.
+/// What is driven: a scenario, or a map.
 void check_subject(const Options& options) {
-  if (options.as_printed != !options.map.empty())
-    throw config::BadInput("--as-printed and --map FILE go together: the paper's map, with S and T");
-  if (options.as_printed && !options.scenario.empty())
-    throw config::BadInput("--as-printed drives --map, and --scenario is another drive: give one of them");
-  if (!options.as_printed && options.scenario.empty())
-    throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(sim::families()));
+  const bool has_map = !options.map.map.empty();
+  if (options.as_printed && !has_map)
+    throw config::BadInput("--as-printed needs --map FILE: a paper's map with S and T, or your own");
+  if (has_map && !options.scenario.empty())
+    throw config::BadInput("--map drives one vehicle over a map, and --scenario is another drive: give one of them");
+  if (!has_map && options.scenario.empty())
+    throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(sim::families()) +
+                           "; or give your own --map");
+}
+
+/// All flags are checked before the first run, which may take minutes.
+void check_files(const Options& options) {
+  for (const std::string& file : {options.svg, options.csv, options.jsonl})
+    if (!file.empty()) process::check_writable(file);
+}
+
+void write_rows(const Options& options, const Course& course, const std::vector<lab::Row>& rows) {
+  if (!options.writes_rows()) return;
+
+  const lab::Row head = lab::head_of("aisle drive", lab::provenance(),
+                                     {{"subject", options.map.map + options.scenario},
+                                      {"global", options.global},
+                                      {"local", options.local},
+                                      {"as_printed", options.as_printed},
+                                      {"paper_limits", options.paper_limits},
+                                      {"seed", options.seed},
+                                      {"runs", options.runs},
+                                      {"parameters", listed_values(course.values)}});
+  if (!options.csv.empty()) process::write_output_file(options.csv, lab::csv_text(head, rows));
+  if (!options.jsonl.empty()) process::write_output_file(options.jsonl, lab::jsonl_text(head, rows));
 }
 
 /// With the global planner named.
@@ -275,19 +330,21 @@ Options completed(Options options) {
   return options;
 }
 
-/// All flags are checked before the first run, which may take minutes.
 int drive(const Cli& cli, const Options& given) {
   const Options options = completed(given);
   check_subject(options);
-  if (!options.svg.empty()) process::check_writable(options.svg);
+  check_files(options);
+  const Course course = course_of(options);
 
   Driven driven;
   ProgressLine progress;
   bool goes_on = true;
 
-  for (int run = 0; run < options.runs && goes_on; ++run) goes_on = drive_once(options, run, progress, driven);
+  const int runs = options.runs * course.queries();
+  for (int run = 0; run < runs && goes_on; ++run) goes_on = drive_once(options, course, run, progress, driven);
   progress.clear();
-  if (!goes_on) std::fprintf(stderr, "aisle drive: stopped after %d of %d runs\n", driven.totals.runs, options.runs);
+  if (!goes_on) std::fprintf(stderr, "aisle drive: stopped after %d of %d runs\n", driven.totals.runs, runs);
+  write_rows(options, course, driven.rows);
   print(cli, options, driven);
 
   return goes_on && driven.is_good() ? process::kDone : process::kNegative;
@@ -297,21 +354,26 @@ int drive(const Cli& cli, const Options& given) {
 
 void add_drive(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<Options>();
-  Verb(parent, cli, "drive",
-       "drive a scenario with all services on a simulated network, without DDS; exit code 1 when a goal was missed, a "
-       "moving vehicle touched something, or a vehicle obeyed a command that it should not have")
-      .option("--scenario", options->scenario, "a scenario file, or one of " + listed(sim::families()))
+  Verb verb(parent, cli, "drive",
+            "drive a scenario, or over your own map, with all services on a simulated network, without DDS; exit code "
+            "1 when a goal was missed, a moving vehicle touched something, or a vehicle obeyed a command that it "
+            "should not have");
+  add_map_flags(verb, options->map);
+  add_parameter_flags(verb, options->parameters);
+  verb.option("--scenario", options->scenario, "a scenario file, or one of " + listed(sim::families()))
       .option("--local", options->local,
               "local planner: " + local_planner::variant_names() + "; default: " + options->local)
       .option("--global", options->global,
               "global planner: " + listed(names_of(global_planner::all_variants())) +
                   "; default: direct, as printed that of the same paper")
-      .option("--map", options->map, "with --as-printed: a paper's map, e.g. deploy/experiments/wang-1.txt")
+      .option("--radius", options->radius_m, 0.01, 100.0, "m, of the vehicle on --map")
       .flag("--as-printed", options->as_printed,
             "the local planner as its paper prints it on --map, with nothing of ours in between")
-      .list("--set", options->sets, "NAME.PARAMETER=VALUE of the local planner, e.g. wang.alpha=0.1; several times")
       .option("--seed", options->seed, 0, 1'000'000'000, "of the first run; the next one has the next seed")
       .option("--runs", options->runs, 1, 100'000, "how many")
+      .option("--csv", options->csv,
+              "write each cycle here as CSV: pose, v, w, clearance, compute time; and the plans' waypoints")
+      .option("--jsonl", options->jsonl, "the same as JSON Lines")
       .option("--svg", options->svg, "file for a picture of the first run")
       .option("--only-scans-of", options->only_scans_of,
               "the one vehicle whose scans the obstacle tracker takes; default: all")

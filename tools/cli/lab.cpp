@@ -13,6 +13,7 @@
 #include "tools/cli/text.hpp"
 #include "tools/lab/papers/published.hpp"
 #include "tools/lab/papers/reproduce.hpp"
+#include "tools/lab/parameters/named_parameters.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -67,7 +68,36 @@ int reproduce(const Cli& cli, const LabOrders& orders) {
   return process::kDone;
 }
 
+/// Every parameter of one planner, or of all.
+int list_parameters(const Cli& cli, const std::string& planner) {
+  std::vector<std::vector<std::string>> table{{"parameter", "default", "unit", "range", "counts with", "meaning"}};
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const lab::NamedParameter& it : lab::parameters_of_planner(planner)) {
+    const std::string condition = it.condition.empty() ? "-" : it.condition;
+    table.push_back({it.full_name(), it.default_value, it.unit, it.range, condition, it.meaning});
+    json.push_back({{"parameter", it.full_name()},
+                    {"side", lab::name(it.side)},
+                    {"planner", it.planner},
+                    {"name", it.name},
+                    {"default", it.default_value},
+                    {"unit", it.unit},
+                    {"range", it.range},
+                    {"condition", it.condition},
+                    {"meaning", it.meaning}});
+  }
+  std::printf("%s", cli.json ? (json.dump() + "\n").c_str() : text_of_table(table).c_str());
+  return process::kDone;
+}
+
 }  // namespace
+
+void add_lab_parameters(CLI::App& parent, Cli& cli) {
+  auto planner = std::make_shared<std::string>();
+  Verb(parent, cli, "parameters",
+       "lists what --set and --parameters may set: name, default, unit, range; of one planner, or of all")
+      .optional_argument("PLANNER", *planner, "e.g. wang; global-planner and local-planner: the services' settings")
+      .runs([&cli, planner] { return list_parameters(cli, *planner); });
+}
 
 void add_lab_list(CLI::App& parent, Cli& cli) {
   Verb(parent, cli, "list", "names the papers' tables and figures that can be made again, with their rows")

@@ -56,10 +56,12 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_experiment_suite(experiment, cli);
   add_experiment_tracking(experiment, cli);
 
-  CLI::App& lab = *add_group("lab", "the five papers' tables and figures, made again");
+  CLI::App& lab = *add_group("lab", "the five papers' tables and figures made again; parameters; sweeps");
   add_lab_list(lab, cli);
   add_lab_reproduce(lab, cli);
   add_lab_compare(lab, cli);
+  add_lab_parameters(lab, cli);
+  add_lab_sweep(lab, cli);
 
   add_doctor(app, cli);
   add_health(app, cli);

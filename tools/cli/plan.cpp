@@ -4,70 +4,98 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "common/config/reader.hpp"
-#include "common/grid/formats/map_file.hpp"
 #include "common/process/exit_code.hpp"
 #include "common/process/output_file.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/coordinates.hpp"
+#include "tools/cli/lab_options.hpp"
 #include "tools/cli/text.hpp"
 #include "tools/lab/planning/chosen_planners.hpp"
 #include "tools/lab/planning/offline_plan.hpp"
 #include "tools/lab/planning/plan_report.hpp"
 #include "tools/lab/planning/plan_svg.hpp"
-#include "tools/lab/planning/queries.hpp"
+#include "tools/lab/results/provenance.hpp"
+#include "tools/lab/results/result_text.hpp"
+#include "tools/lab/sweep/plan_rows.hpp"
 
 namespace aisle::cli {
 namespace {
 
 /// The flags as they were typed; numbers go straight to the task.
 struct PlanOrders {
-  std::string map, start, goal, scen, svg, footprint;
+  MapFlags map;
+  ParameterFlags parameters;
+  std::string svg, footprint, csv, jsonl;
   std::vector<std::string> planners;
-  int limit{1000000};
   lab::OfflineTask task;
 };
 
 constexpr double kFarthestLook_m = 5.0;  // clearances are looked at this far
 
-/// Fills the task's queries: those of a file, or the typed one with its headings.
-void add_queries(const grid::Geometry& geometry, PlanOrders& orders) {
+/// The map; its queries and headings go to the task.
+grid::OccupancyGrid read_map(PlanOrders& orders) {
   lab::OfflineTask& task = orders.task;
-  if (!orders.scen.empty()) {
-    if (!orders.start.empty() || !orders.goal.empty())
-      throw config::BadInput("--scen has starts and goals: leave out --start and --goal");
-    if (task.turning_radius_m > 0.0)
-      throw config::BadInput("--turning-radius needs headings, which --scen has not: give --start and --goal");
+  if (!orders.map.scen.empty() && task.turning_radius_m > 0.0)
+    throw config::BadInput("--turning-radius needs headings, which --scen has not: give --start and --goal");
 
-    task.queries = lab::read_queries(orders.scen, geometry, static_cast<std::size_t>(orders.limit));
-    return;
-  }
+  lab::Subject subject = lab::read_subject(subject_orders_of(orders.map));
+  task.queries = std::move(subject.queries);
+  task.start_yaw_rad = subject.start_yaw_rad;
+  task.goal_yaw_rad = subject.goal_yaw_rad;
 
-  if (orders.start.empty() || orders.goal.empty())
-    throw config::BadInput("give --start X,Y and --goal X,Y, or --scen FILE");
+  return std::move(subject.grid);
+}
 
-  const TypedPose start = parse_pose("--start", orders.start);
-  const TypedPose goal = parse_pose("--goal", orders.goal);
+/// Of the planners that are asked, by name; also put into the task.
+std::vector<lab::ParameterValue> set_parameters(const std::vector<const global_planner::Variant*>& planners,
+                                                PlanOrders& orders) {
+  lab::InUse in_use;
+  for (const global_planner::Variant* planner : planners) in_use.global.push_back(planner->name);
 
-  task.queries = {{start.in_map.position(), goal.in_map.position(), 0.0}};
-  if (start.has_yaw) task.start_yaw_rad = start.in_map.yaw;
-  if (goal.has_yaw) task.goal_yaw_rad = goal.in_map.yaw;
+  const std::vector<lab::ParameterValue> values = parameters_of(orders.parameters, in_use, lab::Side::kGlobal);
+  for (const std::string& planner : in_use.global)
+    orders.task.parameters[planner] = lab::global_parameters(values, planner);
+
+  return values;
+}
+
+/// Before planning, which may take minutes.
+void check_files(const PlanOrders& orders) {
+  for (const std::string& file : {orders.svg, orders.csv, orders.jsonl})
+    if (!file.empty()) process::check_writable(file);
+}
+
+void write_rows(const PlanOrders& orders, const std::vector<lab::ParameterValue>& values,
+                const std::vector<lab::Row>& rows) {
+  const lab::Row head =
+      lab::head_of("aisle plan", lab::provenance(),
+                   {{"map", orders.map.map}, {"seed", nullptr}, {"parameters", listed_values(values)}});
+  if (!orders.csv.empty()) process::write_output_file(orders.csv, lab::csv_text(head, rows));
+  if (!orders.jsonl.empty()) process::write_output_file(orders.jsonl, lab::jsonl_text(head, rows));
 }
 
 /// Plans every query with every chosen planner and prints their figures. Exit code 1 when one is not
 /// solved, or a path fails the check.
 int plan(const Cli& cli, PlanOrders& orders) {
-  if (!orders.svg.empty()) process::check_writable(orders.svg);
+  check_files(orders);
 
   const std::vector<const global_planner::Variant*> planners = lab::chosen_planners(orders.planners);
-  const grid::OccupancyGrid grid = grid::read_map_file(orders.map);
-
-  add_queries(grid.geometry(), orders);
-
+  const std::vector<lab::ParameterValue> values = set_parameters(planners, orders);
+  const grid::OccupancyGrid grid = read_map(orders);
   const grid::ClearanceField clearance(grid, std::max(kFarthestLook_m, orders.task.needed_clearance_m() + 1.0));
-  const lab::OfflineResult result = lab::plan_offline(orders.task, planners, clearance, is_interrupted);
+
+  std::vector<lab::Row> rows;
+  const bool keeps_rows = !orders.csv.empty() || !orders.jsonl.empty();
+  const lab::OfflineResult result =
+      lab::plan_offline(orders.task, planners, clearance, is_interrupted, [&](const lab::OfflineAnswer& answer) {
+        if (!keeps_rows) return;
+        for (lab::Row& row : lab::plan_rows(answer, clearance)) rows.push_back(std::move(row));
+      });
+  if (keeps_rows) write_rows(orders, values, rows);
 
   std::printf("%s", cli.json ? (lab::json_of(result.tallies).dump() + "\n").c_str()
                              : text_of_table(lab::rows_of(result.tallies)).c_str());
@@ -90,12 +118,11 @@ int plan(const Cli& cli, PlanOrders& orders) {
 void add_plan(CLI::App& parent, Cli& cli) {
   auto orders = std::make_shared<PlanOrders>();
 
-  Verb(parent, cli, "plan",
-       "plan on a map file, without a site: one query, or every scenario of a file; figures of each planner")
-      .option("--map", orders->map, "ROS .yaml, Moving AI .map or text grid .txt; needed")
-      .option("--start", orders->start, "X,Y in metres in the map's frame (X,Y,YAW for hybrid)")
-      .option("--goal", orders->goal, "X,Y or X,Y,YAW")
-      .list("--planner", orders->planners, "one or more names; all planners when left out")
+  Verb verb(parent, cli, "plan",
+            "plan on a map file, without a site: one query, or every scenario of a file; figures of each planner");
+  add_map_flags(verb, orders->map);
+  add_parameter_flags(verb, orders->parameters);
+  verb.list("--planner", orders->planners, "one or more names; all planners when left out")
       .option("--radius", orders->task.radius_m, 0.0, 100.0, "of a round vehicle with its margin, in metres")
       .option("--footprint", orders->footprint,
               "LENGTH,WIDTH or LENGTH,WIDTH,AHEAD in metres: a rectangle instead of --radius, its middle AHEAD of the "
@@ -106,13 +133,13 @@ void add_plan(CLI::App& parent, Cli& cli) {
               "nearer to obstacles than this a metre costs more (clear)")
       .option("--turning-radius", orders->task.turning_radius_m, 0.0, 100.0,
               "of a vehicle that cannot turn on the spot (hybrid)")
-      .option("--scen", orders->scen, "Moving AI scenarios (.scen), or lines of sx sy gx gy optimum (.q)")
-      .option("--limit", orders->limit, 1, 1000000, "at most so many scenarios, evenly spread over the file")
       .flag("--nearest", orders->task.goes_to_nearest,
             "where the goal cannot be reached, go to the nearest point that can")
+      .option("--csv", orders->csv, "write figures and waypoints of each path here, as CSV")
+      .option("--jsonl", orders->jsonl, "the same as JSON Lines")
       .option("--svg", orders->svg, "write the map with the paths of the first query here")
       .runs([&cli, orders] {
-        if (orders->map.empty()) throw config::BadInput("give --map FILE");
+        if (orders->map.map.empty()) throw config::BadInput("give --map FILE");
         if (!orders->footprint.empty() && orders->task.radius_m != 0.0)
           throw config::BadInput("--radius is for a disc, --footprint for a rectangle: give one");
 

@@ -128,6 +128,21 @@ TEST(Drive, NamesWhatIsMisspelt) {
   EXPECT_THAT(bad_input({"--scenario", "crossing", "--seed", "-1"}), HasSubstr("--seed"));
   EXPECT_THAT(bad_input({"--scenario", "crossing", "--runs", "0"}), HasSubstr("--runs"));
   EXPECT_THAT(bad_input({"--scenario", "crossing", "--faults", "none.yaml"}), HasSubstr("none.yaml"));
+  EXPECT_THAT(bad_input({"--scenario", "crossing", "--set", "wang.alhpa=1"}), HasSubstr("did you mean 'alpha'?"));
+  EXPECT_THAT(bad_input({"--scenario", "crossing", "--set", "wang.max_speed_mps=1"}), HasSubstr("--paper-limits"));
+  EXPECT_THAT(bad_input({"--scenario", "crossing", "--map", "hall.png"}), HasSubstr("give one of them"));
+  EXPECT_THAT(bad_input({"--map", "hall.png"}), HasSubstr("hall.png"));
+  EXPECT_THAT(bad_input({"--as-printed"}), HasSubstr("--as-printed needs --map FILE"));
+}
+
+TEST(Drive, GoesOverAnOwnMapWithParametersByName) {
+  const std::string map = "/tmp/aisle-own-map-" + std::to_string(getpid()) + ".txt";
+  std::ofstream(map) << "........\n.S......\n....#...\n....#.T.\n........\n";
+  const nlohmann::json plain = drive({"--map", map, "--global", "astar"});
+  const nlohmann::json other = drive({"--map", map, "--global", "astar", "--set", "wang.alpha=0.5"});
+  std::filesystem::remove(map);
+  EXPECT_EQ(plain["goals_reached"], 1);
+  EXPECT_NE(plain["trace_hash"], other["trace_hash"]) << "another weight drives otherwise";
 }
 
 TEST(Drive, APictureThatCannotBeWrittenIsRefusedBeforeTheRun) {

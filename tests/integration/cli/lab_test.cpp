@@ -1,9 +1,11 @@
 // aisle lab as a program: names the papers' tables and makes them again.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -56,6 +58,32 @@ TEST(Lab, SaysWhichTableMayBeMeant) {
   EXPECT_EQ(aisle.wait(seconds(60)), 2);
   EXPECT_THAT(aisle.err(), HasSubstr("did you mean wang-1?"));
   EXPECT_EQ(std::count(aisle.err().begin(), aisle.err().end(), '\n'), 1) << aisle.err();
+}
+
+TEST(Lab, ListsTheParametersOfAPlanner) {
+  ChildProcess aisle = lab({"parameters", "wang", "--json"});
+  ASSERT_EQ(aisle.wait(seconds(60)), 0) << aisle.err();
+  std::set<std::string> names;
+  for (const auto& it : nlohmann::json::parse(aisle.out())) {
+    names.insert(it["parameter"].get<std::string>());
+    EXPECT_FALSE(it["range"].get<std::string>().empty());
+  }
+  EXPECT_EQ(names.count("local.wang.alpha"), 1U);
+  EXPECT_EQ(names.count("global.wang.passes"), 1U);
+}
+
+TEST(Lab, ASweepIsNotMadeTwice) {
+  const std::string folder = "/tmp/aisle-sweep-test-" + std::to_string(getpid());
+  const std::vector<std::string> arguments{
+      "sweep",   "--kind", "wang-1", "--planner", "wang",  "astar", "--vary", "wang.passes=none/collinear",
+      "--seeds", "1-3",    "--out",  folder,      "--json"};
+  ChildProcess first = lab(arguments);
+  ASSERT_EQ(first.wait(seconds(60)), 0) << first.err();
+  ChildProcess second = lab(arguments);
+  ASSERT_EQ(second.wait(seconds(60)), 0) << second.err();
+  EXPECT_EQ(nlohmann::json::parse(first.out()).size(), 9U);
+  EXPECT_EQ(first.out(), second.out()) << "with the times of the first";
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -160,5 +160,33 @@ TEST_F(PlanOffline, SaysInOneLineWhatIsWrongWithTheMap) {
   EXPECT_THAT(with_map(write("odd.txt", "...\n..x\n")), HasSubstr("line 2, column 3"));
 }
 
+TEST_F(PlanOffline, TakesAnOwnMapParametersByNameAndWritesWhatMadeTheRows) {
+  const std::string map = write("own.txt", "S....\n..#..\n....T\n");
+  const std::string csv = (folder_ / "own.csv").string(), jsonl = (folder_ / "own.jsonl").string();
+  const std::string file = write("own.yaml", "global:\n  wang: {log_base: 2}\nlocal:\n  wang: {alpha: 0.1}\n");
+  ChildProcess aisle({test_support::program("aisle"), "plan", "--map", map, "--planner", "wang", "--set",
+                      "wang.passes=none", "--parameters", file, "--csv", csv, "--jsonl", jsonl, "--json"});
+  ASSERT_EQ(aisle.wait(seconds(60)), kDone) << aisle.err();
+  EXPECT_EQ(nlohmann::json::parse(aisle.out())[0]["nodes_mean"], 5.0) << "from cell to cell";
+
+  std::ifstream in(jsonl);
+  std::string head;
+  std::getline(in, head);
+  const nlohmann::json made_by = nlohmann::json::parse(head)["head"];
+  EXPECT_EQ(made_by["parameters"], "global.wang.log_base=2, global.wang.passes=none");
+  for (const char* key : {"commit", "compiler", "flags", "vectors", "seed"}) EXPECT_TRUE(made_by.contains(key)) << key;
+  EXPECT_TRUE(std::filesystem::exists(csv));
+}
+
+TEST_F(PlanOffline, NamesAParameterOrAMapThatDoesNotFit) {
+  const std::string map = write("own.txt", "S....\n..#..\n....T\n");
+  EXPECT_THAT(refusal(kBadInput, {"--map", map, "--planner", "wang", "--set", "wang.pases=none"}),
+              HasSubstr("did you mean 'passes'?"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", map, "--planner", "wang", "--set", "yu.beta=0.2"}),
+              HasSubstr("another global planner than is used here: wang"));
+  EXPECT_THAT(refusal(kBadInput, {"--map", write("hall.png", "x"), "--start", "1,1", "--goal", "2,2"}),
+              HasSubstr("give --resolution"));
+}
+
 }  // namespace
 }  // namespace aisle

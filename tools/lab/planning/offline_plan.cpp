@@ -50,6 +50,12 @@ double optimum_m(const Problem& problem, const Interrupted& is_interrupted) {
 /// Can another goal help?
 bool is_helped_by_nearest(Outcome outcome) { return outcome == Outcome::kGoalBlocked || outcome == Outcome::kNoPath; }
 
+/// The planner with the task's parameters.
+std::unique_ptr<global_planner::Planner> made(const OfflineTask& task, const Variant& variant) {
+  const auto set = task.parameters.find(variant.name);
+  return set == task.parameters.end() ? variant.make() : variant.make(set->second);
+}
+
 }  // namespace
 
 double OfflineTask::needed_clearance_m() const {
@@ -59,14 +65,15 @@ double OfflineTask::needed_clearance_m() const {
 /// One planner after the other over all queries, so that what it keeps between queries helps it as in
 /// its service.
 OfflineResult plan_offline(const OfflineTask& task, const std::vector<const Variant*>& planners,
-                           const grid::ClearanceField& clearance, const Interrupted& is_interrupted) {
+                           const grid::ClearanceField& clearance, const Interrupted& is_interrupted,
+                           const std::function<void(const OfflineAnswer&)>& hears_answer) {
   OfflineResult result;
   const global_planner::Outline outline{task.outline, task.start_yaw_rad, task.goal_yaw_rad};
   const std::vector<Query>& queries = task.queries;
 
   for (const Variant* variant : planners) {
     Tally tally(variant->name);
-    const std::unique_ptr<global_planner::Planner> planner = variant->make();
+    const std::unique_ptr<global_planner::Planner> planner = made(task, *variant);
 
     for (std::size_t i = 0; i < queries.size() && !is_interrupted(); ++i) {
       Problem problem = problem_of(task, *variant, clearance, queries[i]);
@@ -77,9 +84,11 @@ OfflineResult plan_offline(const OfflineTask& task, const std::vector<const Vari
         answer = ask(*planner, problem, outline);
       }
 
-      tally.add(answer, queries[i].optimum_m > 0.0 ? queries[i].optimum_m
-                        : queries.size() == 1      ? optimum_m(problem, is_interrupted)
-                                                   : 0.0);
+      const double best_m = queries[i].optimum_m > 0.0 ? queries[i].optimum_m
+                            : queries.size() == 1      ? optimum_m(problem, is_interrupted)
+                                                       : 0.0;
+      tally.add(answer, best_m);
+      if (hears_answer) hears_answer({variant->name, i, answer, best_m});
 
       if (i == 0 && answer.plan.outcome == Outcome::kFound)
         result.paths.push_back({variant->name, answer.plan.waypoints_in_map});
