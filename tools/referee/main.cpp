@@ -66,7 +66,7 @@ void print_progress(const referee::RefereeService& service, int goals_expected) 
 referee::RunReport judge_run(service::Shell& shell, const scenario::Scenario& scenario, const referee::Walls& walls,
                              const Options& options) {
   const referee::Expectation expectation = expectation_of(scenario);
-  referee::RefereeService service(shell.bus(), shell.health(), walls, expectation);
+  referee::RefereeService service(shell, walls, expectation);
 
   if (options.progress_json) {
     shell.bus().every(std::chrono::seconds(1), [&] { print_progress(service, expectation.goals()); });

@@ -1,10 +1,9 @@
 #include "tools/referee/referee_service.hpp"
 
-#include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <string>
 #include <vector>
-
-#include "common/service/hear.hpp"
 
 namespace aisle::referee {
 namespace {
@@ -13,6 +12,7 @@ using service::Sender;
 
 /// Ground truth is judged this long after its time, so that all of it is there.
 constexpr double kJudgeDelay_s = 0.15;
+constexpr std::chrono::milliseconds kJudgeEvery{50};
 constexpr int kDiscCorners = 32;
 
 /// The judge's shape: a disc is a point with a radius.
@@ -59,63 +59,51 @@ std::vector<geometry::Point2> outline_of(const fleet::MapEdit& edit) {
 }  // namespace
 
 /// Ground truth is judged a little late, when all of it has come.
-RefereeService::RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls,
-                               const Expectation& expectation)
-    : bus_(bus),
-      health_(health),
-      judge_(&walls, expectation),
-      started_(bus.now()),
-      started_wall_ns_(bus.wall_clock_ns()) {
-  listen_to_simulation(bus);
-  listen_to_fleet(bus);
-  listen_to_map_and_services(bus);
-  bus.every(std::chrono::milliseconds(50), [this] { judge_.advance(now_s() - kJudgeDelay_s); });
-  health_.state = fleet::ServiceState::kReady;
+RefereeService::RefereeService(service::Shell& shell, const Walls& walls, const Expectation& expectation)
+    : shell_(shell), judge_(&walls, expectation), started_(shell.now()), started_wall_ns_(shell.wall_clock_ns()) {
+  listen_to_simulation();
+  listen_to_fleet();
+  listen_to_map_and_services();
+
+  shell.every(kJudgeEvery, [this] { judge_.advance(now_s() - kJudgeDelay_s); });
+  shell.report([](service::Health&) {});  // it waits for nothing
 }
 
-double RefereeService::now_s() const { return time::seconds(bus_.now() - started_); }
+double RefereeService::now_s() const { return time::seconds(shell_.now() - started_); }
 
 double RefereeService::arrived_s(const Sender& from) const { return time::seconds(from.arrived - started_); }
 
 RunReport RefereeService::finish() { return judge_.finish(now_s()); }
 
-template <class Topic>
-void RefereeService::listen(bus::Bus& bus, std::function<void(const service::ValueOf<Topic>&, const Sender&)> take,
-                            std::function<void(const service::KeyOf<Topic>&, service::End)> gone) {
-  const auto refused = [this](const auto&, const std::string&) { health_.count(std::string("unfit_") + Topic::kName); };
-  service::hear<Topic>(bus, {std::move(take), std::move(gone), refused});
-}
-
-void RefereeService::listen_to_simulation(bus::Bus& bus) {
-  listen<topics::WorldObstacle>(
-      bus, [this](const fleet::Obstacle& truth, const Sender& from) { take(truth, from); },
-      [this](const std::string& id, service::End how) {
+void RefereeService::listen_to_simulation() {
+  shell_.inbox<topics::WorldObstacle>([this](const fleet::Obstacle& truth, const Sender& from) { take(truth, from); })
+      .on_gone([this](const std::string& id, service::End how) {
         if (how == service::End::kDisposed) judge_.body_gone(id);
       });
 
-  listen<topics::VehicleState>(bus,
-                               [this](const fleet::VehicleState& state, const Sender& from) { take(state, from); });
+  shell_.inbox<topics::VehicleState>(
+      [this](const fleet::VehicleState& state, const Sender& from) { take(state, from); });
 }
 
-void RefereeService::listen_to_fleet(bus::Bus& bus) {
-  listen<topics::Plan>(bus, [this](const fleet::Plan& plan, const Sender& from) { take(plan, from); });
+void RefereeService::listen_to_fleet() {
+  shell_.inbox<topics::Plan>([this](const fleet::Plan& plan, const Sender& from) { take(plan, from); });
 
-  listen<topics::VelocityCommand>(bus, [this](const fleet::VelocityCommand& command, const Sender& from) {
+  shell_.inbox<topics::VelocityCommand>([this](const fleet::VelocityCommand& command, const Sender& from) {
     judge_.command_arrived(
         {command.agv_id, from.by.stamp_ns, command.scan_stamp_ns, command.control_ms, arrived_s(from)});
   });
 
-  listen<topics::NavigationStatus>(
-      bus, [this](const fleet::NavigationStatus& status, const Sender& from) { take(status, from); });
-  listen<topics::Goal>(bus, [this](const fleet::Goal& goal, const Sender& from) { take(goal, from); });
+  shell_.inbox<topics::NavigationStatus>(
+      [this](const fleet::NavigationStatus& status, const Sender& from) { take(status, from); });
+  shell_.inbox<topics::Goal>([this](const fleet::Goal& goal, const Sender& from) { take(goal, from); });
 }
 
-void RefereeService::listen_to_map_and_services(bus::Bus& bus) {
-  listen<topics::MapEdit>(bus, [this](const fleet::MapEdit& edit, const Sender& from) { take(edit, from); });
-  listen<topics::MapEditResult>(bus,
-                                [this](const fleet::MapEditResult& answer, const Sender& from) { take(answer, from); });
+void RefereeService::listen_to_map_and_services() {
+  shell_.inbox<topics::MapEdit>([this](const fleet::MapEdit& edit, const Sender& from) { take(edit, from); });
+  shell_.inbox<topics::MapEditResult>(
+      [this](const fleet::MapEditResult& answer, const Sender& from) { take(answer, from); });
 
-  listen<topics::ServiceHealth>(bus, [this](const fleet::ServiceHealth& health, const Sender& from) {
+  shell_.inbox<topics::ServiceHealth>([this](const fleet::ServiceHealth& health, const Sender& from) {
     judge_.health_arrived(
         {health.instance_id, health.service, from.by.boot_id, health.cpu_percent, health.resident_mb});
   });

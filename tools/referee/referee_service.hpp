@@ -1,11 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <string>
 
-#include "common/bus/bus.hpp"
-#include "common/service/inbox.hpp"
 #include "common/service/shell.hpp"
 #include "tools/referee/core/judge.hpp"
 
@@ -17,8 +13,8 @@ namespace aisle::referee {
 /// Ground truth is placed by its stamp (the simulation's wall clock), everything else by its arrival.
 class RefereeService {
  public:
-  /// `bus`, `health` and `walls` must outlive the service.
-  RefereeService(bus::Bus& bus, service::Health& health, const Walls& walls, const Expectation& expectation);
+  /// `shell` and `walls` must outlive the service.
+  RefereeService(service::Shell& shell, const Walls& walls, const Expectation& expectation);
 
   /// Seconds since the service was made.
   double now_s() const;
@@ -29,14 +25,9 @@ class RefereeService {
   RunReport finish();
 
  private:
-  /// Hands on the values that the codec accepts; samples that it refuses are counted as
-  /// `unfit_<topic>`.
-  template <class Topic>
-  void listen(bus::Bus& bus, std::function<void(const service::ValueOf<Topic>&, const service::Sender&)> take,
-              std::function<void(const service::KeyOf<Topic>&, service::End)> gone = {});
-  void listen_to_simulation(bus::Bus& bus);
-  void listen_to_fleet(bus::Bus& bus);
-  void listen_to_map_and_services(bus::Bus& bus);
+  void listen_to_simulation();
+  void listen_to_fleet();
+  void listen_to_map_and_services();
   void take(const fleet::Obstacle& truth, const service::Sender& from);
   void take(const fleet::VehicleState& state, const service::Sender& from);
   void take(const fleet::Plan& plan, const service::Sender& from);
@@ -46,8 +37,7 @@ class RefereeService {
   void take(const fleet::MapEditResult& answer, const service::Sender& from);
   double arrived_s(const service::Sender& from) const;
 
-  bus::Bus& bus_;
-  service::Health& health_;
+  service::Shell& shell_;
   Judge judge_;
   time::Stamp started_;
   std::int64_t started_wall_ns_;

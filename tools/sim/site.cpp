@@ -77,7 +77,7 @@ class Site {
         walls_(setup.grid),
         referee_bus_(network_.join(settings_of(kReferee), kReferee)),
         referee_shell_(*referee_bus_, {kReferee, kReferee, "", 1, kReferee, 1}, {log_->clone(kReferee), {}, {}}),
-        referee_(*referee_bus_, referee_shell_.health(), walls_, expectation_of(setup.scenario)),
+        referee_(referee_shell_, walls_, expectation_of(setup.scenario)),
         recorder_(referee_shell_) {
     log_->set_level(hooks_.says ? spdlog::level::info : spdlog::level::off);
     put_sqlite_on_simulated_disks();

@@ -102,9 +102,9 @@ class Refereed : public ::testing::Test {
   }
 
   Walls walls_{grid::OccupancyGrid({100, 100, 0.1, {0.0, 0.0}})};
-  service::Health health_;
   bus::DdsBus ear_{site("referee")};
-  RefereeService referee_{ear_, health_, walls_, Expectation{{{"agv-1", 1}}}};
+  service::Shell shell_{ear_, {"referee", "referee", "", 1, "host-1", 1}};
+  RefereeService referee_{shell_, walls_, Expectation{{{"agv-1", 1}}}};
   bus::DdsBus fleet_{site("fleet")};
   bus::Writer<topics::WorldObstacle> truths_{fleet_.writer<topics::WorldObstacle>()};
   bus::Writer<topics::VehicleState> states_{fleet_.writer<topics::VehicleState>()};
@@ -158,7 +158,7 @@ TEST_F(Refereed, ARunIsOverWhenTheVehicleStandsAtItsGoal) {
 
 TEST_F(Refereed, ATruthThatIsNoNumberIsCountedAndNotJudged) {
   ASSERT_TRUE(repeats_until([&] { show("agv-1", BodyKind::kVehicle, std::nan(""), 0.0, 0.0); },
-                            [&] { return health_.counters["unfit_world_obstacle"] > 0; }));
+                            [&] { return shell_.health().counters["dropped_world_obstacle"] > 0; }));
   EXPECT_EQ(referee_.judge().vehicles_seen(), 0);
 }
 
