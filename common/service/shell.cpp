@@ -67,9 +67,14 @@ struct Shell::Shared {
   bool only_failed_are_left() const;
   void start();
 
+  /// Of what all shells of the process notice alike, one logs: the first that noticed something of this kind, until it
+  /// fails or is gone.
+  bool logs(const std::string& kind, State& shell);
+
   bus::Bus& bus;
   std::vector<State*> shells;
   std::map<std::string, std::shared_ptr<void>> channels;  // by topic
+  std::map<std::string, State*> loggers;                  // by kind of what is logged
   std::vector<std::pair<MapClient::Options, std::unique_ptr<MapClient>>> maps;
 };
 
@@ -100,11 +105,11 @@ struct Shell::State {
     }
   }
 
-  /// Counted by every shell, logged by the first: the bus is the same.
+  /// Counted by every shell, logged by one: the bus is the same.
   void take(const bus::Incident& incident) {
     health.count("incidents");
 
-    if (shared->shells.front() == this)
+    if (shared->logs("incident", *this))
       warn(std::to_string(static_cast<int>(incident.kind)) + incident.topic, incident.text);
 
     const bool passes_by_itself =
@@ -115,7 +120,10 @@ struct Shell::State {
   /// Contradictions with other processes become warnings; all but a clock that is off also last_error.
   void take(const PeerHealth& peer) {
     for (const Finding& finding : peers.take(peer, now(), wall_clock_ns())) {
-      log->warn("{}", finding.text);
+      const bool concerns_this_shell =
+          finding.kind == Finding::Kind::kDuplicateVehicle || finding.instance_id == identity.instance_id;
+      if (concerns_this_shell || shared->logs("peer", *this)) log->warn("{}", finding.text);
+
       if (finding.kind != Finding::Kind::kClockSkew) health.last_error = finding.text;
     }
   }
@@ -209,6 +217,15 @@ bool Shell::Shared::only_failed_are_left() const {
   return std::all_of(shells.begin(), shells.end(), [](const State* shell) { return shell->has_failed; });
 }
 
+bool Shell::Shared::logs(const std::string& kind, State& shell) {
+  if (shell.has_failed) return false;
+
+  State*& logger = loggers[kind];
+  if (logger == nullptr || logger->has_failed) logger = &shell;
+
+  return logger == &shell;
+}
+
 /// What is done once a bus, for all its shells.
 void Shell::Shared::start() {
   bus.on_incident([this](const bus::Incident& incident) {
@@ -236,6 +253,10 @@ Shell::Shell(Shell& first, Identity identity, Surroundings surroundings)
 Shell::~Shell() {
   std::vector<State*>& shells = state_->shared->shells;
   shells.erase(std::remove(shells.begin(), shells.end(), state_.get()), shells.end());
+
+  for (auto& [kind, logger] : state_->shared->loggers) {
+    if (logger == state_.get()) logger = nullptr;
+  }
 }
 
 void Shell::begin() {
@@ -324,7 +345,7 @@ void Shell::guarded(const std::function<void()>& work) { state_->guarded(work); 
 
 void Shell::note_dropped(const std::string& topic, const std::string& reason) {
   count("dropped_" + topic);
-  warn(topic, topic + ": a sample was dropped: " + reason);
+  if (state_->shared->logs(topic, *state_)) warn(topic, topic + ": a sample was dropped: " + reason);
 }
 
 fleet::Origin Shell::origin() { return state_->origin(); }

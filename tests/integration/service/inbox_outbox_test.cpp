@@ -23,6 +23,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr int kDomain = 131;  // and the next ones
 
@@ -207,6 +208,24 @@ TEST(Shell, ReportsWhatItsServiceWaitsFor) {
   ASSERT_TRUE(said(fleet::ServiceState::kDegraded));
 }
 
+/// What the default logger says while this lives.
+class LogLines {
+ public:
+  LogLines() {
+    auto sink = std::make_shared<spdlog::sinks::ostream_sink_st>(lines_);
+    sink->set_pattern("%n: %v");
+    spdlog::set_default_logger(std::make_shared<spdlog::logger>("process", sink));
+  }
+  ~LogLines() { spdlog::set_default_logger(before_); }
+  LogLines(const LogLines&) = delete;
+  LogLines& operator=(const LogLines&) = delete;
+  std::string text() const { return lines_.str(); }
+
+ private:
+  std::ostringstream lines_;
+  std::shared_ptr<spdlog::logger> before_{spdlog::default_logger()};
+};
+
 /// Two shells on one bus, and an observer of their health.
 struct Pair {
   explicit Pair(int domain)
@@ -237,7 +256,8 @@ TEST(Shells, OnOneBusHaveEachTheirIdentityAndHealth) {
   EXPECT_EQ(pair.said["test-agv-2"].counters["cycles"], 3U);
 }
 
-TEST(Shells, OnOneBusShareAReaderAndCountEachForThemselves) {
+TEST(Shells, OnOneBusShareAReaderAndCountEachForThemselvesAndLogOnce) {
+  const LogLines lines;
   Pair pair(kDomain + 6);
   Outbox<topics::MapEdit> edits = pair.observer.shell.outbox<topics::MapEdit>();
   int first = 0, second = 0;
@@ -252,6 +272,8 @@ TEST(Shells, OnOneBusShareAReaderAndCountEachForThemselves) {
   EXPECT_EQ(second, 1);
   EXPECT_EQ(pair.first.health().counters["dropped_map_edit"], 1U);
   EXPECT_EQ(pair.second.health().counters["dropped_map_edit"], 1U);
+  EXPECT_THAT(lines.text(), HasSubstr("test-agv-1: map_edit: a sample was dropped: "));
+  EXPECT_THAT(lines.text(), Not(HasSubstr("test-agv-2: map_edit")));
 }
 
 TEST(Shells, TheFailureOfOneDoesNotStopTheOther) {
@@ -297,20 +319,13 @@ TEST(Shells, AloneOneLetsItsExceptionPass) {
 }
 
 TEST(Shells, LogLinesCarryTheNameOfTheirInstance) {
-  std::ostringstream lines;
-  auto sink = std::make_shared<spdlog::sinks::ostream_sink_st>(lines);
-  sink->set_pattern("%n: %v");
-  const std::shared_ptr<spdlog::logger> before = spdlog::default_logger();
-  spdlog::set_default_logger(std::make_shared<spdlog::logger>("process", sink));
-  {
-    Pair pair(kDomain + 9);
-    pair.first.log().info("drives");
-    pair.second.log().info("waits");
-    pair.second.warn("plan", "plan refused");
-    pair.second.warn("plan", "plan refused");
-  }
-  spdlog::set_default_logger(before);
-  EXPECT_EQ(lines.str(), "test-agv-1: drives\ntest-agv-2: waits\ntest-agv-2: plan refused\n");
+  const LogLines lines;
+  Pair pair(kDomain + 9);
+  pair.first.log().info("drives");
+  pair.second.log().info("waits");
+  pair.second.warn("plan", "plan refused");
+  pair.second.warn("plan", "plan refused");
+  EXPECT_EQ(lines.text(), "test-agv-1: drives\ntest-agv-2: waits\ntest-agv-2: plan refused\n");
 }
 
 }  // namespace
