@@ -62,15 +62,25 @@ void keep_apart(std::vector<Expected>& expected, const std::vector<Point2>& befo
   }
 }
 
-/// Two people of two velocities, and both are known: they will soon be apart again. Larger things do not count, because
-/// they are seen a piece at a time, and their pieces wander.
+/// Two people of two velocities, and both are known: they will soon be apart again, although one of them may be hidden
+/// behind the other for a moment. A static track's velocity is 0, whatever a measurement of the other one makes of it.
+/// Larger things do not count, because they are seen a piece at a time, and their pieces wander.
 bool are_passing(const LiveTrack& a, const LiveTrack& b, const Shape& shape) {
   constexpr double kDiffers_mps = 0.8;
-  const auto is_walker = [&](const LiveTrack& track) {
+  constexpr double kWalksPast_mps = 0.5;  // less is enough beside one that stands
+
+  const auto is_person = [&](const LiveTrack& track) {
     return track.knows_its_speed() && track.radius_m() < shape.large * shape.usual_radius_m;
   };
+  const auto velocity_of = [](const LiveTrack& track) -> Eigen::Vector2d {
+    if (track.is_static()) return Eigen::Vector2d::Zero();
+    return track.filter().state().tail<2>();
+  };
 
-  return is_walker(a) && is_walker(b) && (a.filter().state() - b.filter().state()).tail<2>().norm() > kDiffers_mps;
+  if (!is_person(a) || !is_person(b)) return false;
+
+  const double difference_mps = (velocity_of(a) - velocity_of(b)).norm();
+  return difference_mps > (a.is_static() || b.is_static() ? kWalksPast_mps : kDiffers_mps);
 }
 
 }  // namespace

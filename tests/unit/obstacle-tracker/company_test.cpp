@@ -109,6 +109,37 @@ TEST(Company, TwoWhoBrushPastEachOtherStayTwo) {
   }
 }
 
+/// One walks up from behind another who stands, and is hidden by them when near. The walker is still expected to come
+/// out: their tracks are not one.
+TEST(Company, AWalkerHiddenByOneWhoStandsIsStillExpected) {
+  constexpr double kStands_s = 4.0;  // then the walker is seen
+  constexpr double kSpeed_mps = 0.8;
+  constexpr double kBehind_m = 2.5;
+  const std::vector<Vehicle> aslant{{"a", {7.3, 3.5, 0.7}, {}, 0.35, 10.0, 360}};
+
+  int moments = 0;
+  int expected = 0;
+  for (unsigned seed = 1; seed <= 16; ++seed) {
+    Stage stage(room(16.0, 12.0), aslant, seed);
+    const auto arrange = [&](double t) {
+      const double behind_m = kBehind_m - kSpeed_mps * (t - kStands_s);
+      stage.world.discs = {{kMiddle, 0.25}};
+      if (t >= kStands_s) stage.world.discs.push_back({{kMiddle.x, kMiddle.y + behind_m}, 0.25});
+    };
+    const auto is_walker = [](const Track& track) { return !track.is_static && track.velocity_in_map.y < -0.5; };
+
+    // From when the tracks are near enough to be taken for one until the walker is where the other stands.
+    const double near_s = kStands_s + (kBehind_m - Lifecycle{}.merge_m) / kSpeed_mps;
+    stage.run(kStands_s + kBehind_m / kSpeed_mps, arrange, [&](double t) {
+      if (t < near_s) return;
+      ++moments;
+      expected += std::any_of(stage.tracks.begin(), stage.tracks.end(), is_walker) ? 1 : 0;
+    });
+  }
+
+  EXPECT_GE(10 * expected, 8 * moments) << expected << " of " << moments;
+}
+
 int pairs_within(const std::vector<Track>& tracks, double within_m) {
   int pairs = 0;
   for (std::size_t i = 0; i < tracks.size(); ++i) {
