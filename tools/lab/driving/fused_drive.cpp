@@ -84,16 +84,11 @@ double DriveFigures::greatest_change_of_w() const {
   return most;
 }
 
-double DriveFigures::nearest_mover_m() const {
+double DriveFigures::nearest_m(double DrivePoint::*gap_m) const {
   double least_m = 1e9;
-  for (const DrivePoint& p : points) least_m = std::min(least_m, p.mover_gap_m);
+  for (const DrivePoint& p : points)
+    if (std::abs(p.linear_mps) > kDrivesMps) least_m = std::min(least_m, p.*gap_m);
   return least_m;
-}
-
-bool DriveFigures::met(double DrivePoint::*gap_m) const {
-  return std::any_of(points.begin(), points.end(), [gap_m](const DrivePoint& point) {
-    return point.*gap_m < kMetWithinM && std::abs(point.linear_mps) > kDrivesMps;
-  });
 }
 
 double DriveFigures::mean_speed_near(double gap_m) const {

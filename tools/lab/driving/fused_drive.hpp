@@ -38,11 +38,11 @@ struct DriveFigures {
   std::vector<DrivePoint> points;  // from the goal being given to its end (result.driven_s), ten a second
   int movers{0};                   // on this map
   Encounters encounters{};         // all that there was on this map
-  /// Between the outlines, while both were there.
-  double nearest_mover_m() const;
+  /// Between the outlines, while the vehicle drove; a mover that stops for nobody comes nearer to one that stands.
+  double nearest_mover_m() const { return nearest_m(&DrivePoint::mover_gap_m); }
   /// Did the driving vehicle come nearer than kMetWithinM to a mover, to a box?
-  bool met_a_mover() const { return met(&DrivePoint::mover_gap_m); }
-  bool met_a_box() const { return met(&DrivePoint::box_gap_m); }
+  bool met_a_mover() const { return nearest_mover_m() < kMetWithinM; }
+  bool met_a_box() const { return nearest_m(&DrivePoint::box_gap_m) < kMetWithinM; }
   bool arrived() const { return result.goals_reached == result.goals_assigned; }
   /// Sums of all changes, up and down: m/s and rad/s.
   double changes_of_v() const;
@@ -52,7 +52,7 @@ struct DriveFigures {
   double mean_speed_near(double gap_m) const;
 
  private:
-  bool met(double DrivePoint::*gap_m) const;
+  double nearest_m(double DrivePoint::*gap_m) const;
 };
 
 /// The traditional critics along a path: what the papers call A* fused with DWA.
