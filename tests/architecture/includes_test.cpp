@@ -40,7 +40,7 @@ Source read_source(const fs::path& path) {
 const std::vector<Source>& all_sources() {
   static const std::vector<Source> sources = [] {
     std::vector<Source> found;
-    for (const char* room : {"common", "services", "tools"}) {
+    for (const char* room : {"common", "services", "tools", "python"}) {
       for (const auto& entry : fs::recursive_directory_iterator(aisle::test_support::source_folder() / room)) {
         const std::string ending = entry.path().extension().string();
         if (entry.is_regular_file() && (ending == ".hpp" || ending == ".cpp"))
@@ -78,6 +78,16 @@ TEST(Architecture, OnlyTheBusIncludesFastDds) {
       if (!begins_with_any(include, {"fastdds", "fastrtps", "fastcdr"})) continue;
       EXPECT_TRUE(begins_with(source.file, "common/bus/dds/")) << source.file << " includes " << include;
     }
+  }
+}
+
+/// The bindings are thin: nothing else knows of Python, and they hold nothing that others need.
+TEST(Architecture, OnlyTheBindingsIncludePythonAndNobodyIncludesThem) {
+  for (const Source& source : all_sources()) {
+    if (begins_with(source.file, "python/")) continue;
+    for (const std::string& include : source.includes)
+      EXPECT_FALSE(begins_with_any(include, {"pybind11", "Python.h", "python/"}))
+          << source.file << " includes " << include;
   }
 }
 
@@ -228,7 +238,7 @@ Strings allowed_rooms(const std::string& file) {
   // The laboratory and `aisle drive` run simulations and draw their runs as the referee draws real ones.
   Strings for_runs{"common/", "services/", "tools/sim/", "tools/draw/", "tools/referee/core/", "tools/referee/report/"};
   if (begins_with(file, "tools/lab/")) return for_runs;
-  if (begins_with(file, "tools/cli/")) {
+  if (begins_with_any(file, {"tools/cli/", "python/"})) {
     for_runs.push_back("tools/lab/");
     return for_runs;
   }

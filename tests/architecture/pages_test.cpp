@@ -25,7 +25,8 @@ std::string text_of(const fs::path& file) {
 /// Paths from the top of the tree, in backticks, that begin with one of its folders. What is built is not there yet,
 /// and a name with a placeholder is no path.
 std::vector<std::string> named_paths(const std::string& page) {
-  static const std::regex kPath("`((\\.ci|bench|common|deploy|docs|idl|services|tests|tools)/[^` <>*$|]*)[^`]*`");
+  static const std::regex kPath(
+      "`((\\.ci|bench|common|deploy|docs|idl|python|services|tests|tools)/[^` <>*$|]*)[^`]*`");
   std::vector<std::string> paths;
   for (std::sregex_iterator it(page.begin(), page.end(), kPath), end; it != end; ++it) paths.push_back((*it)[1]);
   return paths;
