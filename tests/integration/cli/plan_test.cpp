@@ -167,7 +167,7 @@ TEST_F(PlanOffline, TakesAnOwnMapParametersByNameAndWritesWhatMadeTheRows) {
   ChildProcess aisle({test_support::program("aisle"), "plan", "--map", map, "--planner", "wang", "--set",
                       "wang.passes=none", "--parameters", file, "--csv", csv, "--jsonl", jsonl, "--json"});
   ASSERT_EQ(aisle.wait(seconds(60)), kDone) << aisle.err();
-  EXPECT_EQ(nlohmann::json::parse(aisle.out())[0]["nodes_mean"], 5.0) << "from cell to cell";
+  EXPECT_EQ(nlohmann::json::parse(aisle.out())[0]["nodes_mean"], 6.0) << "from cell to cell";
 
   std::ifstream in(jsonl);
   std::string head;
