@@ -33,6 +33,11 @@ void draw(char c, grid::Cell cell, LabMap& map) {
   if (c == 'T') map.goal_in_map = map.grid.geometry().center_in_map(cell);
 }
 
+/// "line 2, column 3", counted from 1.
+std::string place(std::size_t row, std::size_t column) {
+  return "line " + std::to_string(row + 1) + ", column " + std::to_string(column + 1);
+}
+
 /// Row 0 of the file is the top row of the map. `known` has the characters that it may hold.
 LabMap read_text_map(const std::filesystem::path& file, double cell_m, const std::string& known) {
   const std::vector<std::string> lines = lines_of(file);
@@ -54,7 +59,8 @@ LabMap read_text_map(const std::filesystem::path& file, double cell_m, const std
       const char c = lines[row][x];
       if ((c == 'S' && map.start_in_map) || (c == 'T' && map.goal_in_map))
         fail(row, std::string("a second '") + c + "': a map has one start S and one goal T");
-      if (known.find(c) == std::string::npos) fail(row, std::string("'") + c + "' is not one of " + known);
+      if (known.find(c) == std::string::npos)
+        grid::reject(file, place(row, x) + ": '" + c + "' is not one of " + known);
       draw(c, {static_cast<int>(x), height - 1 - static_cast<int>(row)}, map);
     }
   }

@@ -81,7 +81,7 @@ TEST_F(SubjectTest, OfMovingAiAsksEachScenario) {
 TEST_F(SubjectTest, ThatCannotBeReadIsRefusedWithTheFileAndThePlace) {
   EXPECT_THAT(refusal({write("a.bmp", "x")}), HasSubstr("ending '.bmp' is no known map: .png or .pgm"));
   EXPECT_THAT(refusal({folder_ / "none.txt"}), HasSubstr("none.txt"));
-  EXPECT_THAT(refusal({write("x.txt", "S.T\n.x.\n")}), HasSubstr("x.txt:2: 'x' is not one of #.?ST"));
+  EXPECT_THAT(refusal({write("x.txt", "S.T\n.x.\n")}), HasSubstr("x.txt: line 2, column 2: 'x' is not one of #.?ST"));
   EXPECT_THAT(refusal({write("two.txt", "S.T\nS..\n")}), HasSubstr("two.txt:2: a second 'S'"));
   EXPECT_THAT(refusal({write("short.txt", "S.T\n..\n")}), HasSubstr("short.txt:2: is not as long"));
   EXPECT_THAT(refusal({write("s.txt", "...\n..T\n")}), HasSubstr("give --start X,Y in metres"));
