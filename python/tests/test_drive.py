@@ -3,6 +3,7 @@ from __future__ import annotations
 import signal
 import threading
 import time
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -102,6 +103,15 @@ def test_python_goes_on_while_a_drive_runs(hall: aisle.Map) -> None:
     assert counted > 5
 
 
+@pytest.fixture
+def _interruptible() -> Iterator[None]:
+    """Ctrl-C as in a terminal: what a shell starts in the background ignores it."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("_interruptible")
 def test_ctrl_c_ends_a_drive(hall: aisle.Map) -> None:
     """The traditional window, which knows no path, stands behind the wall until its time is over."""
     timer = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
