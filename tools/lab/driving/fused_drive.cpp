@@ -91,6 +91,12 @@ double DriveFigures::nearest_m(double DrivePoint::*gap_m) const {
   return least_m;
 }
 
+bool DriveFigures::met(const Surprises& asked) const {
+  if (!asked.any()) return true;
+  const bool has_movers = !encounters.movers.empty(), has_boxes = !encounters.boxes.empty();
+  return (has_movers || has_boxes) && (!has_movers || met_a_mover()) && (!has_boxes || met_a_box());
+}
+
 double DriveFigures::mean_speed_near(double gap_m) const {
   double sum = 0.0;
   int count = 0;

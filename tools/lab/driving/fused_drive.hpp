@@ -43,6 +43,9 @@ struct DriveFigures {
   /// Did the driving vehicle come nearer than kMetWithinM to a mover, to a box?
   bool met_a_mover() const { return nearest_mover_m() < kMetWithinM; }
   bool met_a_box() const { return nearest_m(&DrivePoint::box_gap_m) < kMetWithinM; }
+  /// Did it meet a mover where movers were asked for, and a box where boxes were? A kind of which the map had no place
+  /// for any cannot be met and is not needed; where nothing at all was placed, nothing was met.
+  bool met(const Surprises& asked) const;
   bool arrived() const { return result.goals_reached == result.goals_assigned; }
   /// Sums of all changes, up and down: m/s and rad/s.
   double changes_of_v() const;

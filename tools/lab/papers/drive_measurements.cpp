@@ -86,7 +86,7 @@ Path planned(const DrawnMap& map, const std::string& planner, double radius_m) {
 DriveOutcome outcome_of_path(const Path& path) {
   DriveOutcome outcome;
   outcome.arrived = !path.empty();
-  outcome.met_something = true;  // a path meets nothing and is left out for nothing
+  outcome.met_what_is_there = true;  // a path meets nothing and is left out for nothing
   outcome.figures[DriveFigure::kLength] = global_planner::path_length_m(path);
   outcome.figures[DriveFigure::kSharpTurns] = static_cast<double>(sharp_nodes(path).size());
   return outcome;
@@ -151,7 +151,7 @@ DriveOutcome outcome_of(const DriveFigures& drive, const Path& path, const Surpr
   DriveOutcome outcome;
   outcome.arrived = drive.arrived();
   outcome.touched = drive.result.contacts_moving_vehicle > 0;
-  outcome.met_something = surprises.movers > 0 ? drive.met_a_mover() : !surprises.any() || drive.met_a_box();
+  outcome.met_what_is_there = drive.met(surprises);
   Path way;
   double low_radps = 0.0, high_radps = 0.0, off_m = 0.0, near = 0.0;
   for (const DrivePoint& point : drive.points) {

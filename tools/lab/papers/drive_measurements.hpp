@@ -34,7 +34,9 @@ struct DriveDraw {
 struct DriveOutcome {
   bool arrived{false};
   bool touched{false};
-  bool met_something{false};  // a mover of a scene that has movers, else a box of one that has boxes; or there is none
+  /// A mover in a scene with movers and a box in one with boxes, as far as the map had a place for them
+  /// (DriveFigures::met); true in a scene with neither.
+  bool met_what_is_there{false};
   std::map<DriveFigure, double> figures;
   double elsewhere_mps{0.0};    // the reference of kSpeedNearMover
   double elsewhere_radps{0.0};  // of kTurnNearMover

@@ -98,6 +98,13 @@ void refuse(ReproducedRow& row, const std::string& why) {
   row.why = joined(why, row.why);
 }
 
+/// What a drive of this scene has to meet, in words.
+std::string met_in(const DriveScene& scene) {
+  const Surprises& asked = scene.surprises;
+  if (asked.movers > 0 && asked.hidden_boxes > 0) return "met a mover and, where the map had a place for one, a box";
+  return asked.movers > 0 ? "met a mover" : "met a box";
+}
+
 class Reproducing {
  public:
   Reproducing(const Reproduction& orders, const Progress& progress)
@@ -152,7 +159,7 @@ class Reproducing {
     const std::vector<DriveOutcome>& reference = is_near_mover ? ours : drives_.of(drive.scene, drive.reference);
     for (std::size_t i = 0; i < ours.size(); ++i) {
       if (!ours[i].arrived || !reference[i].arrived) continue;
-      if (!ours[i].met_something || !reference[i].met_something) continue;  // it shows nothing
+      if (!ours[i].met_what_is_there || !reference[i].met_what_is_there) continue;  // it shows nothing
       const auto figure = ours[i].figures.find(drive.figure);
       if (figure == ours[i].figures.end()) continue;
       const double other = drive.figure == DriveFigure::kSpeedNearMover  ? ours[i].elsewhere_mps
@@ -162,10 +169,10 @@ class Reproducing {
       pairs.ours.push_back(figure->second);
       pairs.reference.push_back(other);
     }
-    const char* const condition = is_near_mover ? "arrived, met a mover and drove elsewhere too"
-                                  : scene_named(drive.scene).surprises.any()
-                                      ? "arrived with both, and both met what stands or moves there"
-                                      : "arrived with both";
+    const DriveScene& scene = scene_named(drive.scene);
+    const std::string condition = is_near_mover           ? "arrived, " + met_in(scene) + "; drove elsewhere too"
+                                  : scene.surprises.any() ? "arrived with both, and both " + met_in(scene)
+                                                          : std::string("arrived with both");
     if (pairs.ours.size() < kFewestPairs)
       return refuse(row, fmt::format("only {} of {} drives count: {}", pairs.ours.size(), ours.size(), condition));
     judge_pairs(of, drive.as_percent ? as_percent_less(pairs) : pairs, row);
@@ -183,11 +190,11 @@ class Reproducing {
     const bool wants_untouched = drive.figure == DriveFigure::kArrivesUntouched;
     Figures good;
     for (const DriveOutcome& outcome : drives) {
-      if (wants_untouched && !outcome.met_something) continue;
+      if (wants_untouched && !outcome.met_what_is_there) continue;
       good.push_back(outcome.arrived && (!wants_untouched || !outcome.touched) ? 1.0 : 0.0);
     }
     const std::string counted = fmt::format("{} of {} drives count", good.size(), drives.size()) +
-                                (wants_untouched ? ": those that met what stands or moves there" : "");
+                                (wants_untouched ? ": those that " + met_in(scene_named(drive.scene)) : "");
     if (good.size() < kFewestPairs) return refuse(row, "only " + counted);
     judge_share(of, good, row);
     row.why = joined(row.why, counted);

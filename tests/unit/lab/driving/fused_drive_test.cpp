@@ -37,6 +37,38 @@ TEST(FusedDrive, AvoidsWhatThePaperPutsInTheWay) {
   EXPECT_EQ(figures.result.contacts_moving_vehicle, 0);
 }
 
+/// One moment of a drive past one mover and one box.
+DriveFigures driven_past(double mover_gap_m, double box_gap_m) {
+  DriveFigures figures;
+  DrivePoint point;
+  point.linear_mps = 1.0;
+  point.mover_gap_m = mover_gap_m;
+  point.box_gap_m = box_gap_m;
+  figures.points = {point};
+  figures.encounters.movers.resize(1);
+  figures.encounters.boxes.resize(1);
+  return figures;
+}
+
+TEST(FusedDrive, MetBothKindsOfWhatWasPlaced) {
+  const double near_m = 0.5 * kMetWithinM, far_m = 2.0 * kMetWithinM;
+  EXPECT_TRUE(driven_past(near_m, near_m).met({1, 1}));
+  EXPECT_FALSE(driven_past(near_m, far_m).met({1, 1})) << "no box";
+  EXPECT_FALSE(driven_past(far_m, near_m).met({1, 1})) << "no mover";
+  EXPECT_TRUE(driven_past(far_m, far_m).met({0, 0})) << "nothing was asked for";
+}
+
+TEST(FusedDrive, CanMeetOnlyWhatTheMapHadAPlaceFor) {
+  const double near_m = 0.5 * kMetWithinM, far_m = 2.0 * kMetWithinM;
+  DriveFigures without_box = driven_past(near_m, far_m);
+  without_box.encounters.boxes.clear();
+  EXPECT_TRUE(without_box.met({1, 1}));
+
+  DriveFigures without_any = driven_past(far_m, far_m);
+  without_any.encounters = {};
+  EXPECT_FALSE(without_any.met({0, 1})) << "such a drive shows nothing";
+}
+
 FusedDrive own_drive(const std::string& map, const std::string& paper, const Surprises& surprises) {
   const local_planner::Variant variant = paper_variant(paper);
   return {map, paper, variant, variant.paper, surprises};

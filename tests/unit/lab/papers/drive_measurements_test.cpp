@@ -20,7 +20,7 @@ TEST(DriveMeasurements, AreTheSameForOneAndTwoThreads) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].arrived, b[i].arrived);
-    EXPECT_EQ(a[i].met_something, b[i].met_something);
+    EXPECT_EQ(a[i].met_what_is_there, b[i].met_what_is_there);
     EXPECT_EQ(a[i].figures, b[i].figures) << "map " << i;
   }
   ASSERT_EQ(told.size(), 3U);
