@@ -274,9 +274,8 @@ Verdict judged(ClaimedDirection claim, const PairedComparison& comparison) {
     case ClaimedDirection::kHolds:
       return verdict_if(is_less);
     case ClaimedDirection::kMore:
-      return verdict_if(is_more);
     case ClaimedDirection::kHoldsNot:
-      return verdict_if(!is_less);
+      return verdict_if(is_more);
     case ClaimedDirection::kEqual:
       break;
   }

@@ -213,6 +213,29 @@ TEST(PublishedRows, CompareFusionsOfWangAndYuThatDifferInThePathAlone) {
   }
 }
 
+// Compared with itself a row differs by nothing, whatever the code does.
+TEST(PublishedRows, AreNotComparedWithThemselves) {
+  for (const PublishedRow& row : published_rows()) {
+    const auto* plan = std::get_if<PlanEvidence>(&row.evidence);
+    const auto* drive = std::get_if<DriveEvidence>(&row.evidence);
+    const std::string ours = plan != nullptr ? plan->planner : drive != nullptr ? drive->contestant : "";
+    const char* const reference = plan != nullptr ? plan->reference : drive != nullptr ? drive->reference : nullptr;
+    if (reference != nullptr) {
+      EXPECT_NE(ours, reference) << row.table << ", " << row.row;
+    }
+  }
+  const char* const reason = "it is what the others are compared with";
+  EXPECT_EQ(std::get<NoEvidence>(row_of("WU 2", "Tradition A*: Smooth Path").evidence).why, reason);
+}
+
+// WU's table 2 says one comparison twice: of the traditional DWA and of the improved one.
+TEST(PublishedRows, CountTheComparisonOfWusWindowsOnce) {
+  for (const char* property : {"Smooth Path", "Deceleration Obstacle Avoidance"}) {
+    EXPECT_TRUE(row_of("WU 2", std::string("Tradition DWA: ") + property).is_reference) << property;
+    EXPECT_FALSE(row_of("WU 2", std::string("Improved DWA: ") + property).is_reference) << property;
+  }
+}
+
 // Our own slowing before bends and walls would hide what eq. 10 does.
 TEST(PublishedRows, OfLisSlowingAreMeasuredByItsCriticsAlone) {
   EXPECT_EQ(rows_of("LI section IV.C"), 2U);

@@ -46,7 +46,8 @@ TEST(Judged, HoldsOnlyWhenTheIntervalExcludesZeroOnTheClaimedSide) {
   EXPECT_EQ(judged(ClaimedDirection::kLess, difference(1.0, 2.0)), Verdict::kOtherDirection);
   EXPECT_EQ(judged(ClaimedDirection::kMore, difference(1.0, 2.0)), Verdict::kSameDirection);
   EXPECT_EQ(judged(ClaimedDirection::kMore, difference(-0.1, 2.0)), Verdict::kOtherDirection);
-  EXPECT_EQ(judged(ClaimedDirection::kHoldsNot, difference(-0.1, 2.0)), Verdict::kSameDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kHoldsNot, difference(1.0, 2.0)), Verdict::kSameDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kHoldsNot, difference(-0.1, 2.0)), Verdict::kOtherDirection) << "it may be zero";
 }
 
 TEST(Judged, EqualityIsWithinOnePercent) {
