@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "tools/lab/driving/fused_drive.hpp"
 #include "tools/lab/page/progress.hpp"
 
 namespace aisle::lab {
@@ -16,6 +17,16 @@ struct FusionTables {
   std::string pictures;    // links to our curves
   std::string ways;        // links to pictures of all contestants' ways, one a map
 };
+
+/// May their figures stand beside each other? Both arrived and met what was asked for (DriveFigures::met).
+bool are_comparable(const DriveFigures& a, const DriveFigures& b, const Surprises& asked);
+
+/// Both arrived and were within 0.6 m of a wall or box, and this drive was slower there.
+bool is_slower_near(const DriveFigures& drive, const DriveFigures& reference);
+
+/// A drive in the table of curves: the mean speed near walls and boxes, the range and changes of w, the time, and
+/// whether it met none of the movers that were asked for.
+std::string curve_figures(const DriveFigures& drive, const Surprises& asked);
 
 /// Drives all of them past the same movers and boxes (encounters_of_paper); curves of speed and turn rate and the ways
 /// are written as SVG into `pictures`. The same text for the same
