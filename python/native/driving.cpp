@@ -5,8 +5,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,21 +94,27 @@ sim::Setup setup_of(const Orders& orders) {
 constexpr std::array<const char*, 9> kColumns{"t_s",     "x_m",          "y_m",         "yaw_rad",   "v_mps",
                                               "w_radps", "sideways_mps", "clearance_m", "compute_us"};
 
-/// (n, 9): the cycles of one vehicle.
-py::array_t<double> cycles_of(const lab::DriveRows& rows, const std::string& agv_id) {
-  std::vector<double> values;
-  for (const lab::Row& row : rows.rows())
-    if (row.at("kind") == "cycle" && row.at("agv") == agv_id)
-      for (const char* column : kColumns) values.push_back(row.at(column).get<double>());
+/// The cycles of each vehicle, by its id: kColumns, row by row.
+using Samples = std::map<std::string, std::vector<double>>;
 
-  return array_of(values, kColumns.size());
+/// Those of all vehicles, in one pass.
+Samples samples_of(const lab::DriveRows& rows) {
+  Samples samples;
+  for (const lab::Row& row : rows.rows()) {
+    if (row.at("kind") != "cycle") continue;
+
+    std::vector<double>& values = samples[row.at("agv").get<std::string>()];
+    for (const char* column : kColumns) values.push_back(row.at(column).get<double>());
+  }
+
+  return samples;
 }
 
-py::dict dict_of(const sim::Setup& setup, const sim::Outcome& outcome, const lab::DriveRows& rows) {
+py::dict dict_of(const sim::Setup& setup, const sim::Outcome& outcome, Samples& samples) {
   const sim::Result& result = outcome.result;
   py::list vehicles;
   for (const scenario::Vehicle& vehicle : setup.scenario.vehicles)
-    vehicles.append(py::make_tuple(vehicle.id, cycles_of(rows, vehicle.id)));
+    vehicles.append(py::make_tuple(vehicle.id, array_of(samples[vehicle.id], kColumns.size())));
 
   py::list failed;
   for (const referee::GoalRecord& goal : outcome.report.goals)
@@ -128,21 +134,22 @@ py::dict dict_of(const sim::Setup& setup, const sim::Outcome& outcome, const lab
 
 py::dict drive(const Orders& orders) {
   sim::Setup setup;
-  std::optional<lab::DriveRows> rows;
+  Samples samples;
   sim::Outcome outcome;
   {
     const py::gil_scoped_release unlocked;
     setup = setup_of(orders);
-    rows.emplace(setup);
+    lab::DriveRows rows(setup);
 
     sim::Hooks hooks;
-    hooks.on_cycle = [&](const sim::Cycle& cycle) { rows->take(cycle); };
+    hooks.on_cycle = [&](const sim::Cycle& cycle) { rows.take(cycle); };
     hooks.goes_on = [is_interrupted = interruption(1)](double) { return !is_interrupted(); };
     outcome = sim::drive(setup, {}, hooks);
+    samples = samples_of(rows);
   }
 
   raise_if_interrupted();
-  return dict_of(setup, outcome, *rows);
+  return dict_of(setup, outcome, samples);
 }
 
 py::list local_planners() {
