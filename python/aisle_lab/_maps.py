@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
+from functools import cached_property
 from pathlib import Path
 from typing import TypeAlias
 
@@ -89,9 +91,16 @@ class Map:
         """The goal, which a text file draws as `T`; None: it has none."""
         return self._native.goal_m
 
+    @cached_property
+    def digest(self) -> str:
+        """Of all that it holds: maps with the same digest are the same map, in every process."""
+        cells = self.cells
+        rest = (cells.shape, self.resolution_m, self.origin_m, self.start_m, self.goal_m)
+        return hashlib.sha256(repr(rest).encode() + cells.tobytes()).hexdigest()[:16]
+
     def __repr__(self) -> str:
         height, width = self.cells.shape
-        return f"Map({width} x {height} cells of {self.resolution_m:g} m, origin {self.origin_m})"
+        return f"Map({width} x {height} cells of {self.resolution_m:g} m, origin {self.origin_m}, digest {self.digest})"
 
 
 MapLike: TypeAlias = Map | PathLike

@@ -42,14 +42,14 @@ def sweep(
     `fixed`: arguments that are the same in all rows.
     `out`: a file of JSON Lines (`.jsonl`, see `read_results`) to which each row is appended as soon as it is there; called
     again with the same file, the rows in it are not run again. Its first line tells the commit and the fixed arguments.
-    With `out`, maps are files.
+    A `Map` stands there with its digest, a map's file with its path.
     `workers`: threads; the work is done without Python's lock. `progress`: a line on stderr.
 
     The frame has a column for each name in `over`, then those of `Plan.figures()` or `Drive.figures()`. Raises ValueError,
     with the combination's own line, for the first that is bad input; rows that were done by then stay in `out`.
     """
     kind = kind_of(run)
-    refuse_unusable(kind, over, fixed, out)
+    refuse_unusable(kind, over, fixed)
     combinations = list(combinations_of(kind, over, fixed))
     head = {
         "made_by": f"aisle_lab.sweep({kind})",
@@ -81,7 +81,7 @@ def kind_of(run: Runner) -> str:
     raise ValueError("sweep runs aisle_lab.plan or aisle_lab.drive")
 
 
-def refuse_unusable(kind: str, over: Mapping[str, Sequence[Any]], fixed: Mapping[str, Any], out: PathLike | None) -> None:
+def refuse_unusable(kind: str, over: Mapping[str, Sequence[Any]], fixed: Mapping[str, Any]) -> None:
     known = inspect.signature({"plan": _plan.plan, "drive": _drive.drive}[kind]).parameters
     for name, values in over.items():
         if not name.startswith(PARAMETER) and (name not in known or name == "parameters"):
@@ -91,8 +91,6 @@ def refuse_unusable(kind: str, over: Mapping[str, Sequence[Any]], fixed: Mapping
             raise ValueError(f"sweep: '{name}' is in `over` and given beside it")
         if isinstance(values, str) or len(values) == 0:
             raise ValueError(f"sweep: '{name}' is a list of values, one at least")
-    if out is not None and any(isinstance(value, Map) for value in [*fixed.values(), *over.get("map", [])]):
-        raise ValueError("sweep: with `out`, give maps as files, so that the rows can be told apart when it goes on")
 
 
 def combinations_of(kind: str, over: Mapping[str, Sequence[Any]], fixed: Mapping[str, Any]) -> Iterator[dict[str, Any]]:

@@ -3,6 +3,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import aisle_lab as aisle
@@ -100,3 +101,26 @@ def test_results_of_the_command_line_are_read(tmp_path: Path) -> None:
     (tmp_path / "b.jsonl").write_text('{"head": {}}\nnone\n{}\n')
     with pytest.raises(ValueError, match="b.jsonl:2"):
         aisle.read_results(tmp_path / "b.jsonl")
+
+
+def halls() -> list[aisle.Map]:
+    """Of the same size; a wall stands across the second, which leaves a gap at the top."""
+    cells = np.zeros((20, 40), bool)
+    walled = cells.copy()
+    walled[:14, 20] = True
+    return [aisle.Map(it, 0.5) for it in (cells, walled)]
+
+
+def test_maps_of_the_same_size_are_told_apart() -> None:
+    table = aisle.sweep(aisle.plan, {"map": halls()}, start=(2.25, 1.25), goal=(18.25, 1.25), progress=False)
+    assert len(table) == 2 and table.map.nunique() == 2
+    assert table.length_m[0] == 16.0 < table.length_m[1]
+
+
+def test_a_sweep_over_maps_goes_on_with_maps_of_the_same_cells(tmp_path: Path) -> None:
+    """As in another process, where they are other objects."""
+    ways = {"start": (2.25, 1.25), "goal": (18.25, 1.25), "out": tmp_path / "sweep.jsonl", "progress": False}
+    aisle.sweep(aisle.plan, {"map": halls()}, **ways)
+    written = ways["out"].read_text()
+    assert len(aisle.sweep(aisle.plan, {"map": halls()}, **ways)) == 2
+    assert ways["out"].read_text() == written and len(written.splitlines()) == 3
