@@ -15,7 +15,7 @@ from typing import IO, Any
 
 import pandas as pd
 
-from . import _drive, _names, _plan
+from . import _drive, _names, _native, _plan
 from ._maps import Map, PathLike
 from ._parameters import counts_with
 from ._results import read_lines
@@ -39,7 +39,7 @@ def sweep(
     `run`: `plan` or `drive`. `over`: the values of each argument, e.g. `{"planner": ["astar", "wang"], "seed": range(5)}`.
     A parameter is named through its argument: `"parameters.alpha": [0.1, 0.2]`; with its planner's name,
     `"parameters.wang.alpha"`, it counts where that planner plans, and other planners get one row each, without it.
-    `fixed`: arguments that are the same in all rows.
+    `fixed`: arguments that are the same in all rows; of `parameters`, those of a planner count where it plans.
     `out`: a file of JSON Lines (`.jsonl`, see `read_results`) to which each row is appended as soon as it is there; called
     again with the same file, the rows in it are not run again. Its first line tells the commit and the fixed arguments.
     A `Map` stands there with its digest, a map's file with its path.
@@ -51,6 +51,7 @@ def sweep(
     kind = kind_of(run)
     refuse_unusable(kind, over, fixed)
     combinations = list(combinations_of(kind, over, fixed))
+    refuse_idle_parameters(kind, over, fixed, combinations)
     head = {
         "made_by": f"aisle_lab.sweep({kind})",
         "commit": _names.commit(),
@@ -61,7 +62,7 @@ def sweep(
     missing = [combination for combination in combinations if key_of(combination) not in done]
     with Rows(out, head, done) as rows:
         told = len(combinations) - len(missing)
-        for combination, figures in figures_of(run, missing, fixed, workers):
+        for combination, figures in figures_of(kind, run, missing, fixed, workers):
             rows.add(combination, figures)
             told += 1
             if progress:
@@ -91,6 +92,26 @@ def refuse_unusable(kind: str, over: Mapping[str, Sequence[Any]], fixed: Mapping
             raise ValueError(f"sweep: '{name}' is in `over` and given beside it")
         if isinstance(values, str) or len(values) == 0:
             raise ValueError(f"sweep: '{name}' is a list of values, one at least")
+    for name in parameters_of(over, fixed):
+        if "." in name:
+            _native.check_parameter_name(name)
+
+
+def parameters_of(over: Mapping[str, Sequence[Any]], fixed: Mapping[str, Any]) -> list[str]:
+    """The names of all parameters of a sweep, without "parameters."."""
+    swept = [name[len(PARAMETER) :] for name in over if name.startswith(PARAMETER)]
+    return [*swept, *(fixed.get("parameters") or {})]
+
+
+def refuse_idle_parameters(
+    kind: str, over: Mapping[str, Sequence[Any]], fixed: Mapping[str, Any], combinations: Sequence[Mapping[str, Any]]
+) -> None:
+    """Raises ValueError for a parameter that would change no row."""
+    planners = {planners_of(kind, {**fixed, **combination}) for combination in combinations}
+    for name in parameters_of(over, fixed):
+        if not any(counts_with(name, *pair) for pair in planners):
+            names = ", ".join(sorted({one for pair in planners for one in pair if one}))
+            raise ValueError(f"sweep: parameter '{name}' is of another planner than those of this sweep: {names}")
 
 
 def combinations_of(kind: str, over: Mapping[str, Sequence[Any]], fixed: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
@@ -116,9 +137,14 @@ def planners_of(kind: str, arguments: Mapping[str, Any]) -> tuple[str, str]:
     return _drive.global_planner_of(local, arguments.get("planner"), arguments.get("as_printed", False)), local
 
 
-def arguments_of(combination: Mapping[str, Any], fixed: Mapping[str, Any]) -> dict[str, Any]:
-    """As `plan` and `drive` take them."""
+def arguments_of(kind: str, combination: Mapping[str, Any], fixed: Mapping[str, Any]) -> dict[str, Any]:
+    """As `plan` and `drive` take them: of the fixed parameters, those that count in this combination."""
     arguments = dict(fixed)
+    planners = planners_of(kind, {**fixed, **combination})
+    if fixed.get("parameters"):
+        counting = {name: value for name, value in fixed["parameters"].items() if counts_with(name, *planners)}
+        arguments["parameters"] = counting
+
     for name, value in combination.items():
         if name.startswith(PARAMETER):
             arguments["parameters"] = {**(arguments.get("parameters") or {}), name[len(PARAMETER) :]: value}
@@ -128,12 +154,12 @@ def arguments_of(combination: Mapping[str, Any], fixed: Mapping[str, Any]) -> di
 
 
 def figures_of(
-    run: Runner, combinations: Sequence[Mapping[str, Any]], fixed: Mapping[str, Any], workers: int
+    kind: str, run: Runner, combinations: Sequence[Mapping[str, Any]], fixed: Mapping[str, Any], workers: int
 ) -> Iterator[tuple[Mapping[str, Any], dict[str, Any]]]:
     """Each combination with its figures, as they come. After an error, and on Ctrl-C, what was not begun is dropped."""
     threads = ThreadPoolExecutor(workers)
     try:
-        asked = {threads.submit(lambda it: run(**arguments_of(it, fixed)).figures(), it): it for it in combinations}
+        asked = {threads.submit(lambda it: run(**arguments_of(kind, it, fixed)).figures(), it): it for it in combinations}
         for future in as_completed(asked):
             yield asked[future], future.result()
     finally:

@@ -89,6 +89,9 @@ py::dict plan(const Map& map, const lab::Place& start, const lab::Place& goal, c
   return dict_of(answer, *clearance, refusal);
 }
 
+/// Of a name with its planner. @throws config::BadInput with the nearest name for one that does not exist
+void check_parameter_name(const std::string& name) { lab::find_parameter("parameters", name); }
+
 py::list planners() {
   py::list all;
   for (const Variant& variant : global_planner::all_variants())
@@ -110,6 +113,7 @@ py::list parameters(const std::string& planner) {
 void bind_planning(py::module_& module) {
   module.def("planners", &planners);
   module.def("parameters", &parameters, py::arg("planner"));
+  module.def("check_parameter_name", &check_parameter_name, py::arg("name"));
   module.def(
       "plan",
       [](const Map& map, const std::vector<double>& start, const std::vector<double>& goal, const std::string& planner,

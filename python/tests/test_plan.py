@@ -59,6 +59,7 @@ def test_parameters_are_set_by_name(papers: Path) -> None:
         ({"start": (1.0,)}, "start"),
         ({"goal": (float("nan"), 1.0)}, "goal"),
         ({"resolution_m": 0.5}, "resolution_m"),
+        ({"planner": "astar", "parameters": {"wnag.passes": "none"}}, "did you mean 'wang'"),
     ],
 )
 def test_bad_input_is_a_value_error_with_one_line(hall: aisle.Map, arguments: dict, complaint: str) -> None:

@@ -124,3 +124,29 @@ def test_a_sweep_over_maps_goes_on_with_maps_of_the_same_cells(tmp_path: Path) -
     written = ways["out"].read_text()
     assert len(aisle.sweep(aisle.plan, {"map": halls()}, **ways)) == 2
     assert ways["out"].read_text() == written and len(written.splitlines()) == 3
+
+
+@pytest.mark.parametrize(
+    ("planners", "parameter", "complaint"),
+    [
+        (["astar", "wang"], "wnag.log_base", "did you mean 'wang'"),
+        (["astar", "wang"], "wang.log_bse", "did you mean 'log_base'"),
+        (["astar", "wang"], "qu.passes", "another planner than those of this sweep: astar, wang"),
+        (["wang"], "local.wang.alpha", "another planner"),
+    ],
+)
+@pytest.mark.parametrize("is_fixed", [False, True])
+def test_a_parameter_that_changes_no_row_is_refused(
+    ways: dict, planners: list[str], parameter: str, complaint: str, is_fixed: bool
+) -> None:
+    swept = {} if is_fixed else {f"parameters.{parameter}": [2]}
+    fixed = {"parameters": {parameter: 2}} if is_fixed else {}
+    with pytest.raises(ValueError, match=complaint) as raised:
+        aisle.sweep(aisle.plan, {"planner": planners, **swept}, **fixed, **ways)
+    assert "\n" not in str(raised.value)
+
+
+def test_a_fixed_parameter_counts_for_the_planner_that_has_it(ways: dict) -> None:
+    table = aisle.sweep(aisle.plan, {"planner": ["astar", "wang"]}, parameters={"wang.passes": "none"}, **ways)
+    bare = aisle.plan(ways["map"], planner="wang", parameters={"passes": "none"})
+    assert table.nodes.tolist() == [aisle.plan(ways["map"]).nodes, bare.nodes]
