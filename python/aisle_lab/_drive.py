@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 import os
 from dataclasses import dataclass
 
@@ -157,11 +158,14 @@ def drive(
     """
     if (scenario is None) == (map is None):
         raise ValueError("give a scenario, or map, start and goal")
+    if map is None and not (start is None and goal is None and resolution_m is None):
+        raise ValueError("start, goal and resolution_m are for a map: a scenario has its own")
     if as_printed and map is None:
         raise ValueError("as_printed drives a paper's map: give map, with start and goal, instead of a scenario")
 
     grid = None if map is None else map_of(map, resolution_m)
     planner = global_planner_of(local, planner, as_printed)
+    seed = seed_of(seed)
     answer = _native.drive(
         "" if scenario is None else os.fspath(scenario),
         None if grid is None else grid._native,
@@ -178,6 +182,18 @@ def drive(
     )
     vehicles = {name: VehicleDrive(samples) for name, samples in answer.pop("vehicles")}
     return Drive(local=local, planner=planner, seed=seed, vehicles=vehicles, **answer)
+
+
+def seed_of(seed: int) -> int:
+    """The seed itself, NumPy's too, if C++ can hold it."""
+    try:
+        number = operator.index(seed)
+    except TypeError:
+        number = -1
+
+    if not 0 <= number < 2**64:
+        raise ValueError(f"seed = {seed!r} is no whole number from 0 to 2^64 - 1")
+    return number
 
 
 def global_planner_of(local: str, planner: str | None, as_printed: bool) -> str:

@@ -111,11 +111,11 @@ def read_map(path: PathLike, resolution_m: float | None = None) -> Map:
     `#` occupied, `.` free, `?` unknown, `S` and `T` start and goal).
 
     `resolution_m`: edge of a cell. A picture needs it; text and Moving AI have cells of 1 m without it; a ROS map says it
-    itself. Raises ValueError that names the file, what is wrong there, and what to do.
+    itself, and refuses another. Raises ValueError that names the file, what is wrong there, and what to do.
     """
     if Path(path).suffix.lower() in (".png", ".pgm") and resolution_m is None:
         raise ValueError(f"{path}: is a picture, which does not say how large a pixel is: give resolution_m, e.g. 0.05")
-    return Map._of(_native.read_map(os.fspath(path), resolution_m or 0.0))
+    return Map._of(_native.read_map(os.fspath(path), resolution_m))
 
 
 def map_of(map: MapLike, resolution_m: float | None) -> Map:

@@ -1,5 +1,7 @@
 #include "python/native/arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "common/config/reader.hpp"
@@ -12,6 +14,12 @@ lab::Place place_of(const std::string& what, const std::vector<double>& numbers)
   if (numbers.size() == 3) return {{numbers[0], numbers[1]}, numbers[2]};
   if (numbers.size() == 2) return {{numbers[0], numbers[1]}};
   throw config::BadInput(what + ": give x, y or x, y, yaw");
+}
+
+double within(const std::string& what, double value, double least, double most) {
+  // Also refuses what is not a number, which compares with nothing.
+  if (value >= least && value <= most) return value;
+  throw config::BadInput(fmt::format("{} = {:g} is not within {:g} and {:g}", what, value, least, most));
 }
 
 std::vector<lab::ParameterValue> values_of(const Texts& texts, lab::Side side, const std::string& planner) {

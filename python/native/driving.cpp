@@ -57,6 +57,9 @@ struct Orders {
   std::uint64_t seed{1};
 };
 
+// Of the vehicle on a map.
+constexpr double kLeastRadiusM = 0.01, kLargestRadiusM = 100.0;
+
 bool is_local(const lab::ParameterValue& value) { return value.side == lab::Side::kLocal; }
 
 /// What is driven: a scenario, or one vehicle over a map, by our own drive or as printed.
@@ -186,7 +189,7 @@ void bind_driving(py::module_& module) {
         orders.as_printed = as_printed;
         orders.paper_limits = paper_limits;
         orders.truth = truth;
-        orders.radius_m = radius_m;
+        orders.radius_m = within("radius_m", radius_m, kLeastRadiusM, kLargestRadiusM);
         orders.seed = seed;
         return drive(orders);
       },

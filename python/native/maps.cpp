@@ -1,5 +1,6 @@
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "common/config/reader.hpp"
 #include "common/grid/formats/map_image.hpp"
+#include "python/native/arguments.hpp"
 #include "python/native/bindings.hpp"
 #include "python/native/map.hpp"
 #include "tools/lab/planning/drawn_map.hpp"
@@ -29,8 +31,15 @@ std::shared_ptr<const grid::ClearanceField> Map::clearance(double cap_m) const {
 
 namespace {
 
-std::optional<geometry::Point2> point_of(const std::optional<Point>& place) {
+// The edge of a cell, as in the files of ROS maps.
+constexpr double kLeastResolutionM = 0.001, kLargestResolutionM = 1000.0;
+
+/// @throws config::BadInput that names `what`
+std::optional<geometry::Point2> point_of(const std::string& what, const std::optional<Point>& place) {
   if (!place) return std::nullopt;
+  if (!std::isfinite(place->first) || !std::isfinite(place->second))
+    throw config::BadInput("map: " + what + " is not finite");
+
   return geometry::Point2{place->first, place->second};
 }
 
@@ -38,7 +47,9 @@ std::optional<geometry::Point2> point_of(const std::optional<Point>& place) {
 std::shared_ptr<Map> map_of(const Cells& cells, double resolution_m, Point origin_m, const std::optional<Point>& start,
                             const std::optional<Point>& goal) {
   if (cells.ndim() != 2) throw config::BadInput("map: cells have two dimensions, rows and columns");
-  if (!(resolution_m > 0.0)) throw config::BadInput("map: resolution_m is the edge of a cell in metres, more than 0");
+  within("map: resolution_m", resolution_m, kLeastResolutionM, kLargestResolutionM);
+  for (const double coordinate_m : {origin_m.first, origin_m.second})
+    if (!std::isfinite(coordinate_m)) throw config::BadInput("map: origin_m is not finite");
 
   const grid::Geometry geometry{static_cast<int>(cells.shape(1)),
                                 static_cast<int>(cells.shape(0)),
@@ -54,13 +65,15 @@ std::shared_ptr<Map> map_of(const Cells& cells, double resolution_m, Point origi
       grid.set({x, y}, static_cast<grid::Occupancy>(values(y, x)));
     }
 
-  return std::make_shared<Map>(std::move(grid), point_of(start), point_of(goal));
+  return std::make_shared<Map>(std::move(grid), point_of("start_m", start), point_of("goal_m", goal));
 }
 
-/// A file of any kind; a resolution of 0 is not said.
-std::shared_ptr<Map> read_map(const std::string& path, double resolution_m) {
+/// A file of any kind; without a resolution where the file says it or cells of 1 m are meant.
+std::shared_ptr<Map> read_map(const std::string& path, std::optional<double> resolution_m) {
+  if (resolution_m) within("resolution_m", *resolution_m, kLeastResolutionM, kLargestResolutionM);
+
   const py::gil_scoped_release unlocked;
-  lab::LabMap map = lab::read_lab_map(path, resolution_m);
+  lab::LabMap map = lab::read_lab_map(path, resolution_m.value_or(0.0));
   return std::make_shared<Map>(std::move(map.grid), map.start_in_map, map.goal_in_map);
 }
 

@@ -62,6 +62,17 @@ py::dict dict_of(const lab::Answer& answer, const grid::ClearanceField& clearanc
                   "time_us"_a = answer.time_us);
 }
 
+// Of every length that a vehicle needs.
+constexpr double kLargestM = 100.0;
+constexpr double kSmallestSideM = 0.001;
+
+/// Of length, width, ahead. @throws config::BadInput
+geometry::Footprint outline_of(const std::vector<double>& footprint_m) {
+  return geometry::rectangle(within("footprint_m: length", footprint_m.at(0), kSmallestSideM, kLargestM),
+                             within("footprint_m: width", footprint_m.at(1), kSmallestSideM, kLargestM),
+                             within("footprint_m: ahead", footprint_m.at(2), -kLargestM, kLargestM));
+}
+
 /// `task` says what the vehicle needs; the rest is filled in here.
 py::dict plan(const Map& map, const lab::Place& start, const lab::Place& goal, const std::string& planner,
               const Texts& parameters, lab::OfflineTask task) {
@@ -120,12 +131,11 @@ void bind_planning(py::module_& module) {
          const Texts& parameters, double radius_m, const std::vector<double>& footprint_m, double safe_distance_m,
          double preferred_clearance_m, double turning_radius_m, bool nearest) {
         lab::OfflineTask task;
-        task.radius_m = radius_m;
-        if (!footprint_m.empty())
-          task.outline = geometry::rectangle(footprint_m.at(0), footprint_m.at(1), footprint_m.at(2));
-        task.safe_distance_m = safe_distance_m;
-        task.preferred_clearance_m = preferred_clearance_m;
-        task.turning_radius_m = turning_radius_m;
+        task.radius_m = within("radius_m", radius_m, 0.0, kLargestM);
+        if (!footprint_m.empty()) task.outline = outline_of(footprint_m);
+        task.safe_distance_m = within("safe_distance_m", safe_distance_m, 0.0, kLargestM);
+        task.preferred_clearance_m = within("preferred_clearance_m", preferred_clearance_m, 0.0, kLargestM);
+        task.turning_radius_m = within("turning_radius_m", turning_radius_m, 0.0, kLargestM);
         task.goes_to_nearest = nearest;
         return plan(map, place_of("start", start), place_of("goal", goal), planner, parameters, std::move(task));
       },

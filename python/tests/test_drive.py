@@ -71,6 +71,13 @@ def test_parameters_change_a_drive(hall: aisle.Map) -> None:
         ({"scenario": "crossing", "as_printed": True}, "give map"),
         ({"scenario": "crossing", "parameters": {"alpha": 1000}}, "alpha"),
         ({}, "give a scenario"),
+        ({"scenario": "crossing", "goal": (1.0, 1.0)}, "are for a map"),
+        ({"scenario": "crossing", "resolution_m": 0.5}, "are for a map"),
+        ({"scenario": "crossing", "radius_m": 0.0}, "radius_m = 0 is not within 0.01 and 100"),
+        ({"scenario": "crossing", "radius_m": float("nan")}, "radius_m = nan"),
+        ({"scenario": "crossing", "seed": -1}, "seed = -1 is no whole number"),
+        ({"scenario": "crossing", "seed": 2**64}, "seed = "),
+        ({"scenario": "crossing", "seed": 1.5}, "seed = 1.5"),
     ],
 )
 def test_bad_input_is_a_value_error_with_one_line(arguments: dict, complaint: str) -> None:

@@ -38,12 +38,27 @@ def test_a_drawn_map_has_start_and_goal(papers: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("cells", "resolution_m", "complaint"),
-    [(np.zeros(4), 1.0, "two dimensions"), (np.full((2, 2), 7), 1.0, "0 \\(free\\)"), (np.zeros((2, 2)), 0.0, "resolution_m")],
+    ("cells", "ways", "complaint"),
+    [
+        (np.zeros(4), {}, "two dimensions"),
+        (np.full((2, 2), 7), {}, "0 \\(free\\)"),
+        (np.zeros((2, 2)), {"resolution_m": 0.0}, "resolution_m = 0 is not within 0.001 and 1000"),
+        (np.zeros((2, 2)), {"resolution_m": float("inf")}, "resolution_m = inf"),
+        (np.zeros((2, 2)), {"resolution_m": float("nan")}, "resolution_m = nan"),
+        (np.zeros((2, 2)), {"origin_m": (0.0, float("nan"))}, "origin_m is not finite"),
+        (np.zeros((2, 2)), {"goal_m": (float("inf"), 0.0)}, "goal_m is not finite"),
+    ],
 )
-def test_what_is_no_map_is_refused(cells: np.ndarray, resolution_m: float, complaint: str) -> None:
-    with pytest.raises(ValueError, match=complaint):
-        aisle.Map(cells, resolution_m)
+def test_what_is_no_map_is_refused(cells: np.ndarray, ways: dict, complaint: str) -> None:
+    with pytest.raises(ValueError, match=complaint) as raised:
+        aisle.Map(cells, **{"resolution_m": 1.0, **ways})
+    assert "\n" not in str(raised.value)
+
+
+@pytest.mark.parametrize("resolution_m", [0.0, -1.0, float("nan"), 1001.0])
+def test_a_file_is_read_with_a_resolution_that_can_be(papers: Path, resolution_m: float) -> None:
+    with pytest.raises(ValueError, match="resolution_m = .* is not within 0.001 and 1000"):
+        aisle.read_map(papers / "wang-1.txt", resolution_m=resolution_m)
 
 
 def test_bad_files_raise_one_clear_line(tmp_path: Path) -> None:

@@ -60,6 +60,14 @@ def test_parameters_are_set_by_name(papers: Path) -> None:
         ({"goal": (float("nan"), 1.0)}, "goal"),
         ({"resolution_m": 0.5}, "resolution_m"),
         ({"planner": "astar", "parameters": {"wnag.passes": "none"}}, "did you mean 'wang'"),
+        ({"radius_m": -1.0}, "radius_m = -1 is not within 0 and 100"),
+        ({"radius_m": float("nan")}, "radius_m = nan"),
+        ({"safe_distance_m": -0.1}, "safe_distance_m"),
+        ({"preferred_clearance_m": float("inf")}, "preferred_clearance_m"),
+        ({"turning_radius_m": 101.0}, "turning_radius_m = 101"),
+        ({"footprint_m": (1.0, 0.0)}, "footprint_m: width = 0"),
+        ({"footprint_m": (float("nan"), 1.0)}, "footprint_m: length"),
+        ({"footprint_m": (1.0, 0.5, -101.0)}, "footprint_m: ahead"),
     ],
 )
 def test_bad_input_is_a_value_error_with_one_line(hall: aisle.Map, arguments: dict, complaint: str) -> None:

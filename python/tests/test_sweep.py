@@ -46,6 +46,11 @@ def test_drives_in_threads_are_those_that_run_alone(ways: dict) -> None:
     assert table.trace_hash[0] == here.trace_hash and table.planner.tolist() == ["wang", "yu"]
 
 
+def test_seeds_may_be_of_numpy(ways: dict, tmp_path: Path) -> None:
+    table = aisle.sweep(aisle.drive, {"seed": np.arange(1, 3)}, out=tmp_path / "seeds.jsonl", as_printed=True, **ways)
+    assert table.seed.tolist() == aisle.read_results(tmp_path / "seeds.jsonl").seed.tolist() == [1, 2]
+
+
 def test_a_sweep_goes_on_where_it_ended(ways: dict, tmp_path: Path) -> None:
     out = tmp_path / "sweep.jsonl"
     over = {"planner": ["astar", "theta", "wang"]}
