@@ -155,3 +155,18 @@ def test_a_fixed_parameter_counts_for_the_planner_that_has_it(ways: dict) -> Non
     table = aisle.sweep(aisle.plan, {"planner": ["astar", "wang"]}, parameters={"wang.passes": "none"}, **ways)
     bare = aisle.plan(ways["map"], planner="wang", parameters={"passes": "none"})
     assert table.nodes.tolist() == [aisle.plan(ways["map"]).nodes, bare.nodes]
+
+
+@pytest.mark.parametrize("name", ["missing.csv", "missing.jsonl"])
+def test_results_that_do_not_exist_are_named(tmp_path: Path, name: str) -> None:
+    with pytest.raises(FileNotFoundError, match=name):
+        aisle.read_results(tmp_path / name)
+
+
+def test_a_file_that_is_cut_within_its_head_says_so(ways: dict, tmp_path: Path) -> None:
+    out = tmp_path / "cut.jsonl"
+    out.write_text('{"head": {"made_by": "ais')
+    with pytest.raises(ValueError, match="cut.jsonl:1: is cut within its first line"):
+        aisle.read_results(out)
+    with pytest.raises(ValueError, match="cut.jsonl:1: is cut within its first line"):
+        aisle.sweep(aisle.plan, {"planner": ["astar"]}, out=out, **ways)
