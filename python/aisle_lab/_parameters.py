@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypeAlias
 
-Value: TypeAlias = str | float | bool
+import numpy as np
+
+Value: TypeAlias = str | float | bool | np.bool_
 Parameters: TypeAlias = Mapping[str, Value]
 
 # Under these names stand the settings of the two services, whichever planner they run.
@@ -14,7 +16,7 @@ SERVICES = ("global-planner", "local-planner")
 
 def text_of(value: Value) -> str:
     """As the command line says it: "0.1", "none", "yes"."""
-    if isinstance(value, bool):
+    if isinstance(value, (bool, np.bool_)):
         return "yes" if value else "no"
     return value if isinstance(value, str) else repr(float(value))
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import aisle_lab as aisle
+from aisle_lab._parameters import text_of
 
 
 def test_a_plan_goes_from_start_to_goal_around_the_wall(hall: aisle.Map) -> None:
@@ -46,6 +47,11 @@ def test_parameters_are_set_by_name(papers: Path) -> None:
     named = aisle.plan(papers / "wang-1.txt", planner="wang", parameters={"wang.passes": "none"})
     assert (named.waypoints == bare.waypoints).all()
     assert "passes" in set(aisle.parameters("wang").query("side == 'global'").name)
+
+
+@pytest.mark.parametrize(("value", "text"), [(True, "yes"), (np.bool_(True), "yes"), (np.bool_(False), "no"), (2, "2.0"), ("a", "a")])
+def test_values_are_written_as_on_the_command_line(value: object, text: str) -> None:
+    assert text_of(value) == text
 
 
 @pytest.mark.parametrize(
