@@ -32,13 +32,14 @@ std::string interval(const ReproducedRow& row) {
   return shown_figure((*row.interval95)[0]) + " to " + shown_figure((*row.interval95)[1]);
 }
 
-/// Verdicts of all rows, paper by paper.
+/// Verdicts paper by paper, without reference rows.
 std::string counts_table(const std::vector<ReproducedRow>& rows) {
   std::vector<std::vector<std::string>> table{{"paper", "rows", "same direction", "other direction", "not comparable"}};
   const auto add = [&](const std::string& paper) {
-    VerdictCount counted;
+    std::vector<ReproducedRow> of_paper;
     for (const ReproducedRow& row : rows)
-      if (paper == "all" || row.of->table.rfind(paper + " ", 0) == 0) counted.add(row.verdict);
+      if (paper == "all" || row.of->table.rfind(paper + " ", 0) == 0) of_paper.push_back(row);
+    const VerdictCount counted = count(of_paper);
     table.push_back({paper, std::to_string(counted.all()), std::to_string(counted.same_direction),
                      std::to_string(counted.other_direction), std::to_string(counted.not_comparable)});
   };
@@ -106,8 +107,7 @@ FilledPage papers_section(const PapersExperiment& orders, const Progress& progre
   reproduction.maps = {orders.maps, seed};
   reproduction.drives = {orders.drives, seed};
   const std::vector<ReproducedRow> rows = reproduce(reproduction, progress, [] { return false; });
-  VerdictCount counted;
-  for (const ReproducedRow& row : rows) counted.add(row.verdict);
+  const VerdictCount counted = count(rows);
 
   Texts texts;
   texts["commit"] = source_commit();
