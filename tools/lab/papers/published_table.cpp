@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace aisle::lab {
 namespace {
@@ -63,9 +64,12 @@ void append(std::vector<PublishedRow>& rows, const DriveTable& table) {
 }
 
 void append_settings(std::vector<PublishedRow>& rows, const char* table, const std::vector<Setting>& settings) {
-  for (const Setting& setting : settings)
+  for (const Setting& setting : settings) {
+    Evidence evidence = NoEvidence{"no parameter of ours"};
+    if (setting.ours) evidence = SettingEvidence{*setting.ours};
     append_claim(rows, table, setting.name, as_printed(setting.published).c_str(), ClaimedDirection::kEqual,
-                 SettingEvidence{setting.ours}, setting.note);
+                 std::move(evidence), setting.note);
+  }
 }
 
 double weight_of(const char* planner, const local_planner::Critic& critic) {

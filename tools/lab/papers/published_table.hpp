@@ -56,11 +56,11 @@ struct DriveTable {
 
 void append(std::vector<PublishedRow>& rows, const DriveTable& table);
 
-/// A table of parameters.
+/// A table of parameters. `ours` is read from the code in use; none where the code has no such parameter.
 struct Setting {
   const char* name;
   double published;
-  double ours;
+  std::optional<double> ours;
   const char* note{""};
 };
 void append_settings(std::vector<PublishedRow>& rows, const char* table, const std::vector<Setting>& settings);

@@ -6,12 +6,14 @@
 #include <string>
 
 #include "common/config/reader.hpp"
+#include "services/local-planner/core/critic.hpp"
 
 namespace aisle::lab {
 namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 void silent(const std::string&) {}
 
@@ -102,6 +104,16 @@ TEST(Reproduce, ComparesParametersWithThoseInUse) {
   EXPECT_EQ(row_of(rows, "minimum linear acceleration, m/s2").verdict, Verdict::kOtherDirection);
   EXPECT_THAT(row_of(rows, "minimum linear acceleration, m/s2").why, HasSubstr("never brake"));
   EXPECT_EQ(row_of(rows, "obstacle at N (orthogonal): remaining child nodes").ours, 6.0);
+}
+
+TEST(Reproduce, DoesNotCompareAParameterThatTheCodeHasNot) {
+  const auto rows = few({"LI III", "QU 1", "WU 1", "WANG section 5"});
+  for (const char* name : {"Smoothing factor sigma", "minimum line velocity, m/s", "Initial line speed, m/s",
+                           "Initial angular velocity, deg/s", "sigma"}) {
+    EXPECT_EQ(row_of(rows, name).verdict, Verdict::kNotComparable) << name;
+    EXPECT_THAT(row_of(rows, name).why, StartsWith("no parameter of ours")) << name;
+  }
+  EXPECT_EQ(row_of(rows, "interval time dt, s").ours, local_planner::find_variant("wu")->printed.interval_s);
 }
 
 TEST(Reproduce, ShowsThatWusPathTurnsLess) {

@@ -47,7 +47,7 @@ void append_tables(std::vector<PublishedRow>& rows) {
                    {"Static distance beta", 0.2, weight_of("li", clearance_critic)},
                    {"Dynamic Distance gamma", 0.3, weight_of("li", velocity_critic),
                     "eq. 10 has gamma before vel: read as the weight of the speed"},
-                   {"Smoothing factor sigma", 1, 1.0},
+                   {"Smoothing factor sigma", 1, std::nullopt},
                    {"Offset term eta", 0.1, weight_of("li", sub_target_heading_critic)}});
 }
 

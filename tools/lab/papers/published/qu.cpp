@@ -21,14 +21,14 @@ void append_settings_of_qu(std::vector<PublishedRow>& rows) {
   const local_planner::AsPrinted& printed = local_planner::find_variant("qu")->printed;
   const char* const sampled = "of the drive as printed; our own has 7 speeds and 17 turn rates in its window";
   append_settings(rows, "QU 1",
-                  {{"Initial line speed, m/s", 0, 0.0},
+                  {{"Initial line speed, m/s", 0, std::nullopt},
                    {"Max. linear speed, m/s", 2, limits.max_speed_mps},
                    {"Max. linear acceleration, m/s2", 0.4, limits.max_acceleration_mps2}});
   append_settings(rows, "QU 1",
                   {{"Initial azimuth angle, pi rad", -0.5, printed.start_yaw_rad.value_or(0.0) / geometry::kPi,
                     "of the drive as printed; our own begins with a turn on the spot towards the path"},
                    {"Angular speed fractional variability, deg/s", 1, printed.angular_step_radps * kDegrees, sampled},
-                   {"Initial angular velocity, deg/s", 0, 0.0, "printed twice"},
+                   {"Initial angular velocity, deg/s", 0, std::nullopt, "printed twice"},
                    {"Max. angular velocity, deg/s", 40, limits.max_turn_radps * kDegrees},
                    {"Max. angular acceleration, deg/s2", 60, limits.max_turn_acceleration_radps2 * kDegrees}});
   append_settings(

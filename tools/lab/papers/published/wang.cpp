@@ -21,7 +21,7 @@ void append_settings_of_wang(std::vector<PublishedRow>& rows) {
        {"maximum angular velocity, rad/s", 40, limits.max_turn_radps * kDegrees, "degrees, printed as radians"},
        {"maximum angular acceleration, rad/s2", 50, limits.max_turn_acceleration_radps2 * kDegrees,
         "degrees, printed as radians"},
-       {"sigma", 1, 1.0},
+       {"sigma", 1, std::nullopt},
        {"alpha, head", 0.05, weight_of("wang", heading_critic)},
        {"beta, dist", 0.2, weight_of("wang", clearance_critic)},
        {"gamma, velocity", 0.3, weight_of("wang", velocity_critic)},

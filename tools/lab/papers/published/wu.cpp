@@ -26,7 +26,7 @@ void append_settings_of_wu(std::vector<PublishedRow>& rows) {
   append_settings(
       rows, "WU 1",
       {{"maximum line velocity, m/s", 1, limits.max_speed_mps},
-       {"minimum line velocity, m/s", 0, 0.0},
+       {"minimum line velocity, m/s", 0, std::nullopt},
        {"maximum angular velocity, rad/s", 0.35, limits.max_turn_radps},
        {"minimum angular velocity, rad/s", -0.35, -limits.max_turn_radps},
        {"maximum linear acceleration, m/s2", 0.2, limits.max_acceleration_mps2},
@@ -34,7 +34,7 @@ void append_settings_of_wu(std::vector<PublishedRow>& rows) {
        {"maximum angular acceleration, rad/s2", 0.9, limits.max_turn_acceleration_radps2},
        {"minimum angular acceleration, rad/s2", -0.9, -limits.max_turn_acceleration_radps2},
        {"prediction time T, s", 3, limits.horizon_s},
-       {"interval time dt, s", 0.1, 0.1}});
+       {"interval time dt, s", 0.1, local_planner::find_variant("wu")->printed.interval_s, "of the drive as printed"}});
 }
 
 void append_figures(std::vector<PublishedRow>& rows) {
