@@ -114,6 +114,8 @@ FilledPage papers_section(const PapersExperiment& orders, const Progress& progre
   texts["seed"] = std::to_string(orders.seed);
   texts["maps"] = std::to_string(orders.maps);
   texts["drives"] = std::to_string(orders.drives);
+  texts["timed_runs"] = std::to_string(kTimedRuns);
+  texts["long_plan_ms"] = fmt::format("{:.0f}", 1e-3 * kLongPlanUs);
   texts["all"] = std::to_string(counted.all());
   texts["counts"] = counts_table(rows);
   texts["iterations"] = std::to_string(kSamplingIterations);

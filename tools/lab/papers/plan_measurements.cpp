@@ -22,8 +22,6 @@ using global_planner::PlannedPath;
 using global_planner::Planner;
 using global_planner::Problem;
 
-constexpr int kTimedRuns = 5;
-constexpr double kLongUs = 5000.0;  // a planner that takes longer is timed twice only
 constexpr const char* kWithoutPasses = "-without-passes";
 constexpr const char* kOptimum = "astar";  // whose length is the grid's optimum
 
@@ -64,7 +62,7 @@ PlannedPath timed(Planner& planner, const Problem& problem, double& least_us) {
     const auto begun = std::chrono::steady_clock::now();
     plan = planner.plan(problem, nullptr);
     least_us = std::min(least_us, 1e6 * seconds_since(begun));
-    if (run > 0 && least_us > kLongUs) break;  // ants, samples; one long run alone may have been interrupted
+    if (run > 0 && least_us > kLongPlanUs) break;  // ants, samples; one long run alone may have been interrupted
   }
   return plan;
 }

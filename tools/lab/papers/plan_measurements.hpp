@@ -38,6 +38,10 @@ struct MapDraw {
 /// One figure a map; not a number where the planner found no path.
 using PlanFigures = std::map<PlanFigure, std::vector<double>>;
 
+/// A planner is timed so often on a map, and the least time counts; one that takes longer than kLongPlanUs twice only.
+inline constexpr int kTimedRuns = 5;
+inline constexpr double kLongPlanUs = 5000.0;
+
 /// Figures of these planners on the maps of one kind, map by map: all of them on a map after another, so that times
 /// (microseconds, the least of some runs) are of the same run. @pre there are such a kind and planners
 std::map<std::string, PlanFigures> measure_plans(const std::string& map_kind, const std::set<std::string>& planners,

@@ -68,7 +68,8 @@ Verdict verdict_if(bool is_same) { return is_same ? Verdict::kSameDirection : Ve
 
 /// Why a claim with a reference is judged so.
 std::string reason(ClaimedDirection claim, const PairedComparison& comparison) {
-  if (claim == ClaimedDirection::kEqual || judged(claim, comparison) == Verdict::kSameDirection) return "";
+  if (judged(claim, comparison) == Verdict::kSameDirection) return "";
+  if (claim == ClaimedDirection::kEqual) return "the means differ by more than 1 %";
   return comparison.interval_excludes_zero() ? "the 95 % interval lies on the other side of zero"
                                              : "no difference is shown: the 95 % interval holds zero";
 }
@@ -90,7 +91,8 @@ void judge_share(const PublishedRow& of, const Figures& ours, ReproducedRow& row
   const double share = mean_of(ours);
   row.ours = share;
   row.n = ours.size();
-  row.verdict = verdict_if((share >= kHoldsFrom) == (of.claim == ClaimedDirection::kHolds));
+  row.verdict = judged(of.claim, share);
+  row.why = joined(row.why, reason(of.claim, share));
 }
 
 void refuse(ReproducedRow& row, const std::string& why) {
@@ -280,6 +282,15 @@ Verdict judged(ClaimedDirection claim, const PairedComparison& comparison) {
       break;
   }
   return verdict_if(std::abs(comparison.mean_difference) <= kEqualWithin * std::abs(comparison.mean_a));
+}
+
+Verdict judged(ClaimedDirection claim, double share) {
+  return verdict_if((share >= kHoldsFrom) == (claim == ClaimedDirection::kHolds));
+}
+
+std::string reason(ClaimedDirection claim, double share) {
+  if (judged(claim, share) == Verdict::kSameDirection) return "";
+  return fmt::format("so on {:.1f} %, the bound is {:.0f} %", 100.0 * share, 100.0 * kHoldsFrom);
 }
 
 std::string shown_figure(double figure) { return fmt::format("{:.4g}", figure); }

@@ -45,6 +45,12 @@ std::vector<std::string> tables_named(const std::string& name);
 /// side of zero; a claimed equality when the means differ by at most 1 %.
 Verdict judged(ClaimedDirection claim, const PairedComparison& comparison);
 
+/// Judges a claim without a reference by the share (0 to 1) of maps or drives where it is so: it holds from 95 % on.
+Verdict judged(ClaimedDirection claim, double share);
+
+/// Why it is judged so; empty for the same direction.
+std::string reason(ClaimedDirection claim, double share);
+
 /// Makes every row of these tables again. Ends early, with the rows made until then, once `is_interrupted`.
 std::vector<ReproducedRow> reproduce(const Reproduction& orders, const Progress& progress,
                                      const std::function<bool()>& is_interrupted);

@@ -11,6 +11,7 @@
 namespace aisle::lab {
 namespace {
 
+using testing::AnyOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -55,6 +56,15 @@ TEST(Judged, HoldsOnlyWhenTheIntervalExcludesZeroOnTheClaimedSide) {
 TEST(Judged, EqualityIsWithinOnePercent) {
   EXPECT_EQ(judged(ClaimedDirection::kEqual, difference(0.08, 0.1)), Verdict::kSameDirection);
   EXPECT_EQ(judged(ClaimedDirection::kEqual, difference(0.1, 0.12)), Verdict::kOtherDirection);
+}
+
+TEST(Judged, AClaimWithoutAReferenceHoldsFrom95PercentOn) {
+  EXPECT_EQ(judged(ClaimedDirection::kHolds, 0.95), Verdict::kSameDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kHolds, 0.9), Verdict::kOtherDirection);
+  EXPECT_EQ(judged(ClaimedDirection::kHoldsNot, 0.9), Verdict::kSameDirection);
+  EXPECT_EQ(reason(ClaimedDirection::kHolds, 0.95), "");
+  EXPECT_EQ(reason(ClaimedDirection::kHolds, 0.9), "so on 90.0 %, the bound is 95 %");
+  EXPECT_EQ(reason(ClaimedDirection::kHoldsNot, 1.0), "so on 100.0 %, the bound is 95 %");
 }
 
 TEST(TablesNamed, AreOneTableAPaperOrAll) {
@@ -114,6 +124,25 @@ TEST(Reproduce, DoesNotCompareAParameterThatTheCodeHasNot) {
     EXPECT_THAT(row_of(rows, name).why, StartsWith("no parameter of ours")) << name;
   }
   EXPECT_EQ(row_of(rows, "interval time dt, s").ours, local_planner::find_variant("wu")->printed.interval_s);
+}
+
+// Every verdict against the paper says why.
+TEST(Reproduce, GivesAReasonForEveryOtherDirection) {
+  const auto rows = few({"LI II", "LI V", "QU 2", "WANG 1", "WANG 2", "WU 2", "WU figure 8", "YU 2", "YU 3", "YU 4"});
+  int others = 0;
+  for (const ReproducedRow& row : rows) {
+    if (row.verdict != Verdict::kOtherDirection || !row.reference) continue;
+    ++others;
+    EXPECT_THAT(row.why, AnyOf(HasSubstr("95 % interval"), HasSubstr("the means differ by more than 1 %")))
+        << row.of->table << ", " << row.of->row;
+  }
+  EXPECT_GT(others, 0);
+
+  const auto equal = few({"YU 2"});
+  const ReproducedRow& turns = row_of(equal, "A* algorithm with improved heuristic function: turning points number");
+  ASSERT_EQ(turns.of->claim, ClaimedDirection::kEqual);
+  ASSERT_EQ(turns.verdict, Verdict::kOtherDirection);
+  EXPECT_THAT(turns.why, HasSubstr("the means differ by more than 1 %"));
 }
 
 TEST(Reproduce, ShowsThatWusPathTurnsLess) {
