@@ -250,12 +250,16 @@ std::string reference_name(const Driven& d) {
 
 std::string improved_name(const Driven& d) { return std::string("improved A* + ") + d.of->paper; }
 
+bool has_curves(const Case& of) { return !std::string(of.curves).empty(); }
+
+std::string curve_file(const Case& of) { return std::string(of.curves) + ".svg"; }
+
 std::string curves(const std::vector<Driven>& all, const std::filesystem::path& pictures,
                    const std::string& from_page) {
   std::string text;
   for (const Driven& d : all) {
-    if (std::string(d.of->curves).empty()) continue;
-    const std::string file = std::string(d.of->curves) + ".svg";
+    if (!has_curves(*d.of)) continue;
+    const std::string file = curve_file(*d.of);
     process::write_output_file(pictures / file,
                                curves_svg(std::string(d.of->title) + " (compare " + d.of->figure + ")",
                                           {{reference_name(d), &d.reference()}, {improved_name(d), &d.improved}}));
@@ -292,6 +296,13 @@ std::string ways(const std::vector<Driven>& all, const std::filesystem::path& ma
 }
 
 }  // namespace
+
+std::vector<std::string> curve_files() {
+  std::vector<std::string> files;
+  for (const Case& of : cases())
+    if (has_curves(of)) files.push_back(curve_file(of));
+  return files;
+}
 
 bool are_comparable(const DriveFigures& a, const DriveFigures& b, const Surprises& asked) {
   return a.arrived() && b.arrived() && a.met(asked) && b.met(asked);

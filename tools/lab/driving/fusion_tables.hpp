@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "tools/lab/driving/fused_drive.hpp"
 #include "tools/lab/page/progress.hpp"
@@ -17,6 +18,9 @@ struct FusionTables {
   std::string pictures;    // links to our curves
   std::string ways;        // links to pictures of all contestants' ways, one a map
 };
+
+/// Files of the pictures of curves that the page shows, one for each case that a paper prints curves of.
+std::vector<std::string> curve_files();
 
 /// May their figures stand beside each other? Both arrived and met what was asked for (DriveFigures::met).
 bool are_comparable(const DriveFigures& a, const DriveFigures& b, const Surprises& asked);

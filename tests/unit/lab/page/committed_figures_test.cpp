@@ -1,6 +1,8 @@
 // docs/experiments.md in its short form: what is cheap to measure is measured again, and must be what the page says, to
 // the last digit. Left out are times, and ratios of times, which alone depend on the machine; and what takes minutes.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -10,9 +12,11 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/support/places.hpp"
 #include "tests/unit/lab/page/committed_page.hpp"
+#include "tools/lab/driving/fusion_tables.hpp"
 #include "tools/lab/driving/window_cases.hpp"
 #include "tools/lab/page/templates.hpp"
 #include "tools/lab/papers/papers_section.hpp"
@@ -36,10 +40,11 @@ std::string content_of(const fs::path& file) {
 
 fs::path committed_pictures() { return test_support::source_folder() / "docs/experiments"; }
 
-/// A folder that is gone again at the end.
+/// A folder of this process's own that is gone again at the end.
 class Folder {
  public:
-  explicit Folder(const std::string& name) : path_(fs::path(::testing::TempDir()) / name) {
+  explicit Folder(const std::string& name)
+      : path_(fs::path(::testing::TempDir()) / ("aisle-" + name + "-" + std::to_string(::getpid()))) {
     fs::remove_all(path_);
     fs::create_directories(path_);
   }
@@ -84,6 +89,8 @@ bool is_cheap(const PublishedRow& row) {
 
 TEST(CommittedFigures, OfThePapersRowsAreMadeAgain) {
   const Texts texts = texts_of(kPapersTemplate, committed_section("papers"));
+  EXPECT_EQ(texts.at("maps"), "200");
+  EXPECT_EQ(texts.at("drives"), "30") << "the page was made without drives";
   const auto seed = static_cast<unsigned>(std::stoul(texts.at("seed")));
   Reproduction orders;
   orders.maps = {std::stoi(texts.at("maps")), seed};
@@ -148,6 +155,24 @@ TEST(CommittedFigures, OfGlobalPlannersOnBlockMapsAreMadeAgain) {
   const Texts texts = texts_of(kGlobalPlanningTemplate, committed_section("global planning"));
   EXPECT_EQ(block_direction_table(silent), texts.at("block_directions"));
   EXPECT_EQ(block_map_table(silent), texts.at("block_expanded"));
+}
+
+/// Files of the pictures that these links of markdown show.
+std::vector<std::string> pictures_in(const std::string& links) {
+  static const std::regex link(R"(\]\(experiments/([^)]+)\))");
+  std::vector<std::string> files;
+  for (std::sregex_iterator it(links.begin(), links.end(), link), end; it != end; ++it) files.push_back((*it)[1]);
+  return files;
+}
+
+TEST(CommittedFigures, OfFusedDrivesHaveEveryPicture) {
+  const Texts texts = texts_of(kLocalPlanningTemplate, committed_section("local planning"));
+  const std::vector<std::string> curves = pictures_in(texts.at("curve_pictures"));
+  const std::vector<std::string> ways = pictures_in(texts.at("way_pictures"));
+  EXPECT_THAT(curves, ::testing::UnorderedElementsAreArray(curve_files()));
+  EXPECT_FALSE(ways.empty());
+  for (const auto& files : {curves, ways})
+    for (const std::string& file : files) EXPECT_TRUE(fs::is_regular_file(committed_pictures() / file)) << file;
 }
 
 TEST(CommittedFigures, OfWusRollingWindowAreMadeAgain) {
