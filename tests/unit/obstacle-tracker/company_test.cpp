@@ -137,6 +137,7 @@ TEST(Company, AWalkerHiddenByOneWhoStandsIsStillExpected) {
     });
   }
 
+  ASSERT_GT(moments, 0) << "nothing was looked at";
   EXPECT_GE(10 * expected, 8 * moments) << expected << " of " << moments;
 }
 
