@@ -36,16 +36,10 @@ double turned_between(Point2 a, Point2 b, Point2 c) {
   return std::abs(std::atan2(geometry::cross(b - a, c - b), geometry::dot(b - a, c - b)));
 }
 
-/// Points every kSharpWithinM of the way.
-Path thinned(const Path& way) {
-  Path points;
-  for (const Point2 point : way)
-    if (points.empty() || geometry::distance(points.back(), point) >= kSharpWithinM) points.push_back(point);
-  return points;
-}
-
+/// Counts turns that are sharper than kSharpTurnRad from one piece of kSharpWithinM to the next; consecutive ones are
+/// one turn. Plans and driven ways are sampled alike, along their length.
 int sharp_turns_of_way(const Path& way) {
-  const Path points = thinned(way);
+  const Path points = local_planner::resample(way, kSharpWithinM);
   int turns = 0;
   bool was_sharp = false;
   for (std::size_t i = 2; i < points.size(); ++i) {
@@ -88,7 +82,7 @@ DriveOutcome outcome_of_path(const Path& path) {
   outcome.arrived = !path.empty();
   outcome.met_what_is_there = true;  // a path meets nothing and is left out for nothing
   outcome.figures[DriveFigure::kLength] = global_planner::path_length_m(path);
-  outcome.figures[DriveFigure::kSharpTurns] = static_cast<double>(sharp_nodes(path).size());
+  outcome.figures[DriveFigure::kSharpTurns] = sharp_turns_of_way(path);
   return outcome;
 }
 

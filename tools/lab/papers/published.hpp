@@ -10,9 +10,9 @@ namespace aisle::lab {
 enum class ClaimedDirection {
   kLess,
   kMore,
-  kEqual,  // within 1 %
-  kHolds,  // no reference: it is so at all; ours is the share of maps or drives where it is
-  kHoldsNot,
+  kEqual,     // within 1 %
+  kHolds,     // it is so: less than the reference; without one ours is the share of maps or drives where it is
+  kHoldsNot,  // it is not so: more than the reference; without one as above
 };
 
 enum class PlanFigure {
@@ -28,13 +28,11 @@ enum class PlanFigure {
 
 enum class DriveFigure {
   kLength,            // m, driven
-  kLengthOverPlan,    // ratio
   kTime,              // s
-  kSharpTurns,        // of the driven way
+  kSharpTurns,        // of the driven way or the plan, both sampled alike
   kChangesOfV,        // m/s, up and down
   kChangesOfW,        // rad/s
   kRangeOfW,          // rad/s, greatest minus least
-  kWhenSteady,        // s: when w last changed by more than a tenth of its greatest value, before the goal's approach
   kSpeedNear,         // m/s, mean where a wall or box is near
   kSpeedNearTurn,     // m/s, mean near a node where the global path turns sharply
   kSpeedNearMover,    // m/s, mean where a mover is near; its reference is the mean elsewhere
