@@ -72,7 +72,8 @@ sim::Setup subject_of(const Orders& orders, const Variant& variant) {
     return lab::map_setup("map", {grid, {query}, orders.start.yaw_rad, orders.goal.yaw_rad}, query, orders.radius_m);
 
   lab::check_ends("map", grid, query, variant.printed.radius_m);
-  return lab::printed_setup({grid, query.start_in_map, query.goal_in_map}, variant, orders.planner);
+  return lab::printed_setup({grid, query.start_in_map, query.goal_in_map}, variant, orders.planner,
+                            orders.start.yaw_rad);
 }
 
 /// The subject, and what drives it.

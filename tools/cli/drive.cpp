@@ -96,9 +96,8 @@ sim::Setup setup_on_map(const Options& options, const Course& course, const lab:
 
   const local_planner::Variant variant = lab::local_variant(course.values, options.local);
   lab::check_ends(options.map.map, subject.grid, query, variant.printed.radius_m);
-  sim::Setup setup = lab::printed_setup({subject.grid, query.start_in_map, query.goal_in_map}, variant, options.global);
-  if (subject.start_yaw_rad) setup.scenario.vehicles.front().start_in_map.yaw = *subject.start_yaw_rad;
-  return setup;
+  return lab::printed_setup({subject.grid, query.start_in_map, query.goal_in_map}, variant, options.global,
+                            subject.start_yaw_rad);
 }
 
 /// One run, with what the flags change.
@@ -257,7 +256,7 @@ bool drive_once(const Options& options, const Course& course, int run, ProgressL
   if (options.verbose) hooks.says = say;
   if (options.trace_s > 0.0) hooks.watch = tracer(setup.scenario, options.trace_s, progress);
 
-  lab::DriveRows rows(setup);
+  lab::DriveRows rows(setup, static_cast<std::size_t>(run % course.queries()));
   if (options.writes_rows()) hooks.on_cycle = [&rows](const sim::Cycle& cycle) { rows.take(cycle); };
 
   const std::chrono::nanoseconds begun = process::cpu_time();

@@ -29,7 +29,8 @@ void add_map_flags(Verb& verb, MapFlags& flags) {
       .option("--resolution", flags.resolution_m, 0.001, 1000.0,
               "m a pixel or cell; a picture needs it, text and Moving AI have 1 without it")
       .option("--start", flags.start, "X,Y in metres in the map's frame, or X,Y,YAW; default: the map's S")
-      .option("--goal", flags.goal, "X,Y or X,Y,YAW; default: the map's T")
+      .option("--goal", flags.goal,
+              "X,Y or X,Y,YAW; default: the map's T; in a drive as printed its YAW does not count")
       .option("--scen", flags.scen, "Moving AI scenarios (.scen), or lines of sx sy gx gy optimum (.q)")
       .option("--limit", flags.limit, 1, 1'000'000, "at most so many scenarios, evenly spread over the file");
 }

@@ -1,6 +1,7 @@
 // aisle lab sweep: a grid of parameters, planners, maps and seeds, planned or driven.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -16,8 +17,6 @@
 #include "tools/cli/text.hpp"
 #include "tools/lab/results/provenance.hpp"
 #include "tools/lab/results/result_text.hpp"
-#include "tools/lab/sweep/drive_rows.hpp"
-#include "tools/lab/sweep/plan_rows.hpp"
 #include "tools/lab/sweep/run_sweep.hpp"
 #include "tools/lab/sweep/sweep.hpp"
 #include "tools/lab/sweep/sweep_folder.hpp"
@@ -83,12 +82,12 @@ lab::Sweep sweep_of(const SweepFlags& flags) {
   return sweep;
 }
 
-lab::Row head_of(const lab::Sweep& sweep, const std::vector<lab::Trial>& trials) {
+lab::Row head_of(const lab::Sweep& sweep, const lab::TrialRunner& runner, const std::vector<lab::Trial>& trials) {
   std::string seeds;
   for (const std::uint64_t seed : sweep.seeds) seeds += (seeds.empty() ? "" : ",") + std::to_string(seed);
 
   return lab::head_of("aisle lab sweep", lab::provenance(),
-                      {{"sweep", lab::fingerprint(sweep, trials)},
+                      {{"sweep", runner.fingerprint(trials)},
                        {"trials", trials.size()},
                        {"drive", sweep.drives},
                        {"as_printed", sweep.as_printed},
@@ -118,10 +117,13 @@ std::string text_of(const std::vector<lab::Row>& rows) {
   return text_of_table(table) + rest;
 }
 
-std::vector<std::string> columns_of(const lab::TrialRunner& runner, bool drives) {
-  std::vector<std::string> columns = runner.leading_columns();
-  add(drives ? lab::drive_columns() : lab::plan_columns(), columns);
-  return columns;
+/// On stderr, that trials could not be run.
+void tell_refusals(const std::vector<lab::Row>& rows) {
+  const auto is_refused = [](const lab::Row& row) { return !row.value("refusal", lab::Row()).is_null(); };
+  const auto refused = std::count_if(rows.begin(), rows.end(), is_refused);
+  if (refused > 0)
+    std::fprintf(stderr, "aisle lab sweep: %td of %zu trials could not be run; the column refusal says why\n", refused,
+                 rows.size());
 }
 
 int sweep(const Cli& cli, const SweepFlags& flags) {
@@ -130,7 +132,7 @@ int sweep(const Cli& cli, const SweepFlags& flags) {
   const std::vector<lab::Trial> trials = lab::trials_of(sweep, runner.queries());
 
   std::optional<lab::SweepFolder> folder;
-  if (!flags.out.empty()) folder.emplace(flags.out, head_of(sweep, trials), columns_of(runner, sweep.drives));
+  if (!flags.out.empty()) folder.emplace(flags.out, head_of(sweep, runner, trials), runner.columns());
 
   ProgressLine progress;
   lab::SweepRun how;
@@ -147,6 +149,7 @@ int sweep(const Cli& cli, const SweepFlags& flags) {
   progress.clear();
 
   std::printf("%s", cli.json ? (lab::Row(rows).dump() + "\n").c_str() : text_of(rows).c_str());
+  tell_refusals(rows);
   if (rows.size() == trials.size()) return process::kDone;
 
   std::fprintf(stderr, "aisle lab sweep: stopped after %zu of %zu trials%s\n", rows.size(), trials.size(),

@@ -22,7 +22,8 @@ void check_end(const std::string& name, const char* what, geometry::Point2 in_ma
   const geometry::Body body{geometry::Body::Shape::kDisc, {in_map.x, in_map.y, 0.0}, radius_m};
   if (sim::gap_to_walls_m(grid, body, kLookM) <= 0.0)
     throw config::BadInput(
-        fmt::format("{} has no room for a vehicle of radius {:g} m: move it, or give --radius", where, radius_m));
+        fmt::format("{} has no room for a vehicle of radius {:g} m: move it, or make the vehicle's radius smaller",
+                    where, radius_m));
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ std::string global_planner_of(const local_planner::Variant& variant) {
   return global_planner::find_variant(variant.name) != nullptr ? variant.name : "direct";
 }
 
-sim::Setup printed_setup(const DrawnMap& map, const local_planner::Variant& variant, const std::string& global) {
+sim::Setup printed_setup(const DrawnMap& map, const local_planner::Variant& variant, const std::string& global,
+                         std::optional<double> start_yaw_rad) {
   sim::Setup setup;
   setup.grid = map.grid;
   setup.planner = global;
@@ -40,7 +41,8 @@ sim::Setup printed_setup(const DrawnMap& map, const local_planner::Variant& vari
   vehicle.model = model_name(variant.printed.model);
   vehicle.radius_m = variant.printed.radius_m;
   const double to_goal_rad = geometry::bearing(map.start_in_map, map.goal_in_map);
-  vehicle.start_in_map = {map.start_in_map.x, map.start_in_map.y, variant.printed.start_yaw_rad.value_or(to_goal_rad)};
+  const double printed_yaw_rad = variant.printed.start_yaw_rad.value_or(to_goal_rad);
+  vehicle.start_in_map = {map.start_in_map.x, map.start_in_map.y, start_yaw_rad.value_or(printed_yaw_rad)};
   setup.scenario.vehicles.push_back(vehicle);
 
   scenario::Mission mission;

@@ -58,6 +58,7 @@ void DriveRows::take(const sim::Cycle& cycle) {
   const geometry::Twist2& twist = cycle.output.twist;
   rows_.push_back({{"kind", "cycle"},
                    {"seed", setup_.seed},
+                   {"query", query_},
                    {"agv", cycle.agv_id},
                    {"t_s", cycle.t_s},
                    {"x_m", cycle.base_in_map.x},
@@ -80,6 +81,7 @@ void DriveRows::take_plan(const sim::Cycle& cycle, std::size_t vehicle) {
   for (std::size_t i = 0; i < plan->waypoints_in_map.size(); ++i)
     rows_.push_back({{"kind", "waypoint"},
                      {"seed", setup_.seed},
+                     {"query", query_},
                      {"agv", cycle.agv_id},
                      {"t_s", cycle.t_s},
                      {"x_m", plan->waypoints_in_map[i].x},

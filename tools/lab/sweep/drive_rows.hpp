@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -23,15 +24,16 @@ std::vector<std::string> drive_columns();
 /// Collects a drive's rows while it runs: of kind "cycle" one a cycle of a local planner (50 a second), of kind
 /// "waypoint" one a point of each plan when it is first seen.
 ///
-/// A cycle has seed, agv, t_s (since the start of the run), x_m, y_m, yaw_rad (true base in map), v_mps, w_radps and
-/// sideways_mps (as commanded), clearance_m (from the vehicle's outline to the nearest wall or thing, at most kLookM),
-/// compute_us (CPU time of the planner; it alone differs from run to run) and phase.
+/// A cycle has seed, query (which of a map's queries is driven, from 0), agv, t_s (since the start of the run), x_m,
+/// y_m, yaw_rad (true base in map), v_mps, w_radps and sideways_mps (as commanded), clearance_m (from the vehicle's
+/// outline to the nearest wall or thing, at most kLookM), compute_us (CPU time of the planner; it alone differs from
+/// run to run) and phase.
 class DriveRows {
  public:
   static constexpr double kLookM = 2.0;
 
-  /// `setup` must outlive it.
-  explicit DriveRows(const sim::Setup& setup) : setup_(setup) {}
+  /// `setup` must outlive it. `query` stands in each row.
+  explicit DriveRows(const sim::Setup& setup, std::size_t query = 0) : setup_(setup), query_(query) {}
 
   void take(const sim::Cycle& cycle);
 
@@ -42,6 +44,7 @@ class DriveRows {
   double clearance_m(const sim::Cycle& cycle, std::size_t vehicle) const;
 
   const sim::Setup& setup_;
+  std::size_t query_;
   std::map<std::string, std::uint64_t> newest_plan_;  // of each vehicle, by id
   std::vector<Row> rows_;
 };

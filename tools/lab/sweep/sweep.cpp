@@ -47,6 +47,21 @@ bool applies(const NamedParameter& parameter, const std::string& planner, const 
   return parameter.planner == (parameter.side == Side::kGlobal ? planner : local);
 }
 
+/// @returns `count`. @throws config::BadInput where it is more than a sweep may have
+std::size_t checked_count(std::size_t count) {
+  if (count > kMostTrials)
+    throw config::BadInput(fmt::format("a sweep has at most {} trials: make it smaller", kMostTrials));
+  return count;
+}
+
+/// How many combinations() there are.
+std::size_t combination_count(const Sweep& sweep, const std::string& planner, const std::string& local) {
+  std::size_t count = 1;
+  for (const Variation& variation : sweep.vary)
+    if (applies(variation.parameter, planner, local)) count = checked_count(count * variation.values.size());
+  return count;
+}
+
 /// Every combination of the values that apply, the last parameter fastest.
 std::vector<std::vector<ParameterValue>> combinations(const Sweep& sweep, const std::string& planner,
                                                       const std::string& local) {
@@ -72,6 +87,49 @@ std::vector<std::vector<ParameterValue>> combinations(const Sweep& sweep, const 
 std::vector<std::uint64_t> seeds_of(const Sweep& sweep, std::size_t subject) {
   const bool depends = sweep.drives || subject >= sweep.maps.size();
   return depends ? sweep.seeds : std::vector<std::uint64_t>{sweep.seeds.front()};
+}
+
+const std::vector<std::string>& locals_of(const Sweep& sweep) {
+  static const std::vector<std::string> no_local{""};
+  return sweep.drives ? sweep.locals : no_local;
+}
+
+/// Of trials_of(), counted before memory is taken for them.
+std::size_t trial_count(const Sweep& sweep, const std::vector<std::size_t>& queries) {
+  std::size_t per_query_and_seed = 0;
+  for (const std::string& planner : sweep.planners)
+    for (const std::string& local : locals_of(sweep))
+      per_query_and_seed = checked_count(per_query_and_seed + combination_count(sweep, planner, local));
+
+  std::size_t count = 0;
+  for (std::size_t subject = 0; subject < queries.size(); ++subject) {
+    const std::size_t seeds = checked_count(seeds_of(sweep, subject).size());
+    count = checked_count(count + checked_count(checked_count(queries[subject]) * seeds) * per_query_and_seed);
+  }
+  return count;
+}
+
+/// What is listed twice would be run twice, and counted twice in every mean.
+template <class T>
+void refuse_repeats(const std::string& what, std::vector<T> listed) {
+  std::sort(listed.begin(), listed.end());
+  const auto twice = std::adjacent_find(listed.begin(), listed.end());
+  if (twice != listed.end()) throw config::BadInput(fmt::format("{}: {} is given twice: give it once", what, *twice));
+}
+
+void check_repeats(const Sweep& sweep) {
+  refuse_repeats("--kind", sweep.kinds);
+  refuse_repeats("--scenario", sweep.scenarios);
+  refuse_repeats("--planner", sweep.planners);
+  refuse_repeats("--local", sweep.locals);
+  refuse_repeats("--seeds", sweep.seeds);
+
+  std::vector<std::string> varied;
+  for (const Variation& variation : sweep.vary) {
+    varied.push_back(variation.parameter.full_name());
+    refuse_repeats("--vary: " + varied.back(), variation.values);
+  }
+  refuse_repeats("--vary", varied);
 }
 
 void check_where(const Sweep& sweep) {
@@ -110,11 +168,10 @@ std::string subject_name(const Sweep& sweep, std::size_t subject) {
 }
 
 std::vector<Trial> trials_of(const Sweep& sweep, const std::vector<std::size_t>& queries) {
-  const std::vector<std::string> no_local{""};
   std::vector<Trial> trials;
+  trials.reserve(trial_count(sweep, queries));
   const auto add = [&](Trial trial) {
     for (const std::vector<ParameterValue>& values : combinations(sweep, trial.planner, trial.local)) {
-      if (trials.size() >= kMostTrials) throw config::BadInput("a sweep has at most 10000000 trials: make it smaller");
       trial.index = trials.size();
       trial.values = values;
       trials.push_back(trial);
@@ -125,8 +182,7 @@ std::vector<Trial> trials_of(const Sweep& sweep, const std::vector<std::size_t>&
     for (std::size_t query = 0; query < queries[subject]; ++query)
       for (const std::uint64_t seed : seeds_of(sweep, subject))
         for (const std::string& planner : sweep.planners)
-          for (const std::string& local : sweep.drives ? sweep.locals : no_local)
-            add({0, subject, query, seed, planner, local, {}});
+          for (const std::string& local : locals_of(sweep)) add({0, subject, query, seed, planner, local, {}});
 
   return trials;
 }
@@ -134,6 +190,7 @@ std::vector<Trial> trials_of(const Sweep& sweep, const std::vector<std::size_t>&
 void check(const Sweep& sweep) {
   check_where(sweep);
   check_planners(sweep);
+  check_repeats(sweep);
 
   InUse in_use{sweep.planners, {}, sweep.paper_limits, sweep.as_printed};
   if (sweep.drives) in_use.local = sweep.locals;
@@ -150,8 +207,8 @@ void check(const Sweep& sweep) {
 
 std::vector<std::uint64_t> parse_seeds(const std::string& flag, const std::string& text) {
   const auto fail = [&] {
-    throw config::BadInput(
-        fmt::format("{}: '{}' is not a list of seeds from 0 to 1000000000; write e.g. 1-30 or 1,2,5", flag, text));
+    throw config::BadInput(fmt::format(
+        "{}: '{}' is not a list of at most 1000000 seeds from 0 to 1000000000; write e.g. 1-30 or 1,2,5", flag, text));
   };
   const auto number = [&](const std::string& digits) {
     std::uint64_t value = 0;
@@ -165,7 +222,7 @@ std::vector<std::uint64_t> parse_seeds(const std::string& flag, const std::strin
     const std::vector<std::string> ends = split(part, '-');
     if (ends.size() > 2) fail();
     const std::uint64_t first = number(ends.front()), last = number(ends.back());
-    if (last < first || last - first >= kMostSeeds) fail();
+    if (last < first || seeds.size() + (last - first) >= kMostSeeds) fail();
     for (std::uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);
   }
 

@@ -53,13 +53,14 @@ struct Trial {
 
 /// All trials in order: subjects, their queries, seeds, planners, local planners, then values, the last parameter
 /// fastest. `queries` has the number of queries of each subject.
+/// @throws config::BadInput for more than 10,000,000, before memory is taken for them
 std::vector<Trial> trials_of(const Sweep& sweep, const std::vector<std::size_t>& queries);
 
 /// The name of a subject as in result files: the map's file, the kind, or the scenario.
 std::string subject_name(const Sweep& sweep, std::size_t subject);
 std::size_t subject_count(const Sweep& sweep);
 
-/// @throws config::BadInput with what is missing, unknown, or would change nothing, and what to do
+/// @throws config::BadInput with what is missing, unknown, given twice, or would change nothing, and what to do
 void check(const Sweep& sweep);
 
 /// "1-3,7": the seeds 1, 2, 3 and 7. @throws config::BadInput, beginning with `flag`

@@ -38,16 +38,41 @@ std::filesystem::path made(const std::filesystem::path& folder) {
   return folder;
 }
 
+/// The text under a key of a head; "?" where there is none.
+std::string plain(const char* key, const Row& head) {
+  const Row value = head.value(key, Row());
+  return value.is_string() ? value.get<std::string>() : "?";
+}
+
+/// A row has its trial's place in the sweep.
+bool is_row_of(const Row& line, const Row& head) {
+  if (!line.is_object() || !line.contains("trial") || !line["trial"].is_number_unsigned()) return false;
+  const Row trials = head.value("trials", Row());
+  return !trials.is_number_integer() || line["trial"] < trials;
+}
+
+/// Files of other programs have the same names: nothing that a sweep did not write is written over. A sweep begins with
+/// the head of results.jsonl, which may have been cut off, and then writes results.csv.
+void check_begun(const std::filesystem::path& folder, const std::string& jsonl_text, const Row& head) {
+  const auto refuse = [&](const char* name) {
+    throw config::BadInput((folder / name).string() + ": is not of a sweep: choose another --out, or remove the file");
+  };
+  if (jsonl_head(head).compare(0, jsonl_text.size(), jsonl_text) != 0) refuse(kJsonLines);
+  if (std::filesystem::exists(folder / kCsv)) refuse(kCsv);
+}
+
 /// The head of a file must be that of this sweep, made by this program.
 void check_head(const Row& there, const Row& head, const std::filesystem::path& file) {
   const auto differs = [&](const char* key) { return there.value(key, Row()) != head.value(key, Row()); };
+  if (!there.contains("sweep"))
+    throw config::BadInput(file.string() + ": is not of a sweep: choose another --out, or remove the file");
   if (differs("sweep"))
     throw config::BadInput(file.string() + ": holds another sweep: choose another --out, or remove the folder");
   if (differs("commit"))
     throw config::BadInput(
         fmt::format("{}: was begun with commit {}, and this program is {}: go on with that one, or "
                     "choose another --out",
-                    file.string(), there.value("commit", "?"), head.value("commit", "?")));
+                    file.string(), plain("commit", there), plain("commit", head)));
 }
 
 }  // namespace
@@ -68,7 +93,7 @@ SweepFolder::SweepFolder(const std::filesystem::path& folder, const Row& head, c
   const std::filesystem::path jsonl = folder / kJsonLines, csv = folder / kCsv;
 
   // What is kept is never written again: a cut-off line at the end goes.
-  const std::size_t whole_bytes = std::filesystem::exists(jsonl) ? read_kept(head) : 0;
+  const std::size_t whole_bytes = read_kept(head);
   jsonl_ = open_to_append(jsonl);
   std::filesystem::resize_file(jsonl, whole_bytes);
   if (whole_bytes == 0) write(jsonl_, jsonl_head(head), folder);
@@ -93,8 +118,8 @@ std::size_t SweepFolder::read_kept(const Row& head) {
   for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1) {
     const Row line = Row::parse(text.substr(begin, end - begin), nullptr, false);
     ++number;
-    const bool is_row = line.is_object() && line.contains(number == 1 ? "head" : "trial");
-    if (!is_row)
+    const bool is_head = line.is_object() && line.contains("head") && line["head"].is_object();
+    if (number == 1 ? !is_head : !is_row_of(line, head))
       throw config::BadInput(fmt::format("{}:{}: is no row of a sweep: the file is damaged", file.string(), number));
 
     if (number == 1) {
@@ -104,6 +129,7 @@ std::size_t SweepFolder::read_kept(const Row& head) {
     }
   }
 
+  if (begin == 0) check_begun(folder_, text, head);
   return begin;
 }
 

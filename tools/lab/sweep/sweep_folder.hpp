@@ -29,7 +29,8 @@ class FileLock {
 class SweepFolder {
  public:
   /// Makes the folder, or opens what is there. `head` names the sweep (key "sweep") and the commit.
-  /// @throws config::BadInput when the folder holds another sweep, or one of another commit, or a damaged file;
+  /// @throws config::BadInput when the folder holds another sweep, or one of another commit, a damaged file, or
+  /// results that are not of a sweep;
   /// config::BadEnvironment when it cannot be written, or another process writes there
   SweepFolder(const std::filesystem::path& folder, const Row& head, const std::vector<std::string>& columns);
   ~SweepFolder();
@@ -43,7 +44,7 @@ class SweepFolder {
   void append(const Row& row);
 
  private:
-  /// @returns the bytes of the whole lines
+  /// @returns the bytes of the whole lines; 0 where no sweep was begun
   std::size_t read_kept(const Row& head);
 
   std::filesystem::path folder_;

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include "common/config/reader.hpp"
 #include "common/grid/formats/map_image.hpp"
 #include "tools/lab/driving/map_drive.hpp"
 #include "tools/lab/driving/printed_drive.hpp"
 #include "tools/lab/planning/paper_maps.hpp"
-#include "tools/lab/sweep/drive_rows.hpp"
-#include "tools/lab/sweep/plan_rows.hpp"
 #include "tools/sim/scenarios/families.hpp"
 #include "tools/sim/site.hpp"
 
@@ -29,22 +29,52 @@ Row value_of(const std::string& text) {
   return is_number ? Row(number) : Row(text);
 }
 
-/// FNV-1a.
-void hash_in(const std::string& text, std::uint64_t& hash) {
-  for (const char c : text + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-}
-
-/// The map and what is asked there.
-void hash_in(const SubjectOrders& orders, std::uint64_t& hash) {
-  hash_in(grid::read_bytes(orders.map), hash);
-  if (!orders.scen.empty()) hash_in(grid::read_bytes(orders.scen), hash);
-  hash_in(fmt::format("{} {}", orders.cell_m, orders.limit), hash);
-
-  for (const std::optional<Place>& place : {orders.start, orders.goal}) {
-    if (!place) continue;
-    const double yaw_rad = place->yaw_rad.value_or(std::nan(""));
-    hash_in(fmt::format("{} {} {}", place->in_map.x, place->in_map.y, yaw_rad), hash);
+/// FNV-1a over all that is added.
+class Hash {
+ public:
+  void add(const std::string& text) {
+    for (const char c : text) add_byte(static_cast<unsigned char>(c));
+    add_byte('\n');
   }
+
+  void add(const grid::OccupancyGrid& grid) {
+    const grid::Geometry& it = grid.geometry();
+    add(fmt::format("{} {} {} {} {}", it.width, it.height, it.resolution_m, it.origin_in_map.x, it.origin_in_map.y));
+    for (const grid::Occupancy cell : grid.cells()) add_byte(static_cast<unsigned char>(cell));
+  }
+
+  /// The map and what is asked there, as they were read.
+  void add(const Subject& subject) {
+    add(subject.grid);
+    for (const Query& it : subject.queries)
+      add(fmt::format("{} {} {} {} {}", it.start_in_map.x, it.start_in_map.y, it.goal_in_map.x, it.goal_in_map.y,
+                      it.optimum_m));
+
+    const double none = std::nan("");
+    add(fmt::format("{} {}", subject.start_yaw_rad.value_or(none), subject.goal_yaw_rad.value_or(none)));
+  }
+
+  void add(const std::vector<ParameterValue>& values) {
+    for (const ParameterValue& value : values) add(value.full_name() + "=" + value.value);
+  }
+
+  std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  void add_byte(unsigned char byte) { hash_ = (hash_ ^ byte) * 1099511628211ULL; }
+
+  std::uint64_t hash_{14695981039346656037ULL};
+};
+
+/// A family is part of the program; a file counts with its map and recordings.
+void add_scenario(const std::string& name, Hash& hash) {
+  const std::vector<std::string> families = sim::families();
+  if (std::find(families.begin(), families.end(), name) != families.end()) return;
+
+  const sim::Setup setup = sim::named_setup(name, 1);
+  hash.add(grid::read_bytes(name));
+  hash.add(setup.grid);
+  for (const scenario::Recording& recording : setup.scenario.recordings) hash.add(grid::read_bytes(recording.file));
 }
 
 }  // namespace
@@ -53,6 +83,7 @@ TrialRunner::TrialRunner(const Sweep& sweep) : sweep_(sweep) {
   check(sweep);
   for (const SubjectOrders& orders : sweep.maps)
     maps_.push_back(std::make_shared<Loaded>(with_clearance(read_subject(orders))));
+  for (const std::string& scenario : sweep.scenarios) sim::named_setup(scenario, sweep.seeds.front());
 }
 
 std::vector<std::size_t> TrialRunner::queries() const {
@@ -61,17 +92,38 @@ std::vector<std::size_t> TrialRunner::queries() const {
   return counts;
 }
 
-std::vector<std::string> TrialRunner::leading_columns() const {
+std::vector<std::string> TrialRunner::columns() const {
   std::vector<std::string> columns{"trial", "subject", "query", "seed", "planner"};
   if (sweep_.drives) columns.emplace_back("local");
   for (const Variation& variation : sweep_.vary) columns.push_back(variation.parameter.full_name());
+  for (const std::string& column : figure_columns()) columns.push_back(column);
+  columns.emplace_back("refusal");
   return columns;
 }
 
 std::optional<Row> TrialRunner::run(const Trial& trial, const std::function<bool()>& is_interrupted) const {
   Row row = leading(trial);
-  row.update(sweep_.drives ? driven(trial, is_interrupted) : planned(trial, is_interrupted));
+  row.update(figures(trial, is_interrupted));
   if (is_interrupted()) return std::nullopt;
+  return row;
+}
+
+Row TrialRunner::figures(const Trial& trial, const std::function<bool()>& is_interrupted) const {
+  try {
+    Row row = sweep_.drives ? driven(trial, is_interrupted) : planned(trial, is_interrupted);
+    row["refusal"] = nullptr;
+    return row;
+  } catch (const config::BadInput& error) {
+    return refused(error.what());
+  } catch (const std::invalid_argument& error) {  // values that a planner takes one by one, but not together
+    return refused(error.what());
+  }
+}
+
+Row TrialRunner::refused(const std::string& why) const {
+  Row row = Row::object();
+  for (const std::string& column : figure_columns()) row[column] = nullptr;
+  row["refusal"] = why;
   return row;
 }
 
@@ -141,9 +193,9 @@ Row TrialRunner::driven(const Trial& trial, const std::function<bool()>& is_inte
   } else {
     const std::shared_ptr<const Loaded> map = loaded(trial);
     const Query& query = map->subject.queries[trial.query];
-    setup = sweep_.as_printed
-                ? printed_setup({map->subject.grid, query.start_in_map, query.goal_in_map}, variant, trial.planner)
-                : map_setup(name, map->subject, query, sweep_.vehicle_radius_m);
+    setup = sweep_.as_printed ? printed_setup({map->subject.grid, query.start_in_map, query.goal_in_map}, variant,
+                                              trial.planner, map->subject.start_yaw_rad)
+                              : map_setup(name, map->subject, query, sweep_.vehicle_radius_m);
     if (sweep_.as_printed) check_ends(name, setup.grid, query, variant.printed.radius_m);
   }
 
@@ -166,22 +218,21 @@ Row TrialRunner::driven(const Trial& trial, const std::function<bool()>& is_inte
   return drive_figures(totals, compute_us);
 }
 
-std::string fingerprint(const Sweep& sweep, const std::vector<Trial>& trials) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  hash_in(fmt::format("{} {} {} {} {} {}", sweep.drives, sweep.as_printed, sweep.paper_limits, sweep.radius_m,
-                      sweep.safe_distance_m, sweep.vehicle_radius_m),
-          hash);
-  for (const SubjectOrders& orders : sweep.maps) hash_in(orders, hash);
-  for (const ParameterValue& value : sweep.set) hash_in(value.full_name() + "=" + value.value, hash);
+std::string TrialRunner::fingerprint(const std::vector<Trial>& trials) const {
+  Hash hash;
+  hash.add(fmt::format("{} {} {} {} {} {}", sweep_.drives, sweep_.as_printed, sweep_.paper_limits, sweep_.radius_m,
+                       sweep_.safe_distance_m, sweep_.vehicle_radius_m));
+  for (const std::shared_ptr<const Loaded>& map : maps_) hash.add(map->subject);
+  for (const std::string& scenario : sweep_.scenarios) add_scenario(scenario, hash);
+  hash.add(sweep_.set);
 
   for (const Trial& trial : trials) {
-    hash_in(fmt::format("{} {} {} {} {}", subject_name(sweep, trial.subject), trial.query, trial.seed, trial.planner,
-                        trial.local),
-            hash);
-    for (const ParameterValue& value : trial.values) hash_in(value.full_name() + "=" + value.value, hash);
+    hash.add(fmt::format("{} {} {} {} {}", subject_name(sweep_, trial.subject), trial.query, trial.seed, trial.planner,
+                         trial.local));
+    hash.add(trial.values);
   }
 
-  return fmt::format("{:016x}", hash);
+  return hash.text();
 }
 
 }  // namespace aisle::lab

@@ -51,7 +51,7 @@ TEST(DriveRows, HaveARowACycleAndThePlan) {
   sim::Setup setup = map_setup("hall", subject, subject.queries.front(), 0.35);
   setup.planner = "astar";
 
-  DriveRows rows(setup);
+  DriveRows rows(setup, 3);
   sim::Hooks hooks;
   hooks.on_cycle = [&](const sim::Cycle& cycle) { rows.take(cycle); };
   const sim::Outcome outcome = sim::drive(setup, {}, hooks);
@@ -62,6 +62,7 @@ TEST(DriveRows, HaveARowACycleAndThePlan) {
   double before_s = -1.0;
   int cycles = 0, waypoints = 0;
   for (const Row& row : rows.rows()) {
+    EXPECT_EQ(row["query"], 3U) << "a waypoint, too, says which query it is of";
     if (row["kind"] == "waypoint") ++waypoints;
     if (row["kind"] != "cycle") continue;
     ++cycles;

@@ -73,6 +73,41 @@ TEST_F(SweepFolderTest, IsRefusedForAnotherSweepAnotherCommitOrADamagedFile) {
   EXPECT_THAT(refusal(kHead), HasSubstr("results.jsonl:4: is no row of a sweep"));
 }
 
+TEST_F(SweepFolderTest, WritesOverNothingThatIsNotOfASweep) {
+  std::filesystem::create_directories(folder_);
+  const auto write = [&](const char* name, const std::string& text) { std::ofstream(folder_ / name) << text; };
+
+  write("results.csv", "mine\n");
+  EXPECT_THAT(refusal(kHead), HasSubstr("results.csv: is not of a sweep"));
+  EXPECT_EQ(text("results.csv"), "mine\n");
+
+  std::filesystem::remove(folder_ / "results.csv");
+  for (const char* mine : {"mine", "{\"head\":{\"commit\":\"4c2e91a\"}}\n{\"trial\":0}\n"}) {
+    write("results.jsonl", mine);
+    EXPECT_THAT(refusal(kHead), HasSubstr("results.jsonl: is not of a sweep")) << mine;
+    EXPECT_EQ(text("results.jsonl"), mine);
+  }
+
+  write("results.jsonl", "{\"head\":{\"comm");
+  EXPECT_EQ(refusal(kHead), "accepted") << "a sweep that was ended while it wrote its head";
+  EXPECT_THAT(text("results.csv"), HasSubstr("# sweep: abc"));
+}
+
+TEST_F(SweepFolderTest, NamesTheLineThatIsDamagedWhateverStandsThere) {
+  const Row head{{"commit", "4c2e91a"}, {"sweep", "abc"}, {"trials", 2}};
+  const std::string good = jsonl_head(head);
+  std::filesystem::create_directories(folder_);
+  for (const std::string& text :
+       {std::string("{\"head\":5}\n"), good + "{\"trial\":\"x\"}\n", good + "{\"trial\":-1}\n",
+        good + "{\"trial\":2}\n", good + "[0]\n", good + "\xff\n"}) {
+    std::ofstream(folder_ / "results.jsonl") << text;
+    EXPECT_THAT(refusal(head), HasSubstr(": is no row of a sweep: the file is damaged")) << text;
+  }
+
+  std::ofstream(folder_ / "results.jsonl") << "{\"head\":{\"sweep\":\"abc\",\"commit\":7}}\n";
+  EXPECT_THAT(refusal(head), HasSubstr("was begun with commit ?"));
+}
+
 TEST_F(SweepFolderTest, IsForOneProcessAtATime) {
   SweepFolder folder(folder_, kHead, kColumns);
   EXPECT_THAT(refusal(kHead), HasSubstr("another sweep writes there now"));

@@ -1,6 +1,7 @@
 // Which trials a sweep has, and what is refused before the first one.
 #include "tools/lab/sweep/sweep.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
 
@@ -93,6 +94,42 @@ TEST(Sweep, IsRefusedWithWhatToDo) {
                 it.seeds = {1, 2};
               }),
               HasSubstr("the same for every seed"));
+}
+
+TEST(Sweep, IsRefusedWhereSomethingIsGivenTwice) {
+  const auto refused = [](const auto& change) {
+    Sweep sweep = over_kind();
+    change(sweep);
+    return refusal_of([&] { check(sweep); });
+  };
+  EXPECT_EQ(refused([](Sweep& it) {
+              it.vary = {parse_variation("", "wang.log_base=2/3"), parse_variation("", "global.wang.log_base=4")};
+            }),
+            "--vary: global.wang.log_base is given twice: give it once");
+  EXPECT_THAT(refused([](Sweep& it) { it.vary = {parse_variation("", "wang.log_base=2/3/2")}; }),
+              HasSubstr("global.wang.log_base: 2 is given twice"));
+  EXPECT_THAT(refused([](Sweep& it) {
+                it.planners = {"astar", "wang", "astar"};
+              }),
+              HasSubstr("--planner: astar is given twice"));
+  EXPECT_THAT(refused([](Sweep& it) { it.locals = {"wang", "wang"}; }), HasSubstr("--local: wang is given twice"));
+  EXPECT_THAT(refused([](Sweep& it) { it.seeds = {1, 2, 1}; }), HasSubstr("--seeds: 1 is given twice"));
+  EXPECT_THAT(refused([](Sweep& it) { it.kinds = {"wang-1", "wang-1"}; }), HasSubstr("--kind: wang-1 is given twice"));
+}
+
+/// Each would take terabytes.
+TEST(Sweep, IsRefusedForTooManyTrialsBeforeTheyAreMade) {
+  std::string values = "wang.log_base=2";
+  for (int i = 0; i < 999; ++i) values += fmt::format("/{}", 3 + i * 0.001);
+  Sweep sweep = over_kind();
+  sweep.vary = {parse_variation("", values), parse_variation("", values), parse_variation("", values),
+                parse_variation("", values)};
+  EXPECT_THAT(refusal_of([&] { trials_of(sweep, {1}); }), HasSubstr("at most 10000000 trials"));
+
+  sweep.vary.resize(1);
+  sweep.seeds = parse_seeds("", "1-1000000");
+  EXPECT_THAT(refusal_of([&] { trials_of(sweep, {1'000'000}); }), HasSubstr("at most 10000000 trials"));
+  EXPECT_THAT(refusal_of([] { parse_seeds("--seeds", "1-1000000,1000001-2000000"); }), HasSubstr("at most 1000000"));
 }
 
 TEST(Sweep, TakesSeedsAsRangesAndLists) {
