@@ -47,7 +47,7 @@ struct Options {
   std::string global;  // empty: `direct`, or as printed that of the local planner's paper
   MapFlags map;
   ParameterFlags parameters;
-  double radius_m{0.35};  // of the vehicle on --map
+  double radius_m{-1.0};  // of the vehicle on --map; below 0: not given
   std::string csv, jsonl;
   bool as_printed{false};
   int seed{1};
@@ -61,6 +61,7 @@ struct Options {
   bool verbose{false};
   double trace_s{0.0};  // 0: no trace
 
+  double vehicle_radius_m() const { return radius_m < 0.0 ? 0.35 : radius_m; }
   bool writes_rows() const { return !csv.empty() || !jsonl.empty(); }
 };
 
@@ -92,7 +93,7 @@ Course course_of(const Options& options) {
 /// Over the researcher's own map: as the paper prints it, or our own drive.
 sim::Setup setup_on_map(const Options& options, const Course& course, const lab::Query& query) {
   const lab::Subject& subject = *course.subject;
-  if (!options.as_printed) return lab::map_setup(options.map.map, subject, query, options.radius_m);
+  if (!options.as_printed) return lab::map_setup(options.map.map, subject, query, options.vehicle_radius_m());
 
   const local_planner::Variant variant = lab::local_variant(course.values, options.local);
   lab::check_ends(options.map.map, subject.grid, query, variant.printed.radius_m);
@@ -295,6 +296,18 @@ void check_subject(const Options& options) {
   if (!has_map && options.scenario.empty())
     throw config::BadInput("--scenario is missing: a scenario file, or one of " + listed(sim::families()) +
                            "; or give your own --map");
+
+  const Typed radius{"--radius", options.radius_m >= 0.0};
+  if (!has_map) {
+    refuse_typed(typed_place_flags(options.map), "counts with --map only: --scenario has its own");
+    refuse_typed({radius}, "counts with --map only: --scenario has its own");
+  }
+  if (options.as_printed)
+    refuse_typed({radius,
+                  {"--truth", options.truth},
+                  {"--only-scans-of", !options.only_scans_of.empty()},
+                  {"--paper-limits", options.paper_limits}},
+                 "does not count with --as-printed, where the paper decides it");
 }
 
 /// All flags are checked before the first run, which may take minutes.
@@ -306,15 +319,19 @@ void check_files(const Options& options) {
 void write_rows(const Options& options, const Course& course, const std::vector<lab::Row>& rows) {
   if (!options.writes_rows()) return;
 
-  const lab::Row head = lab::head_of("aisle drive", lab::provenance(),
-                                     {{"subject", options.map.map + options.scenario},
-                                      {"global", options.global},
-                                      {"local", options.local},
-                                      {"as_printed", options.as_printed},
-                                      {"paper_limits", options.paper_limits},
-                                      {"seed", options.seed},
-                                      {"runs", options.runs},
-                                      {"parameters", listed_values(course.values)}});
+  const bool has_radius = !options.map.map.empty() && !options.as_printed;
+  lab::Row particular{{"subject", options.map.map + options.scenario},
+                      {"global", options.global},
+                      {"local", options.local},
+                      {"as_printed", options.as_printed},
+                      {"paper_limits", options.paper_limits},
+                      {"seed", options.seed},
+                      {"runs", options.runs},
+                      {"parameters", listed_values(course.values)},
+                      {"radius_m", has_radius ? lab::Row(options.vehicle_radius_m()) : lab::Row(nullptr)}};
+  particular.update(head_rows(options.map));
+
+  const lab::Row head = lab::head_of("aisle drive", lab::provenance(), particular);
   if (!options.csv.empty()) process::write_output_file(options.csv, lab::csv_text(head, rows));
   if (!options.jsonl.empty()) process::write_output_file(options.jsonl, lab::jsonl_text(head, rows));
 }
@@ -365,7 +382,7 @@ void add_drive(CLI::App& parent, Cli& cli) {
       .option("--global", options->global,
               "global planner: " + listed(names_of(global_planner::all_variants())) +
                   "; default: direct, as printed that of the same paper")
-      .option("--radius", options->radius_m, 0.01, 100.0, "m, of the vehicle on --map")
+      .option("--radius", options->radius_m, 0.01, 100.0, "m, of the vehicle on --map; default: 0.35")
       .flag("--as-printed", options->as_printed,
             "the local planner as its paper prints it on --map, with nothing of ours in between")
       .option("--seed", options->seed, 0, 1'000'000'000, "of the first run; the next one has the next seed")

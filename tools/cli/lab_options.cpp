@@ -44,6 +44,28 @@ lab::SubjectOrders subject_orders_of(const MapFlags& flags) {
           static_cast<std::size_t>(flags.limit)};
 }
 
+std::vector<Typed> typed_place_flags(const MapFlags& flags) {
+  return {{"--resolution", flags.resolution_m > 0.0},
+          {"--start", !flags.start.empty()},
+          {"--goal", !flags.goal.empty()},
+          {"--scen", !flags.scen.empty()},
+          {"--limit", flags.limit != MapFlags{}.limit}};
+}
+
+void refuse_typed(const std::vector<Typed>& flags, const std::string& why) {
+  for (const Typed& it : flags)
+    if (it.is_given) throw config::BadInput(std::string(it.flag) + ": " + why);
+}
+
+lab::Row head_rows(const MapFlags& flags) {
+  const auto typed = [](const std::string& text) { return text.empty() ? lab::Row(nullptr) : lab::Row(text); };
+  return {{"resolution_m", flags.resolution_m > 0.0 ? lab::Row(flags.resolution_m) : lab::Row(nullptr)},
+          {"start", typed(flags.start)},
+          {"goal", typed(flags.goal)},
+          {"scen", typed(flags.scen)},
+          {"limit", flags.limit != MapFlags{}.limit ? lab::Row(flags.limit) : lab::Row(nullptr)}};
+}
+
 void add_parameter_flags(Verb& verb, ParameterFlags& flags) {
   verb.list("--set", flags.sets,
             "NAME.PARAMETER=VALUE of a planner, e.g. wang.alpha=0.1; several times; aisle lab parameters lists all")

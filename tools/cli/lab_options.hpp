@@ -7,6 +7,7 @@
 #include "tools/cli/cli.hpp"
 #include "tools/lab/parameters/parameter_values.hpp"
 #include "tools/lab/planning/subject.hpp"
+#include "tools/lab/results/result_text.hpp"
 
 namespace aisle::cli {
 
@@ -24,6 +25,21 @@ void add_map_flags(Verb& verb, MapFlags& flags);
 
 /// @throws config::BadInput for a place that is none
 lab::SubjectOrders subject_orders_of(const MapFlags& flags);
+
+/// A flag by its name, and whether it was typed.
+struct Typed {
+  const char* flag;
+  bool is_given;
+};
+
+/// The flags of add_map_flags without --map.
+std::vector<Typed> typed_place_flags(const MapFlags& flags);
+
+/// A flag that does not count must not be ignored. @throws config::BadInput, "FLAG: why", for the first that was typed
+void refuse_typed(const std::vector<Typed>& flags, const std::string& why);
+
+/// For heads of result files: resolution_m, start, goal, scen and limit as typed; null where not given.
+lab::Row head_rows(const MapFlags& flags);
 
 /// As typed.
 struct ParameterFlags {

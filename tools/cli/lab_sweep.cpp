@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t kMostShown = 50;  // rows of the table that a person reads
 
-/// As typed. What is given twice, in the file and by a flag, is added to the file's.
+/// As typed. Lists are added to those of --config, but --local and --seeds replace them, as numbers do.
 struct SweepFlags {
   std::string config, seeds, out;
   std::vector<std::string> maps, kinds, scenarios, planners, locals, vary;
@@ -54,12 +54,29 @@ void take_numbers(const SweepFlags& flags, lab::Sweep& sweep) {
   if (!flags.seeds.empty()) sweep.seeds = lab::parse_seeds("--seeds", flags.seeds);
 }
 
+/// Flags that would not count in this sweep.
+void check_typed(const SweepFlags& flags, const lab::Sweep& sweep) {
+  if (flags.maps.empty()) refuse_typed(typed_place_flags(flags.map), "counts with --map only");
+  if (!sweep.drives) {
+    refuse_typed({{"--local", !flags.locals.empty()}, {"--vehicle-radius", flags.vehicle_radius_m >= 0.0}},
+                 "counts with --drive only");
+  } else {
+    refuse_typed({{"--radius", flags.radius_m >= 0.0}, {"--safe-distance", flags.safe_distance_m >= 0.0}},
+                 "is of paths, and this sweep drives: see --vehicle-radius");
+  }
+
+  if (sweep.as_printed)
+    refuse_typed({{"--vehicle-radius", flags.vehicle_radius_m >= 0.0}, {"--paper-limits", flags.paper_limits}},
+                 "does not count with --as-printed, where the paper decides it");
+}
+
 /// The sweep of the file, with what the flags add.
 lab::Sweep sweep_of(const SweepFlags& flags) {
   lab::Sweep sweep = flags.config.empty() ? lab::Sweep{} : lab::read_sweep(flags.config);
   sweep.drives = sweep.drives || flags.drives;
   sweep.as_printed = sweep.as_printed || flags.as_printed;
   sweep.paper_limits = sweep.paper_limits || flags.paper_limits;
+  check_typed(flags, sweep);
   take_numbers(flags, sweep);
 
   for (const std::string& map : flags.maps) {
@@ -71,7 +88,8 @@ lab::Sweep sweep_of(const SweepFlags& flags) {
   add(flags.scenarios, sweep.scenarios);
   add(flags.planners, sweep.planners);
   sweep.planners = with_all(sweep.planners, names_of(global_planner::all_variants()));
-  if (!flags.locals.empty()) sweep.locals = with_all(flags.locals, names_of(local_planner::all_variants()));
+  if (!flags.locals.empty()) sweep.locals = flags.locals;
+  sweep.locals = with_all(sweep.locals, names_of(local_planner::all_variants()));
 
   const std::optional<lab::Side> only = sweep.drives ? std::nullopt : std::optional(lab::Side::kGlobal);
   const lab::InUse in_use{sweep.planners, sweep.drives ? sweep.locals : std::vector<std::string>{}, sweep.paper_limits,
@@ -82,6 +100,24 @@ lab::Sweep sweep_of(const SweepFlags& flags) {
   return sweep;
 }
 
+/// "hall.png, resolution 0.05, start 1,1, goal 9,7; ...", as they were given.
+std::string listed_maps(const std::vector<lab::SubjectOrders>& maps) {
+  const auto place = [](const char* what, const std::optional<lab::Place>& it) {
+    if (!it) return std::string();
+    const std::string yaw = it->yaw_rad ? fmt::format(",{}", *it->yaw_rad) : "";
+    return fmt::format(", {} {},{}{}", what, it->in_map.x, it->in_map.y, yaw);
+  };
+
+  std::string text;
+  for (const lab::SubjectOrders& map : maps) {
+    text += (text.empty() ? "" : "; ") + map.map.string();
+    if (map.cell_m > 0.0) text += fmt::format(", resolution {}", map.cell_m);
+    text += place("start", map.start) + place("goal", map.goal);
+    if (!map.scen.empty()) text += ", scen " + map.scen.string();
+  }
+  return text;
+}
+
 lab::Row head_of(const lab::Sweep& sweep, const lab::TrialRunner& runner, const std::vector<lab::Trial>& trials) {
   std::string seeds;
   for (const std::uint64_t seed : sweep.seeds) seeds += (seeds.empty() ? "" : ",") + std::to_string(seed);
@@ -89,6 +125,7 @@ lab::Row head_of(const lab::Sweep& sweep, const lab::TrialRunner& runner, const 
   return lab::head_of("aisle lab sweep", lab::provenance(),
                       {{"sweep", runner.fingerprint(trials)},
                        {"trials", trials.size()},
+                       {"maps", listed_maps(sweep.maps)},
                        {"drive", sweep.drives},
                        {"as_printed", sweep.as_printed},
                        {"paper_limits", sweep.paper_limits},
@@ -164,12 +201,15 @@ void add_lab_sweep(CLI::App& parent, Cli& cli) {
   Verb verb(parent, cli, "sweep",
             "plan, or drive, every combination of maps, planners, parameters and seeds; a sweep that was stopped goes "
             "on with the same command");
-  verb.option("--config", flags->config, "a YAML file with the sweep; flags add to it")
+  verb.option("--config", flags->config,
+              "a YAML file with the sweep; --map, --kind, --scenario, --planner, --set and --vary add to it, other "
+              "flags replace "
+              "what it says")
       .list("--map", flags->maps, "own maps, one or more files: .png, .pgm, .yaml, .map, .txt")
       .list("--kind", flags->kinds, "kinds of the papers' maps, drawn by seed, e.g. wang-1")
       .list("--scenario", flags->scenarios, "with --drive: scenario files or families")
       .list("--planner", flags->planners, "global planners, one or more names, or all")
-      .list("--local", flags->locals, "with --drive: local planners; default: wang")
+      .list("--local", flags->locals, "with --drive: local planners, one or more names, or all; default: wang")
       .list("--vary", flags->vary, "NAME.PARAMETER=VALUE/VALUE/..., e.g. wang.alpha=0.05/0.1/0.2; several times")
       .option("--seeds", flags->seeds, "of drives and of --kind, e.g. 1-30 or 1,2,5; default: 1")
       .option("--resolution", flags->map.resolution_m, 0.001, 1000.0, "m a pixel or cell of each --map")
@@ -180,7 +220,8 @@ void add_lab_sweep(CLI::App& parent, Cli& cli) {
       .option("--radius", flags->radius_m, 0.0, 100.0, "m, of the vehicle with its margin, for paths; default: 0")
       .option("--safe-distance", flags->safe_distance_m, 0.0, 100.0, "m, of qu and yu, for paths; default: 0")
       .option("--vehicle-radius", flags->vehicle_radius_m, 0.01, 100.0, "m, of drives over maps; default: 0.35")
-      .option("--workers", flags->workers, 1, 64, "threads; figures do not depend on it")
+      .option("--workers", flags->workers, 1, 64,
+              "threads; figures do not depend on it, but times (time_us, compute_us_*) do")
       .option("--out", flags->out, "folder for results.csv and results.jsonl; without it nothing is kept")
       .flag("--drive", flags->drives, "drive, do not only plan")
       .flag("--as-printed", flags->as_printed, "drive as the local planner's paper prints it")

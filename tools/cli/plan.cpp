@@ -71,9 +71,19 @@ void check_files(const PlanOrders& orders) {
 
 void write_rows(const PlanOrders& orders, const std::vector<lab::ParameterValue>& values,
                 const std::vector<lab::Row>& rows) {
-  const lab::Row head =
-      lab::head_of("aisle plan", lab::provenance(),
-                   {{"map", orders.map.map}, {"seed", nullptr}, {"parameters", listed_values(values)}});
+  const lab::OfflineTask& task = orders.task;
+  lab::Row particular{{"map", orders.map.map},
+                      {"seed", nullptr},
+                      {"parameters", listed_values(values)},
+                      {"radius_m", task.radius_m},
+                      {"footprint", orders.footprint},
+                      {"safe_distance_m", task.safe_distance_m},
+                      {"preferred_clearance_m", task.preferred_clearance_m},
+                      {"turning_radius_m", task.turning_radius_m},
+                      {"nearest", task.goes_to_nearest}};
+  particular.update(head_rows(orders.map));
+
+  const lab::Row head = lab::head_of("aisle plan", lab::provenance(), particular);
   if (!orders.csv.empty()) process::write_output_file(orders.csv, lab::csv_text(head, rows));
   if (!orders.jsonl.empty()) process::write_output_file(orders.jsonl, lab::jsonl_text(head, rows));
 }

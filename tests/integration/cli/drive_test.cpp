@@ -135,6 +135,24 @@ TEST(Drive, NamesWhatIsMisspelt) {
   EXPECT_THAT(bad_input({"--as-printed"}), HasSubstr("--as-printed needs --map FILE"));
 }
 
+TEST(Drive, RefusesFlagsThatWouldNotCount) {
+  for (const char* flag : {"--start", "--goal", "--scen", "--resolution", "--limit", "--radius"}) {
+    const Refusal refused = refusal({"--scenario", "crossing", flag, "1"});
+    EXPECT_EQ(refused.code, 2) << flag;
+    EXPECT_THAT(refused.err, HasSubstr(std::string(flag) + ": counts with --map only"));
+  }
+
+  const std::vector<std::string> as_printed{"--map", "hall.txt", "--as-printed"};
+  for (const std::vector<std::string>& flag : std::vector<std::vector<std::string>>{
+           {"--truth"}, {"--paper-limits"}, {"--only-scans-of", "agv-1"}, {"--radius", "1"}}) {
+    std::vector<std::string> arguments = as_printed;
+    arguments.insert(arguments.end(), flag.begin(), flag.end());
+    const Refusal refused = refusal(arguments);
+    EXPECT_EQ(refused.code, 2) << flag.front();
+    EXPECT_THAT(refused.err, HasSubstr(flag.front() + ": does not count with --as-printed"));
+  }
+}
+
 TEST(Drive, GoesOverAnOwnMapWithParametersByName) {
   const std::string map = "/tmp/aisle-own-map-" + std::to_string(getpid()) + ".txt";
   std::ofstream(map) << "........\n.S......\n....#...\n....#.T.\n........\n";

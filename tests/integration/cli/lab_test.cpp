@@ -72,6 +72,17 @@ TEST(Lab, ListsTheParametersOfAPlanner) {
   EXPECT_EQ(names.count("global.wang.passes"), 1U);
 }
 
+TEST(Lab, ASweepRefusesFlagsThatWouldNotCount) {
+  for (const std::vector<std::string>& flag : std::vector<std::vector<std::string>>{
+           {"--start", "1,1"}, {"--resolution", "0.1"}, {"--local", "wu"}, {"--vehicle-radius", "1"}}) {
+    std::vector<std::string> arguments{"sweep", "--kind", "wang-1", "--planner", "wang"};
+    arguments.insert(arguments.end(), flag.begin(), flag.end());
+    ChildProcess aisle = lab(arguments);
+    EXPECT_EQ(aisle.wait(seconds(60)), 2) << flag.front();
+    EXPECT_THAT(aisle.err(), HasSubstr(flag.front() + ": counts with --"));
+  }
+}
+
 TEST(Lab, ASweepIsNotMadeTwice) {
   const std::string folder = "/tmp/aisle-sweep-test-" + std::to_string(getpid());
   const std::vector<std::string> arguments{

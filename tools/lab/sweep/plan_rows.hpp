@@ -11,7 +11,7 @@ namespace aisle::lab {
 
 /// The figures of one answer: outcome, length_m, length_ratio (over the grid's optimum, where it is known), nodes,
 /// turning_points, turning_angle_rad, expanded, clearance_m, time_us, fault (what the checker says). Figures of a path
-/// that was not found are null.
+/// that was not found are null. time_us alone differs from run to run, and grows when other threads work too.
 Row plan_figures(const OfflineAnswer& answer);
 
 /// Its keys, in order.

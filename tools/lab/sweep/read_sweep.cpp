@@ -7,13 +7,14 @@
 namespace aisle::lab {
 namespace {
 
-/// Runs `read` and puts the key's place before what it refuses.
+/// Runs `read`, whose refusals begin with the key, and puts the file and line before them.
 template <class Reader, class Read>
 auto at(Reader& r, const char* key, const Read& read) {
   try {
     return read();
   } catch (const config::BadInput& error) {
-    r.reject(key, error.what());
+    const std::string why = error.what(), head = std::string(key) + ": ";
+    r.reject(key, why.rfind(head, 0) == 0 ? why.substr(head.size()) : why);
   }
 }
 

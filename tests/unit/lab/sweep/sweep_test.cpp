@@ -181,6 +181,8 @@ TEST_F(SweepFile, IsRefusedWithItsLine) {
   EXPECT_THAT(refusal_of([&] { read("plannres: [wang]\n"); }), AllOf(HasSubstr(".yaml:1"), HasSubstr("planners")));
   EXPECT_THAT(refusal_of([&] { read("kinds: [wang-1]\nvary: [{parameter: wang.alhpa, values: [1]}]\ndrive: true\n"); }),
               AllOf(HasSubstr(".yaml:2"), HasSubstr("did you mean 'alpha'?")));
+  EXPECT_THAT(refusal_of([&] { read("kinds: [wang-1]\nset: [astar.nothing=1]\n"); }),
+              AllOf(HasSubstr("set: "), testing::Not(HasSubstr("set: set:"))));
   EXPECT_THAT(refusal_of([&] { read("maps: [{file: a.png, start: [1]}]\n"); }), HasSubstr("must be [X, Y]"));
 }
 
