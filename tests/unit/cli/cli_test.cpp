@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "common/config/reader.hpp"
+#include "tests/support/refusal.hpp"
 #include "tools/cli/coordinates.hpp"
 #include "tools/cli/edit_shape.hpp"
 #include "tools/cli/fleet_view.hpp"
@@ -19,18 +19,9 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::seconds;
+using test_support::refusal_of;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-template <class Action>
-std::string refusal_of(Action action) {
-  try {
-    action();
-  } catch (const config::BadInput& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 TEST(Coordinates, OfAPoseMayHaveAYaw) {
   const TypedPose plain = parse_pose("goal", " -4.5,1e1");

@@ -8,25 +8,16 @@
 #include <fstream>
 #include <string>
 
-#include "common/config/reader.hpp"
 #include "services/global-planner/core/variant.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace aisle::lab {
 namespace {
 
+using test_support::refusal_of;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-template <class Action>
-std::string refusal_of(Action action) {
-  try {
-    action();
-  } catch (const config::BadInput& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 std::string refused(const std::string& text, std::optional<Side> only = {}) {
   return refusal_of([&] { parse_parameter("--set", text, only); });

@@ -8,24 +8,15 @@
 #include <filesystem>
 #include <fstream>
 
-#include "common/config/reader.hpp"
+#include "tests/support/refusal.hpp"
 
 namespace aisle::lab {
 namespace {
 
+using test_support::refusal_of;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-template <class Action>
-std::string refusal_of(Action action) {
-  try {
-    action();
-  } catch (const config::BadInput& error) {
-    return error.what();
-  }
-  return "accepted";
-}
 
 Sweep over_kind() {
   Sweep sweep;
