@@ -88,7 +88,7 @@ constexpr const char* kSectionOfPage = "the page whose section is written anew";
 
 void add_experiment_all(CLI::App& parent, Cli& cli) {
   auto orders = std::make_shared<ExperimentOrders>();
-  Verb verb(parent, cli, "all", "all of them: the whole page, hours");
+  Verb verb(parent, cli, "all", "all of them: the whole page");
 
   add_places(verb, orders, "the page, written anew");
   add_papers_options(verb, orders);
