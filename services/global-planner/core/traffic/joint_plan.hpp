@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/global-planner/core/traffic/roadmap.hpp"
+
+namespace aisle::global_planner::traffic {
+
+/// A motion of another vehicle that must be done before one's own may be granted.
+struct Link {
+  std::string agv_id;
+  std::uint64_t step{0};  // done once that vehicle has reported `done > step`
+};
+
+/// One motion of a vehicle's plan.
+struct Step {
+  MotionId motion{kNoId};
+  Shape shape;           // of the motion, and of the arc from the step before
+  double begin_s{0.0};   // forecast; never decides
+  double end_s{0.0};
+  bool is_own_way{false};
+  std::vector<Link> links;
+};
+
+/// A vehicle as the joint plan sees it. Step numbers count from its registration: the step after the one in which it
+/// stands at its first place is 1. Steps `done` to `granted - 1` are being driven, those from `granted` on may change.
+struct Agent {
+  std::string id;
+  KindId kind{0};
+  PlaceId place{kNoId};   // where the first step of `steps` begins: where it stands when it has none
+  std::uint64_t done{0};     // steps that it reported to be behind it
+  std::uint64_t granted{0};  // steps granted, >= done
+  std::vector<Step> steps;   // steps[i] has the number done + i
+  double heading_rad{0.0};
+
+  PlaceId goal{kNoId};        // where it wants to go; none: it may be sent anywhere
+  double goal_since_s{0.0};   // age: the older, the more it counts
+  bool has_plan_to_goal{false};
+  std::vector<std::string> waits_for;  // why there is no plan: for whom
+  std::string reason;                  // in words: "goal taken by agv-7"
+  bool is_frozen{false};  // dead, held or disobedient: it is planned around and never moved
+};
+
+/// The ways of all vehicles in space and time, and the order in which they pass where their ways meet. Forecast times
+/// serve to find the order; only the order (`Step::links`) decides who goes first. No link leads in a circle.
+///
+/// Budgets count expanded states, not time: the same calls give the same plans.
+class JointPlan {
+ public:
+  struct Settings {
+    double gap_m{0.05};
+    std::size_t most_expanded{40'000};
+    double merge_s{0.3};        // reservations nearer in time are one
+    double soft_rest_s{6.0};    // a rest that others may plan over ends so long after it began
+  };
+
+  JointPlan(Roadmap& roadmap, const Settings& settings);
+
+  /// @return the agent, made when new. It rests at `place` from now on.
+  Agent& add(const std::string& agv_id, KindId kind, PlaceId place, double heading_rad, double now_s);
+  void remove(const std::string& agv_id);
+  Agent* find(const std::string& agv_id);
+  const std::map<std::string, Agent>& agents() const { return agents_; }
+
+  /// Steps before `done` are behind the vehicle, and its next one is forecast from there.
+  void report(const std::string& agv_id, std::uint64_t done, double now_s);
+
+  /// The next step is granted: from now on it is earlier than all that is not.
+  void grant_next(const std::string& agv_id);
+
+  /// A plan to the agent's goal behind what is granted, among all others; changes nothing when it finds none.
+  /// @param own_way motions of the vehicle's own way from where its grants end, tried first; may be empty
+  bool plan(const std::string& agv_id, const std::vector<MotionId>& own_way, double now_s);
+
+  /// Replans a group around the agent: see 8.6. Keeps all or restores all.
+  bool plan_group(const std::string& agv_id, double now_s);
+
+  /// Search over configurations of all vehicles: see 8.7. False: no joint plan, or out of budget.
+  bool plan_all(double now_s);
+
+  /// One try to shorten the sum of ends: see 8.8. True when something improved.
+  bool improve(double now_s, std::uint64_t& random_state);
+
+  /// Drops all steps of the agent that are not granted; it rests where its grants end.
+  void cut(const std::string& agv_id, double now_s);
+
+  /// The granted steps from `step` on were given back with the vehicle's word; they and all behind are dropped.
+  void give_back(const std::string& agv_id, std::uint64_t step, double now_s);
+
+  /// Slips all forecasts to what was reported; the order stays.
+  void retime(double now_s);
+
+  /// Are all links of the agent's next ungranted step done?
+  bool is_next_free(const std::string& agv_id) const;
+
+  /// Circles that retime() found: stays 0, or there is a fault.
+  std::uint64_t circles() const { return circles_; }
+
+ private:
+  std::map<std::string, Agent> agents_;
+  std::uint64_t circles_{0};
+};
+
+}  // namespace aisle::global_planner::traffic
