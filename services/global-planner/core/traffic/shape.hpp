@@ -5,6 +5,7 @@
 #include "common/geometry/footprint.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/kinematics/limits.hpp"
+#include "services/global-planner/core/traffic/floor_bins.hpp"
 
 namespace aisle::global_planner::traffic {
 
@@ -24,30 +25,30 @@ class Shape {
   const std::vector<Capsule>& capsules() const { return capsules_; }
   bool empty() const { return capsules_.empty(); }
 
-  /// Corners of the axis-aligned box around all capsules. @pre not empty
-  geometry::Point2 low_in_map() const { return low_; }
-  geometry::Point2 high_in_map() const { return high_; }
+  /// The axis-aligned box around all capsules, and its corners. @pre not empty
+  const Box& box() const { return box_; }
+  geometry::Point2 low_in_map() const { return box_.low_in_map; }
+  geometry::Point2 high_in_map() const { return box_.high_in_map; }
 
   void add(const Shape& other);
 
  private:
   std::vector<Capsule> capsules_;
-  geometry::Point2 low_;
-  geometry::Point2 high_;
+  Box box_;
 };
 
 /// Metres between two shapes; 0 where they overlap, infinity where one of them is empty.
 double gap_between_m(const Shape& a, const Shape& b);
 
-/// Are the shapes nearer to each other than `gap_m`?
+/// Are the shapes nearer to each other than `gap_m`? Shapes whose gap equals it to within 1 nm do not meet.
 bool meet(const Shape& a, const Shape& b, double gap_m);
 
 /// What the traffic must know of a vehicle's build. Vehicles with equal kinds share a roadmap.
 struct Kind {
   geometry::Footprint footprint;
   kinematics::Limits limits;
-  double tube_m{0.10};         // the outline stays within this of its outline on the path
-  double wall_margin_m{0.10};  // kept free of walls beside the outline
+  double tube_m{0.10};           // the outline stays within this of its outline on the path
+  double wall_margin_m{0.10};    // kept free of walls beside the outline
   double turning_radius_m{0.0};  // of the tightest arc that plans have; 0: it turns on the spot
 
   bool turns_on_the_spot() const { return turning_radius_m <= 0.0; }
