@@ -4,13 +4,21 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "services/global-planner/core/traffic/joint_plan.hpp"
 #include "services/global-planner/core/traffic/lock.hpp"
 
 namespace aisle::global_planner::traffic {
+
+/// A place on the road that a vehicle still has, and the number of the step that it belongs to.
+struct HeldPose {
+  geometry::Pose2 base_in_map;
+  std::uint64_t step{0};
+};
 
 /// What a vehicle says of its progress (from navigation_status and vehicle_state).
 struct Report {
@@ -19,25 +27,28 @@ struct Report {
   double speed_mps{0.0};
   std::uint64_t plan_id{0};       // that it drives
   std::uint64_t step_done{0};     // steps behind it, in absolute numbers
-  std::uint64_t limit_step{0};    // it will stop at the end of this step at the latest
+  std::uint64_t limit_step{0};    // first step that it will not drive: it stops at the end of the one before at the
+                                  // latest; equal to step_done while it stands within a step: it stays where it is
   std::uint64_t grant_number{0};  // that it obeys
   double stray_m{0.0};            // of its outline, off the path
   bool is_held{false};            // by a person
   bool is_blocked{false};         // by something that it sees in its tube; stands there
   geometry::Point2 blocked_at_in_map;
   double blocked_radius_m{0.0};
+  std::vector<HeldPose> held;  // its path from where it is to its limit: a leader that has forgotten all needs it
 };
 
 /// A way to drive, as far as it is planned: the turning points, where each step ends along it, and its number.
 struct Way {
   std::string agv_id;
   std::uint64_t plan_id{0};
-  std::uint64_t first_step{0};       // number of the step that begins at the first point
+  std::uint64_t first_step{0};  // number of the step that begins at the first point
   std::vector<geometry::Point2> waypoints_in_map;
   std::vector<double> headings_rad;  // at each point, for kinds that do not turn on the spot
   std::vector<double> step_ends_m;   // along the way, of first_step, first_step + 1, ...
   bool leads_to_goal{false};
-  std::string own_or_roadmap;        // name of the planner, "roadmap", or both
+  std::string goal_id;         // that the vehicle had when the way was made; empty: it is moved out of the way
+  std::string own_or_roadmap;  // "own way", "roadmap", or "own way, roadmap"
 };
 
 /// How far a vehicle may drive on which plan.
@@ -87,8 +98,8 @@ class Coordinator {
   void hear(const Report& report, double now_s);
 
   /// @param goal_in_map none: it has no goal (any more)
-  void set_goal(const std::string& agv_id, const std::string& goal_id, const std::optional<geometry::Pose2>& goal_in_map,
-                double now_s);
+  void set_goal(const std::string& agv_id, const std::string& goal_id,
+                const std::optional<geometry::Pose2>& goal_in_map, double now_s);
 
   /// Something that stands on the floor and is in no map; an empty shape ends it.
   void set_standing(const std::string& name, const Shape& shape, double now_s);
@@ -98,13 +109,123 @@ class Coordinator {
 
   /// Works for one slice; call it again at once while `is_busy()`.
   Orders step(double now_s);
-  bool is_busy() const;
+  bool is_busy() const { return is_busy_; }
 
-  std::uint64_t refused() const;  // motions that the lock refused though their links were done: stays 0
-  std::uint64_t circles() const;
+  std::uint64_t refused() const { return refused_; }  // motions that the lock refused though their links were done: 0
+  std::uint64_t circles() const { return plans_.circles(); }
+
+  /// Is the step of the vehicle one of its own way? False for a step that is unknown.
+  bool is_on_own_way(const std::string& agv_id, std::uint64_t step) const;
+
+  /// For pictures, statistics and tests.
+  const JointPlan& plans() const { return plans_; }
+  const Roadmap& roadmap() const { return roadmap_; }
+  const Lock& lock() const { return lock_; }
 
  private:
-  // see coordinator.cpp
+  /// Road that the vehicle may drive before the first step of its agent: what it still had when this leader first
+  /// heard it, or its way out of a spot too near to another. The agent counts as if it stood at the end of it.
+  struct LeadIn {
+    std::vector<geometry::Point2> path_in_map;
+    std::vector<double> headings_rad;
+    std::vector<double> step_ends_m;  // along the path, of first_step, first_step + 1, ...
+    std::uint64_t first_step{0};
+  };
+
+  struct AskedBack {
+    std::uint64_t limit_step{0};
+    std::uint64_t number{0};  // of the grant that asks; 0: not sent yet
+  };
+
+  struct Vehicle {
+    std::string id;
+    Kind kind;
+    KindId kind_id{0};
+    Report said;
+    double heard_s{0.0};
+    bool is_heard{false};
+    bool is_registered{false};
+    bool is_silent{false};
+    double blocked_since_s{-1.0};
+    double blocked_until_s{-1.0};  // the closure that its word made ends then; negative: there is none
+    double registering_s{-1e9};    // last try
+
+    std::string goal_id;
+    std::optional<geometry::Pose2> goal_in_map;
+    double goal_since_s{0.0};
+    double tried_s{-1e9};        // last search for a plan
+    double without_plan_s{0.0};  // since when
+    double own_tried_s{-1e9};
+
+    LeadIn lead_in;
+    std::optional<AskedBack> asked_back;
+    std::uint64_t refused_step{~std::uint64_t{0}};  // counted already
+    std::set<std::string> excepted;                 // too near to these from the beginning
+
+    Way way;                     // as sent
+    std::vector<MotionId> sent;  // motions of its steps after the lead-in
+    GrantedRoad told;            // as sent
+    std::uint64_t next_plan_id{1};
+    std::uint64_t next_grant{1};
+    std::vector<std::string> waits_for;
+    std::string reason;
+  };
+
+  // coordinator_vehicles.cpp: registration, strays, silence
+  void register_vehicle(Vehicle& vehicle, double now_s);
+  void place_agent(Vehicle& vehicle, PlaceId place, std::uint64_t step, double now_s);
+  bool escape(Vehicle& vehicle, double now_s);
+  bool is_alone(const Vehicle& vehicle) const;
+  void hear_progress(Vehicle& vehicle, double now_s);
+  void hear_answer(Vehicle& vehicle, double now_s);
+  void look_for_silence(double now_s);
+  void rebase(Vehicle& vehicle, double now_s);
+  void end_exceptions(Vehicle& vehicle);
+
+  // coordinator_closures.cpp: floor that is closed, and taking back
+  void close(const std::string& name, const Shape& shape, double now_s);
+  void open(const std::string& name);
+  void leave_closed_floor(double now_s);
+  void look_for_blocks(double now_s);
+  void ask_back(Vehicle& vehicle, std::uint64_t limit_step);
+  bool is_open(MotionId motion) const;
+
+  // coordinator_plans.cpp: who is planned when
+  void plan_those_without(double now_s);
+  bool plan_one(Vehicle& vehicle, double now_s);
+  void set_agent_goal(Vehicle& vehicle, double now_s);
+  void move_resters(double now_s);
+  void retry_own_way(double now_s);
+  std::vector<MotionId> own_way_motions(const Vehicle& vehicle);
+  PlaceId end_of_grants(const Agent& agent) const;
+  void sweep(double now_s);
+
+  // coordinator_grants.cpp: grants and orders
+  void grant_all(double now_s);
+  bool grant_next(Vehicle& vehicle);
+  bool wants_road(const Vehicle& vehicle, const Agent& agent) const;
+  void hold_end_of_grants(Vehicle& vehicle);
+  void tell_reasons(Vehicle& vehicle);
+  void tell_way(Vehicle& vehicle, Orders& orders);
+  void tell_grant(Vehicle& vehicle, bool is_new_way, Orders& orders);
+  Way way_of(const Vehicle& vehicle, const Agent& agent) const;
+  double limit_on_way_m(const Vehicle& vehicle, std::uint64_t limit_step) const;
+
+  Settings settings_;
+  OwnWay own_way_;
+  Roadmap roadmap_;
+  Lock lock_;
+  JointPlan plans_;
+  std::map<std::string, Vehicle> vehicles_;
+  std::vector<std::string> events_;
+  bool has_map_{false};
+  bool is_busy_{false};
+  bool has_changed_{false};  // something that plans may have to leave
+  std::uint64_t refused_{0};
+  std::uint64_t random_state_{1};
+  int tries_in_vain_{0};
+  double retimed_s_{-1e9};
+  double swept_s_{-1e9};
 };
 
 }  // namespace aisle::global_planner::traffic
