@@ -2,10 +2,14 @@
 
 #include <cstdint>
 #include <limits>
-#include <optional>
+#include <map>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "common/grid/clearance.hpp"
+#include "services/global-planner/core/traffic/floor_bins.hpp"
+#include "services/global-planner/core/traffic/lattice.hpp"
 #include "services/global-planner/core/traffic/shape.hpp"
 
 namespace aisle::global_planner::traffic {
@@ -40,7 +44,7 @@ struct Motion {
   double length_m{0.0};
   double entry_rad{0.0};  // heading at the beginning and at the end, of the vehicle
   double exit_rad{0.0};
-  double speed_mps{0.0};   // at most, by the kind's limits and by zones
+  double speed_mps{0.0};  // at most, by the kind's limits and by zones
   bool is_reverse{false};
   bool is_temporary{false};
   bool is_closed{false};
@@ -49,46 +53,124 @@ struct Motion {
 
 /// Places and motions of all kinds of vehicles, made from the map alone. Ids survive edits elsewhere and are never used
 /// twice. No lane is drawn by hand: places are the points of a lattice, moved to where there is room.
+///
+///   clearance ─► lattice points ─► joins of neighbours ─► bridges between parts that the floor joins
+///             ─► places and motions with shapes ─► corridors and cuts
+///
+/// What an edit takes away is closed, and ends at the next sweep() that does not name it, so that a vehicle inside may
+/// still leave. References to places and motions stay good until these end.
 class Roadmap {
  public:
+  /// @param gap_m between a shape and what closes it; and between two vehicles
+  explicit Roadmap(double gap_m = 0.05);
+
   /// The number of the kind; its places and motions are made when it is new and there is a map. Equal kinds share one.
   KindId kind(const Kind& kind);
   const Kind& kind(KindId id) const;
 
-  /// A new map: only what lies near the changed cells (`low` to `high`, both included) is made anew.
-  /// `clearance` is not copied and must outlive the next call.
+  /// A new map: only what lies near the changed cells (`low` to `high`, both included) is made anew; all of it where
+  /// the map's size or place changed. `clearance` is not copied and must outlive the next call.
   void set_map(const grid::ClearanceField& clearance, grid::Cell low, grid::Cell high);
 
+  /// Of an id that has ended: a closed one without neighbours.
   const Place& place(PlaceId id) const;
   const Motion& motion(MotionId id) const;
-  std::size_t places() const;  // ids are below this
-  std::size_t motions() const;
+  std::size_t places() const { return places_.size(); }  // ids are below this; some of them have ended
+  std::size_t motions() const { return motions_.size(); }
 
   /// The place (not temporary, open) that the vehicle can reach straight from here, the nearest; kNoId: none.
   PlaceId nearest(KindId kind, const geometry::Pose2& base_in_map) const;
 
-  /// A temporary place, joined both ways to all places in straight reach (within 1.6 m, else 2.5 m, else 4 m; none:
-  /// kNoId); an existing place within 1 cm is returned instead.
-  PlaceId temporary_place(KindId kind, const geometry::Pose2& base_in_map);
+  /// A temporary place, joined both ways to all places in straight reach (within 1.6 m, else 2.5 m, else 4 m, else by a
+  /// short search to one; none: kNoId). An existing place within 1 cm is returned instead. It may stand nearer to a
+  /// wall than others: then the ways to it may begin as near.
+  /// @param is_joined false: no motions yet, for a cut of an own way
+  PlaceId temporary_place(KindId kind, const geometry::Pose2& base_in_map, bool is_joined = true);
 
   /// A temporary motion along the path between two places, with a motion back where the kind turns on the spot.
-  MotionId temporary_motion(PlaceId from, PlaceId to, std::vector<geometry::Point2> path_in_map);
+  /// @param headings_rad at each point, for kinds that do not turn on the spot; empty: along the path
+  MotionId temporary_motion(PlaceId from, PlaceId to, std::vector<geometry::Point2> path_in_map,
+                            std::vector<double> headings_rad = {});
 
-  /// Temporary places and motions that are not in `in_use` end: their ids stay invalid for ever.
+  /// Temporary places and motions that are not in `in_use` end: their ids stay invalid for ever. The ends of a motion
+  /// in use are in use, and so are the motions between two places in use. A place in use that is left without a way to
+  /// the others is joined anew.
   void sweep(const std::vector<PlaceId>& places_in_use, const std::vector<MotionId>& motions_in_use);
 
-  /// Closes what meets the shape (a box, a parked vehicle, a dead one) under a name, until it is opened again.
+  /// Closes what meets the shape (a box, a parked vehicle, a dead one) under a name, until it is opened again. A motion
+  /// that leads away from it out of a closed place stays open.
   void close(const std::string& name, const Shape& shape);
   void open(const std::string& name);
 
-  /// Seconds from each place to `goal` by the shortest way alone, infinity where there is none: for places that are not
-  /// temporary. Kept until the map or a closure changes.
+  /// Seconds from each place to `goal` by the shortest way alone, without turns, infinity where there is none; of ids
+  /// below the table's size that are not temporary. `goal` may be temporary. Kept until the map or a closure changes,
+  /// or a sweep() does not name the goal.
   const std::vector<double>& seconds_to(PlaceId goal);
 
-  /// Counts up with each change of places, motions or closures.
+  /// The same from one place, which may be temporary.
+  double seconds_to(PlaceId from, PlaceId goal);
+
+  /// Counts up with each change of places, motions or closures, but for temporary ones.
   std::uint64_t revision() const { return revision_; }
 
  private:
+  /// The places and motions of one kind.
+  struct Net {
+    Kind kind;
+    LatticeSpec spec;
+    FloorBins<PlaceId> places;  // neither temporary nor taken away
+  };
+
+  struct Closure {
+    Shape shape;
+    std::vector<PlaceId> places;
+    std::vector<MotionId> motions;
+  };
+
+  // --- ids: roadmap.cpp
+  PlaceId add_place(KindId kind, const geometry::Pose2& base_in_map, bool has_heading, bool is_temporary);
+  MotionId add_motion(Motion motion);
+  void add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::vector<geometry::Point2>& path_in_map,
+                     bool is_temporary);
+  void end_place(PlaceId id);
+  void end_motion(MotionId id);
+  bool is_joined(PlaceId a, PlaceId b) const;
+
+  // --- the map: repair.cpp
+  void make_near(KindId kind, const Box& changed);
+  void take_away_blocked(KindId kind, const Box& region);
+  void take_away(PlaceId id);
+  void take_away_motion(MotionId id);
+  void make_turning_places(KindId kind, const Box& region, const Box& window);
+  void find_corridors(KindId kind);
+  bool is_spur(PlaceId id) const;
+
+  // --- temporary.cpp
+  void join_temporary(PlaceId id);
+  bool join_straight(PlaceId id, double reach_m);
+  bool join_by_search(PlaceId id);
+  void settle_temporary(PlaceId id);
+  PlaceId place_at(KindId kind, const geometry::Pose2& base_in_map) const;
+
+  // --- closures.cpp
+  void close_place(PlaceId id, Closure& closure);
+  void close_motion(MotionId id, Closure& closure);
+  void closures_changed();
+
+  double gap_m_;
+  const grid::ClearanceField* clearance_{nullptr};
+  grid::Geometry geometry_;
+  std::vector<Net> nets_;                       // by kind
+  std::vector<std::unique_ptr<Place>> places_;  // null: ended
+  std::vector<std::unique_ptr<Motion>> motions_;
+  std::vector<std::uint16_t> place_closed_by_;  // closures and edits that close it
+  std::vector<std::uint16_t> motion_closed_by_;
+  std::vector<PlaceId> temporary_places_;
+  std::vector<MotionId> temporary_motions_;
+  FloorBins<PlaceId> place_shapes_;  // of all kinds, by the standing shape
+  FloorBins<MotionId> motion_shapes_;
+  std::map<std::string, Closure> closures_;
+  std::map<PlaceId, std::vector<double>> seconds_to_;
   std::uint64_t revision_{0};
 };
 

@@ -172,14 +172,16 @@ void Shape::add(const Shape& other) {
   capsules_.insert(capsules_.end(), other.capsules_.begin(), other.capsules_.end());
 }
 
-double gap_between_m(const Shape& a, const Shape& b) {
+double separation_m(const Shape& a, const Shape& b) {
   double least_m = std::numeric_limits<double>::infinity();
   for (const Capsule& of_a : a.capsules())
     for (const Capsule& of_b : b.capsules())
       least_m = std::min(least_m, std::sqrt(squared_between_spines(of_a, of_b)) - of_a.radius_m - of_b.radius_m);
 
-  return std::max(0.0, least_m);
+  return least_m;
 }
+
+double gap_between_m(const Shape& a, const Shape& b) { return std::max(0.0, separation_m(a, b)); }
 
 bool meet(const Shape& a, const Shape& b, double gap_m) {
   if (a.empty() || b.empty()) return false;

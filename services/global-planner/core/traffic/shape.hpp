@@ -40,6 +40,9 @@ class Shape {
 /// Metres between two shapes; 0 where they overlap, infinity where one of them is empty.
 double gap_between_m(const Shape& a, const Shape& b);
 
+/// The same, but negative where they overlap: minus what the radii of some two capsules reach into each other.
+double separation_m(const Shape& a, const Shape& b);
+
 /// Are the shapes nearer to each other than `gap_m`? Shapes whose gap equals it to within 1 nm do not meet.
 bool meet(const Shape& a, const Shape& b, double gap_m);
 

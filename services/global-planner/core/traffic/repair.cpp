@@ -1,0 +1,197 @@
+// Makes the roadmap's places and motions from the map, and again near an edit.
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "services/global-planner/core/traffic/corridors.hpp"
+#include "services/global-planner/core/traffic/joins.hpp"
+#include "services/global-planner/core/traffic/roadmap.hpp"
+#include "services/global-planner/core/traffic/straight_way.hpp"
+
+namespace aisle::global_planner::traffic {
+namespace {
+
+using geometry::Point2;
+
+constexpr std::uint16_t kForGood = 1000;  // more than things that may stand there
+
+constexpr double kWindow = 4.0;  // pitches around an edit within which the floor is flooded
+
+bool is_path_free(const grid::ClearanceField& clearance, const std::vector<Point2>& path, double need_m) {
+  for (std::size_t i = 1; i < path.size(); ++i)
+    if (!is_straight_way_free(clearance, path[i - 1], path[i], need_m)) return false;
+  return true;
+}
+
+}  // namespace
+
+void Roadmap::set_map(const grid::ClearanceField& clearance, grid::Cell low, grid::Cell high) {
+  const bool is_new = clearance_ == nullptr || geometry_ != clearance.geometry();
+  clearance_ = &clearance;
+  geometry_ = clearance.geometry();
+  if (!is_new && (high.x < low.x || high.y < low.y)) return;
+
+  Box changed{geometry_.center_in_map(low), geometry_.center_in_map(high)};
+  changed = grown(changed, 0.5 * geometry_.resolution_m);
+  if (is_new) {
+    changed = floor_box(clearance);
+    for (PlaceId id = 0; id < places_.size(); ++id)
+      if (places_[id]) take_away(id);
+  }
+
+  for (KindId kind = 0; kind < nets_.size(); ++kind) make_near(kind, changed);
+}
+
+void Roadmap::make_near(KindId kind, const Box& changed) {
+  const LatticeSpec& spec = nets_[kind].spec;
+  const Box region = grown(changed, spec.need_m + spec.pitch_m);
+  const Box window = grown(region, kWindow * spec.pitch_m);
+
+  take_away_blocked(kind, region);
+  make_turning_places(kind, region, window);
+  find_corridors(kind);
+
+  ++revision_;
+  seconds_to_.clear();
+}
+
+/// It is closed for good, and ends when it is left. Its motions close by themselves, but for those out of it.
+void Roadmap::take_away(PlaceId id) {
+  Place& place = *places_[id];
+  const Point2 at = place.base_in_map.position();
+  if (!place.is_temporary) {
+    nets_[place.kind].places.remove({at, at}, id);
+    place.is_temporary = true;
+    temporary_places_.push_back(id);
+  }
+
+  place_closed_by_[id] = std::max(place_closed_by_[id], kForGood);
+  place.is_closed = true;
+  for (const MotionId motion : place.entering) take_away_motion(motion);
+  for (const MotionId motion : place.leaving) take_away_motion(motion);
+}
+
+void Roadmap::take_away_motion(MotionId id) {
+  Motion& motion = *motions_[id];
+  if (!motion.is_temporary) {
+    motion.is_temporary = true;
+    temporary_motions_.push_back(id);
+  }
+
+  motion_closed_by_[id] = std::max(motion_closed_by_[id], kForGood);
+  motion.is_closed = true;
+}
+
+void Roadmap::take_away_blocked(KindId kind, const Box& region) {
+  const double need_m = nets_[kind].spec.need_m;
+  const double bare_m = need_m - 0.5 * nets_[kind].kind.wall_margin_m;  // own ways are not held to the whole margin
+
+  std::vector<PlaceId> places;
+  nets_[kind].places.visit(region, [&](PlaceId id) {
+    if (clearance_->clearance_m(places_[id]->base_in_map.position()) < need_m) places.push_back(id);
+  });
+  for (const PlaceId id : places) take_away(id);
+
+  std::vector<MotionId> motions;
+  motion_shapes_.visit(region, [&](MotionId id) {
+    const Motion& motion = *motions_[id];
+    if (motion.kind != kind) return;
+    if (!is_path_free(*clearance_, motion.path_in_map, motion.is_temporary ? bare_m : need_m)) motions.push_back(id);
+  });
+  for (const MotionId id : motions) take_away_motion(id);
+}
+
+void Roadmap::make_turning_places(KindId kind, const Box& region, const Box& window) {
+  const LatticeSpec spec = nets_[kind].spec;
+
+  std::vector<PlaceId> ids;
+  nets_[kind].places.visit(window, [&](PlaceId id) { ids.push_back(id); });
+  std::sort(ids.begin(), ids.end());
+
+  std::vector<Point2> points;
+  const auto add = [&](Point2 at) {
+    ids.push_back(add_place(kind, {at.x, at.y, 0.0}, false, false));
+    points.push_back(at);
+  };
+  for (const PlaceId id : ids) points.push_back(places_[id]->base_in_map.position());
+  for (const Point2 at : lattice_points(*clearance_, spec, region, points)) add(at);
+
+  std::map<PlaceId, std::size_t> index_of;
+  for (std::size_t i = 0; i < ids.size(); ++i) index_of[ids[i]] = i;
+  std::vector<Join> joins;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    for (const MotionId motion : places_[ids[i]]->leaving) {
+      const auto next = index_of.find(motions_[motion]->to);
+      if (!motions_[motion]->is_temporary && next != index_of.end() && next->second > i)
+        joins.emplace_back(i, next->second);
+    }
+  }
+
+  for (const Join& join : join_neighbours(*clearance_, spec, points, joins, region)) {
+    add_both_ways(kind, ids[join.first], ids[join.second], {points[join.first], points[join.second]}, false);
+    joins.push_back(join);
+  }
+
+  // Parts of the whole net: two places may hang together by ways outside the window.
+  Parts parts(places_.size());
+  for (const auto& motion : motions_)
+    if (motion && motion->kind == kind && !motion->is_temporary) parts.join(motion->from, motion->to);
+  std::vector<std::size_t> part;
+  for (const PlaceId id : ids) part.push_back(parts.of(id));
+
+  const Bridging bridging = bridge_parts(*clearance_, spec.need_m, points, part, joins, window, region);
+  for (const Bridge& bridge : bridging.bridges)
+    add_both_ways(kind, ids[bridge.join.first], ids[bridge.join.second], bridge.way_in_map, false);
+  for (const Point2 at : bridging.islands) add(at);
+}
+
+/// Is it a dead end of one place beside a way that goes on? A vehicle that stands in it is in no other's way.
+bool Roadmap::is_spur(PlaceId id) const {
+  PlaceId only = kNoId;
+  for (const MotionId m : places_[id]->leaving) {
+    if (motions_[m]->is_temporary) continue;
+    if (only != kNoId) return false;
+    only = motions_[m]->to;
+  }
+  if (only == kNoId) return false;
+
+  int others = 0;
+  for (const MotionId m : places_[only]->leaving) {
+    const Motion& motion = *motions_[m];
+    if (motion.is_temporary || motion.to == id) continue;
+    if (meet(motion.shape, places_[id]->standing, gap_m_)) return false;
+    ++others;
+  }
+  return others >= 2;
+}
+
+void Roadmap::find_corridors(KindId kind) {
+  std::vector<PlaceId> ids;
+  std::map<PlaceId, std::uint32_t> index_of;
+  for (PlaceId id = 0; id < places_.size(); ++id) {
+    if (!places_[id] || places_[id]->kind != kind || places_[id]->is_temporary) continue;
+    index_of[id] = static_cast<std::uint32_t>(ids.size());
+    ids.push_back(id);
+  }
+
+  std::vector<std::vector<std::uint32_t>> neighbours(ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    const auto add = [&](const Motion& motion, PlaceId other) {
+      if (!motion.is_temporary) neighbours[i].push_back(index_of.at(other));
+    };
+    for (const MotionId motion : places_[ids[i]]->leaving) add(*motions_[motion], motions_[motion]->to);
+    for (const MotionId motion : places_[ids[i]]->entering) add(*motions_[motion], motions_[motion]->from);
+    std::sort(neighbours[i].begin(), neighbours[i].end());
+    neighbours[i].erase(std::unique(neighbours[i].begin(), neighbours[i].end()), neighbours[i].end());
+  }
+
+  const Cuts cuts = find_cuts(neighbours);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    places_[ids[i]]->corridor = is_spur(ids[i]) ? kNoId : cuts.corridor[i];
+    places_[ids[i]]->may_rest = !cuts.is_cut[i];
+  }
+  for (const PlaceId id : temporary_places_)
+    if (places_[id] && places_[id]->kind == kind) settle_temporary(id);
+}
+
+}  // namespace aisle::global_planner::traffic

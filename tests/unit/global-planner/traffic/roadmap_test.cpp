@@ -1,0 +1,370 @@
+#include "services/global-planner/core/traffic/roadmap.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <random>
+#include <set>
+
+#include "tests/unit/global-planner/traffic/floors.hpp"
+
+namespace aisle::global_planner::traffic {
+namespace {
+
+using geometry::Point2;
+using grid::Cell;
+
+constexpr double kNeedM = 0.45;
+
+Kind cart() { return {}; }
+
+struct Made {
+  Roadmap roadmap;
+  KindId kind;
+};
+
+Made made_for(const FloorMap& floor, const Kind& kind = cart()) {
+  Made made;
+  made.kind = made.roadmap.kind(kind);
+  made.roadmap.set_map(floor.clearance, {0, 0}, floor.high());
+  return made;
+}
+
+std::vector<PlaceId> lattice(const Roadmap& roadmap) {
+  std::vector<PlaceId> out;
+  for (PlaceId id = 0; id < roadmap.places(); ++id)
+    if (!roadmap.place(id).is_temporary && roadmap.place(id).kind != kNoId && !roadmap.place(id).standing.empty())
+      out.push_back(id);
+  return out;
+}
+
+/// Metres over the grid from a cell to each other, eight neighbours, cutting no corner; infinity where there is no way.
+std::vector<double> grid_distances_m(const FloorMap& floor, Cell from, double need_m) {
+  const grid::Geometry& g = floor.grid.geometry();
+  std::vector<double> out(g.cells(), std::numeric_limits<double>::infinity());
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  const auto is_free = [&](Cell c) { return floor.clearance.is_traversable(c, need_m); };
+  if (!is_free(from)) return out;
+
+  out[g.index(from)] = 0.0;
+  open.push({0.0, g.index(from)});
+  while (!open.empty()) {
+    const auto [so_far_m, index] = open.top();
+    open.pop();
+    if (so_far_m > out[index]) continue;
+
+    const Cell at{static_cast<int>(index % static_cast<std::size_t>(g.width)),
+                  static_cast<int>(index / static_cast<std::size_t>(g.width))};
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const Cell to{at.x + dx, at.y + dy};
+        if (!is_free(to) || !is_free({to.x, at.y}) || !is_free({at.x, to.y})) continue;
+        const double length_m = so_far_m + std::hypot(dx, dy) * g.resolution_m;
+        if (length_m >= out[g.index(to)]) continue;
+        out[g.index(to)] = length_m;
+        open.push({length_m, g.index(to)});
+      }
+    }
+  }
+  return out;
+}
+
+class OnEveryFloor : public ::testing::TestWithParam<std::size_t> {
+ protected:
+  static const std::vector<FloorMap>& floors() {
+    static const std::vector<FloorMap> all = all_floors();
+    return all;
+  }
+  const FloorMap& floor() const { return floors()[GetParam()]; }
+};
+
+/// Of each place and motion: free of walls, ends where it says, apart from its neighbours.
+void expect_sound(const FloorMap& floor, const Roadmap& roadmap, double need_m, double pitch_m) {
+  const auto places = lattice(roadmap);
+  for (const PlaceId a : places) {
+    const Point2 at = roadmap.place(a).base_in_map.position();
+    ASSERT_GE(floor.clearance.clearance_m(at), need_m);
+    for (const PlaceId b : places) {
+      if (b >= a) continue;
+      ASSERT_GT(distance(at, roadmap.place(b).base_in_map.position()), kLeastApart * pitch_m - 1e-6);
+    }
+  }
+
+  for (MotionId id = 0; id < roadmap.motions(); ++id) {
+    const Motion& motion = roadmap.motion(id);
+    if (motion.is_temporary || motion.path_in_map.empty()) continue;
+
+    ASSERT_EQ(motion.path_in_map.front(), roadmap.place(motion.from).base_in_map.position());
+    ASSERT_EQ(motion.path_in_map.back(), roadmap.place(motion.to).base_in_map.position());
+    for (std::size_t i = 1; i < motion.path_in_map.size(); ++i)
+      for (double t = 0.0; t <= 1.0; t += 0.05)
+        ASSERT_GE(floor.clearance.clearance_m(motion.path_in_map[i - 1] +
+                                              t * (motion.path_in_map[i] - motion.path_in_map[i - 1])),
+                  need_m - 1e-6);
+  }
+}
+
+/// Places that the floor connects are joined by motions, both ways; each piece of free floor has a place.
+void expect_joined_as_the_floor(const FloorMap& floor, Roadmap& roadmap, double need_m) {
+  const grid::Geometry& g = floor.grid.geometry();
+  const auto places = lattice(roadmap);
+  std::set<PlaceId> seen;
+  std::vector<bool> is_covered(g.cells(), false);
+
+  const auto cell_near = [&](Point2 p) {
+    const Cell c = g.cell_at(p);
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        if (floor.clearance.is_traversable({c.x + dx, c.y + dy}, need_m)) return Cell{c.x + dx, c.y + dy};
+    return c;
+  };
+
+  for (const PlaceId first : places) {
+    if (seen.count(first) > 0) continue;
+
+    const auto& table = roadmap.seconds_to(first);
+    const auto metres = grid_distances_m(floor, cell_near(roadmap.place(first).base_in_map.position()), need_m);
+    for (std::size_t i = 0; i < metres.size(); ++i) is_covered[i] = is_covered[i] || std::isfinite(metres[i]);
+    for (const PlaceId other : places) {
+      const bool is_connected = std::isfinite(metres[g.index(cell_near(roadmap.place(other).base_in_map.position()))]);
+      ASSERT_EQ(std::isfinite(table[other]), is_connected) << first << " " << other;
+      if (is_connected) seen.insert(other);
+    }
+  }
+
+  for (int y = 0; y < g.height; ++y)
+    for (int x = 0; x < g.width; ++x)
+      ASSERT_TRUE(is_covered[g.index({x, y})] || !floor.clearance.is_traversable({x, y}, need_m));
+}
+
+TEST_P(OnEveryFloor, PlacesAndMotionsAreSound) {
+  auto made = made_for(floor());
+  ASSERT_FALSE(lattice(made.roadmap).empty());
+  expect_sound(floor(), made.roadmap, kNeedM, 1.0);
+}
+
+TEST_P(OnEveryFloor, WhatTheFloorConnectsIsJoined) {
+  auto made = made_for(floor());
+  expect_joined_as_the_floor(floor(), made.roadmap, kNeedM);
+}
+
+TEST_P(OnEveryFloor, EveryFreeSpotReachesAPlace) {
+  auto made = made_for(floor());
+  std::mt19937 random(5);
+  const grid::Geometry& g = floor().grid.geometry();
+  int tried = 0;
+  int straight = 0;
+
+  while (tried < 400) {
+    const Cell cell{static_cast<int>(random() % static_cast<unsigned>(g.width)),
+                    static_cast<int>(random() % static_cast<unsigned>(g.height))};
+    if (!floor().clearance.is_traversable(cell, kNeedM)) continue;
+
+    ++tried;
+    const Point2 at = g.center_in_map(cell);
+    const PlaceId id = made.roadmap.temporary_place(made.kind, {at.x, at.y, 0.0});
+    ASSERT_NE(id, kNoId) << at.x << " " << at.y;
+    ASSERT_FALSE(made.roadmap.place(id).leaving.empty());
+    ASSERT_FALSE(made.roadmap.place(id).entering.empty());
+    straight += made.roadmap.nearest(made.kind, {at.x, at.y, 0.0}) != kNoId ? 1 : 0;
+    made.roadmap.sweep({}, {});
+    ASSERT_TRUE(made.roadmap.place(id).is_temporary == false || made.roadmap.place(id).standing.empty());
+  }
+
+  EXPECT_GE(straight, tried * 99 / 100);
+}
+
+TEST_P(OnEveryFloor, DetoursAreShort) {
+  auto made = made_for(floor());
+  const auto places = lattice(made.roadmap);
+  const grid::Geometry& g = floor().grid.geometry();
+  std::mt19937 random(9);
+  double sum = 0.0;
+  int count = 0;
+
+  for (int i = 0; i < 4; ++i) {
+    const PlaceId goal = places[random() % places.size()];
+    const auto metres = grid_distances_m(floor(), g.cell_at(made.roadmap.place(goal).base_in_map.position()), kNeedM);
+    const auto& table = made.roadmap.seconds_to(goal);
+    for (const PlaceId from : places) {
+      const double direct_m = metres[g.index(g.cell_at(made.roadmap.place(from).base_in_map.position()))];
+      if (!std::isfinite(direct_m) || direct_m < 3.0) continue;
+      sum += table[from] * 0.9 * cart().limits.max_speed_mps / direct_m;
+      ++count;
+    }
+  }
+
+  ASSERT_GT(count, 10);
+  EXPECT_LE(sum / count, 1.25) << floor().name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Roadmap, OnEveryFloor, ::testing::Range<std::size_t>(0, all_floors().size()));
+
+TEST(Roadmap, EqualKindsShareOne) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  const std::size_t before = made.roadmap.places();
+  EXPECT_EQ(made.roadmap.kind(cart()), made.kind);
+  EXPECT_EQ(made.roadmap.places(), before);
+
+  Kind slow = cart();
+  slow.limits.max_speed_mps = 0.5;
+  EXPECT_NE(made.roadmap.kind(slow), made.kind);
+  EXPECT_EQ(made.roadmap.places(), 2 * before);
+}
+
+TEST(Roadmap, TheSameMapGivesTheSame) {
+  const FloorMap floor = lane_with_bay();
+  const auto a = made_for(floor);
+  const auto b = made_for(floor);
+  ASSERT_EQ(a.roadmap.motions(), b.roadmap.motions());
+  for (MotionId id = 0; id < a.roadmap.motions(); ++id)
+    ASSERT_EQ(a.roadmap.motion(id).path_in_map, b.roadmap.motion(id).path_in_map);
+}
+
+TEST(Corridors, ALaneIsOneAndTheRoomsAreNone) {
+  const FloorMap floor = lane_with_bay();
+  const auto made = made_for(floor);
+  std::set<std::uint32_t> numbers;
+
+  for (const PlaceId id : lattice(made.roadmap)) {
+    const Place& place = made.roadmap.place(id);
+    const double x = place.base_in_map.x;
+    const bool is_in_room = x < 4.0 || x > 17.0;
+    const bool is_in_lane = (x > 5.0 && x < 9.0) || (x > 12.0 && x < 16.0);
+    if (is_in_room) {
+      EXPECT_EQ(place.corridor, kNoId);
+    }
+    if (is_in_lane) {
+      EXPECT_NE(place.corridor, kNoId);
+      EXPECT_FALSE(place.may_rest);
+      numbers.insert(place.corridor);
+    }
+  }
+
+  EXPECT_EQ(numbers.size(), 1U);
+  const Place& bay = made.roadmap.place(made.roadmap.nearest(made.kind, {10.5, 3.8, 0.0}));
+  EXPECT_GT(bay.base_in_map.y, 3.5);
+  EXPECT_EQ(bay.corridor, kNoId);
+  EXPECT_TRUE(bay.may_rest);
+}
+
+TEST(TemporaryPlace, IsJoinedBothWaysAndEndsWhenItIsNotInUse) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  const std::size_t motions = made.roadmap.motions();
+  const PlaceId id = made.roadmap.temporary_place(made.kind, {5.2, 4.3, 0.0});
+  ASSERT_NE(id, kNoId);
+  EXPECT_GE(made.roadmap.place(id).leaving.size(), 3U);
+  EXPECT_EQ(made.roadmap.place(id).leaving.size(), made.roadmap.place(id).entering.size());
+  EXPECT_EQ(made.roadmap.temporary_place(made.kind, {5.205, 4.3, 1.0}), id);
+
+  const MotionId leaving = made.roadmap.place(id).leaving.front();
+  made.roadmap.sweep({id}, {});
+  EXPECT_FALSE(made.roadmap.place(id).leaving.empty());
+  made.roadmap.sweep({}, {leaving});
+  EXPECT_FALSE(made.roadmap.place(id).is_closed);
+
+  made.roadmap.sweep({}, {});
+  EXPECT_TRUE(made.roadmap.place(id).is_closed);
+  EXPECT_TRUE(made.roadmap.motion(leaving).is_closed);
+  EXPECT_NE(made.roadmap.temporary_place(made.kind, {5.2, 4.3, 0.0}), id);
+  for (MotionId m = 0; m < motions; ++m) EXPECT_FALSE(made.roadmap.motion(m).is_closed);
+}
+
+TEST(TemporaryPlace, OnAPlaceIsThatPlace) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  const PlaceId any = lattice(made.roadmap)[7];
+  EXPECT_EQ(made.roadmap.temporary_place(made.kind, made.roadmap.place(any).base_in_map), any);
+}
+
+TEST(TemporaryPlace, NearAWallIsJoinedAsWell) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  EXPECT_NE(made.roadmap.temporary_place(made.kind, {0.9, 4.3, 0.0}), kNoId);  // 0.4 m from the wall
+  EXPECT_EQ(made.roadmap.temporary_place(made.kind, {0.2, 4.3, 0.0}), kNoId);  // in the wall
+}
+
+TEST(TemporaryMotion, HasAMotionBackAndJoinsWhatIsLeftAlone) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  Roadmap& roadmap = made.roadmap;
+  const PlaceId a = roadmap.temporary_place(made.kind, {5.2, 4.3, 0.0});
+  const PlaceId b = roadmap.temporary_place(made.kind, {6.3, 4.8, 0.0}, false);
+  EXPECT_TRUE(roadmap.place(b).leaving.empty());
+
+  const MotionId id = roadmap.temporary_motion(a, b, {{5.2, 4.3}, {5.8, 4.4}, {6.3, 4.8}});
+  ASSERT_EQ(roadmap.place(b).leaving.size(), 1U);
+  const Motion& back = roadmap.motion(roadmap.place(b).leaving.front());
+  EXPECT_EQ(back.to, a);
+  EXPECT_EQ(back.path_in_map.front(), (Point2{6.3, 4.8}));
+  EXPECT_NEAR(roadmap.motion(id).length_m, std::hypot(0.6, 0.1) + std::hypot(0.5, 0.4), 1e-12);
+
+  roadmap.sweep({b}, {});
+  EXPECT_GE(roadmap.place(b).leaving.size(), 3U);
+}
+
+TEST(Closures, CloseWhatMeetsThemUntilTheyEnd) {
+  const FloorMap floor = lane_with_bay();
+  auto made = made_for(floor);
+  Roadmap& roadmap = made.roadmap;
+  const PlaceId left = roadmap.nearest(made.kind, {1.5, 2.5, 0.0});
+  const PlaceId right = roadmap.nearest(made.kind, {19.5, 2.5, 0.0});
+  ASSERT_TRUE(std::isfinite(roadmap.seconds_to(left, right)));
+  const std::uint64_t before = roadmap.revision();
+
+  const Shape box({{{7.0, 2.6}, {7.0, 2.6}, 0.2}});
+  roadmap.close("box", box);
+  roadmap.close("other", box);
+  EXPECT_GT(roadmap.revision(), before);
+  EXPECT_FALSE(std::isfinite(roadmap.seconds_to(left, right)));
+  for (const PlaceId id : lattice(roadmap))
+    EXPECT_EQ(roadmap.place(id).is_closed, meet(roadmap.place(id).standing, box, 0.05));
+
+  const PlaceId inside = roadmap.temporary_place(made.kind, {7.2, 2.5, 0.0});
+  EXPECT_TRUE(roadmap.place(inside).is_closed);
+  EXPECT_TRUE(std::isfinite(roadmap.seconds_to(inside, right)));  // the vehicle inside may leave
+
+  roadmap.open("box");
+  EXPECT_FALSE(std::isfinite(roadmap.seconds_to(left, right)));
+  roadmap.open("other");
+  EXPECT_TRUE(std::isfinite(roadmap.seconds_to(left, right)));
+  for (const PlaceId id : lattice(roadmap)) EXPECT_FALSE(roadmap.place(id).is_closed);
+}
+
+TEST(Distances, AreThoseOfTheShortestWayAndServeTemporaryPlaces) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  Roadmap& roadmap = made.roadmap;
+  const PlaceId from = roadmap.nearest(made.kind, {1.5, 1.5, 0.0});
+  const PlaceId to = roadmap.nearest(made.kind, {9.5, 1.5, 0.0});
+  const double metres = distance(roadmap.place(from).base_in_map.position(), roadmap.place(to).base_in_map.position());
+  EXPECT_NEAR(roadmap.seconds_to(from, to), metres / (0.9 * 1.2), 1e-9);
+
+  const PlaceId start = roadmap.temporary_place(made.kind, {2.2, 1.7, 0.0});
+  const PlaceId goal = roadmap.temporary_place(made.kind, {8.8, 1.3, 0.0});
+  EXPECT_GE(roadmap.seconds_to(start, goal), std::hypot(6.6, 0.4) / (0.9 * 1.2));
+  EXPECT_LE(roadmap.seconds_to(start, goal), 1.3 * std::hypot(6.6, 0.4) / (0.9 * 1.2));
+  EXPECT_EQ(roadmap.seconds_to(goal, goal), 0.0);
+}
+
+TEST(RunSeconds, CountLengthTurnsAndTheStart) {
+  Motion motion;
+  motion.path_in_map = {{0.0, 0.0}, {1.08, 0.0}};
+  motion.length_m = 1.08;
+  motion.speed_mps = 1.2;
+  EXPECT_NEAR(run_s(cart(), motion, 0.0, false), 1.0, 1e-9);
+  EXPECT_NEAR(run_s(cart(), motion, 0.0, true), 1.5, 1e-9);
+  EXPECT_NEAR(run_s(cart(), motion, 0.5 * geometry::kPi, false), 2.0, 1e-9);
+  EXPECT_NEAR(run_s(cart(), motion, -geometry::kPi, false), 3.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace aisle::global_planner::traffic
