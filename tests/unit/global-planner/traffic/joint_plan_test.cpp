@@ -1,0 +1,214 @@
+#include "services/global-planner/core/traffic/joint_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tests/unit/global-planner/traffic/plan_world.hpp"
+
+namespace aisle::global_planner::traffic {
+namespace {
+
+using test_support::Dice;
+using test_support::PlanWorld;
+
+const std::vector<std::string> kHall{
+    "########################", "#......................#", "#......................#", "#...####....####.......#",
+    "#...####....####.......#", "#...####....####.......#", "#......................#", "#......................#",
+    "#...####....####.......#", "#...####....####.......#", "#......................#", "#......................#",
+    "########################",
+};
+
+const std::vector<std::string> kLane{
+    "########################################", "#.......########################.......#",
+    "#.......########################.......#", "#.......########################.......#",
+    "#......................................#", "#......................................#",
+    "#.......########################.......#", "#.......########################.......#",
+    "#.......########################.......#", "########################################",
+};
+
+/// Drives until every vehicle has been at its goal, or the time is over.
+bool drive_home(PlanWorld& world, double most_s, Dice* dice = nullptr) {
+  std::map<std::string, double> held_until_s;
+  const auto hold = [&](const std::string& id) {
+    if (dice != nullptr && dice->below(200) == 0) held_until_s[id] = world.now_s() + dice->between(2.0, 8.0);
+    return held_until_s[id] > world.now_s();
+  };
+
+  for (int i = 0; world.now_s() < most_s; ++i) {
+    if (i % 2 == 0) world.plan_those_without();
+    world.grant();
+    world.drive(0.25, hold);
+
+    EXPECT_EQ(world.plan().circles(), 0U);
+    EXPECT_EQ(world.refused(), 0U);
+    if (world.end_goals_reached() == 0) return true;
+  }
+  return false;
+}
+
+/// A line on who waits for whom, for messages of tests that fail.
+std::string who_waits(PlanWorld& world) {
+  std::string out;
+  for (const auto& [id, agent] : world.plan().agents()) {
+    out += id + " at " + std::to_string(agent.place) + " goal " + std::to_string(agent.goal) + " steps " +
+           std::to_string(agent.steps.size()) + " (" + agent.reason + ")";
+    for (const std::string& other : world.plan().next_waits_for(id)) out += " waits for " + other;
+    out += "\n";
+  }
+  return out;
+}
+
+TEST(JointPlan, OneVehicleDrivesToItsGoal) {
+  PlanWorld world(kHall);
+  world.add("a", world.near({1.5, 1.0}));
+  world.send("a", world.near({10.0, 5.0}));
+
+  EXPECT_TRUE(drive_home(world, 60.0)) << who_waits(world);
+}
+
+TEST(JointPlan, TwoHeadOnInALanePassOneAfterTheOther) {
+  PlanWorld world(kLane);
+  world.add("a", world.near({2.0, 2.5}));
+  world.add("b", world.near({18.0, 2.5}));
+  world.send("a", world.near({18.0, 3.5}));
+  world.send("b", world.near({2.0, 3.5}));
+
+  EXPECT_TRUE(drive_home(world, 120.0)) << who_waits(world);
+}
+
+TEST(JointPlan, ThreeAgainstThreeInALane) {
+  PlanWorld world(kLane);
+  const double ys[] = {1.0, 2.4, 3.8};
+  for (int i = 0; i < 3; ++i) {
+    world.add("a" + std::to_string(i), world.near({1.5, ys[i]}));
+    world.add("b" + std::to_string(i), world.near({18.5, ys[i]}));
+  }
+  for (int i = 0; i < 3; ++i) {
+    world.send("a" + std::to_string(i), world.near({18.0, ys[i]}));
+    world.send("b" + std::to_string(i), world.near({2.0, ys[i]}));
+  }
+
+  EXPECT_TRUE(drive_home(world, 300.0)) << who_waits(world);
+}
+
+TEST(JointPlan, AVehicleWithoutGoalLeavesForOneThatMustPass) {
+  PlanWorld world(kLane);
+  world.add("a", world.near({2.0, 2.5}));
+  world.add("idle", world.near({10.0, 2.5}));
+  world.send("a", world.near({18.0, 2.5}));
+
+  EXPECT_TRUE(drive_home(world, 120.0)) << who_waits(world);
+}
+
+TEST(JointPlan, AGoalWhereAnotherStandsIsFreedByIt) {
+  PlanWorld world(kHall);
+  const PlaceId goal = world.near({10.0, 5.0});
+  world.add("idle", goal);
+  world.add("a", world.near({1.5, 1.0}));
+  world.send("a", goal);
+
+  EXPECT_TRUE(drive_home(world, 120.0)) << who_waits(world);
+}
+
+TEST(JointPlan, NobodyIsPlannedThroughAFrozenVehicle) {
+  PlanWorld world(kLane);
+  world.add("a", world.near({2.0, 2.5}));
+  world.add("dead", world.near({10.0, 2.5}));
+  world.send("a", world.near({18.0, 2.5}));
+  ASSERT_TRUE(world.plan().plan("a", {}, 0.0));
+
+  const auto cut = world.plan().freeze("dead", 0.0);
+
+  EXPECT_EQ(cut, (std::vector<std::string>{"dead", "a"}));
+  EXPECT_FALSE(world.plan().plan("a", {}, 0.0));
+  EXPECT_EQ(world.plan().find("a")->waits_for, std::vector<std::string>{"dead"});
+  EXPECT_FALSE(world.plan().plan_group("a", 0.0));
+}
+
+TEST(JointPlan, TheSameCallsGiveTheSamePlans) {
+  std::vector<double> ends[2];
+  for (auto& out : ends) {
+    PlanWorld world(kHall);
+    Dice dice(5);
+    const auto places = world.places();
+    for (int i = 0; i < 6; ++i) world.add("v" + std::to_string(i), places[static_cast<std::size_t>(i) * 7]);
+    for (int i = 0; i < 6; ++i) world.send("v" + std::to_string(i), places[dice.below(places.size())]);
+    world.plan_those_without();
+    for (const auto& [id, agent] : world.plan().agents())
+      for (const Step& step : agent.steps) out.push_back(step.end_s);
+  }
+  EXPECT_EQ(ends[0], ends[1]);
+}
+
+/// Places of which no two are nearer than 1.2 m.
+std::vector<PlaceId> apart(PlanWorld& world, std::size_t count, Dice& dice) {
+  std::vector<PlaceId> out;
+  const auto places = world.places();
+  for (int tries = 0; out.size() < count && tries < 10'000; ++tries) {
+    const PlaceId place = places[dice.below(places.size())];
+    const auto here = world.roadmap().place(place).base_in_map.position();
+    const bool is_apart = std::all_of(out.begin(), out.end(), [&](PlaceId other) {
+      return distance(here, world.roadmap().place(other).base_in_map.position()) >= 1.2;
+    });
+    if (is_apart) out.push_back(place);
+  }
+  return out;
+}
+
+class RandomPlans : public ::testing::TestWithParam<int> {};
+
+TEST_P(RandomPlans, PlansCutsAndRetimingsLeadInNoCircle) {
+  PlanWorld world(kHall);
+  Dice dice(static_cast<std::uint64_t>(GetParam()) + 1);
+  const auto starts = apart(world, 8, dice);
+  const auto places = world.places();
+  for (std::size_t i = 0; i < starts.size(); ++i) world.add("v" + std::to_string(i), starts[i]);
+
+  for (int turn = 0; turn < 300; ++turn) {
+    const std::string id = "v" + std::to_string(dice.below(starts.size()));
+    switch (dice.below(8)) {
+      case 0:
+        world.send(id, places[dice.below(places.size())]);
+        break;
+      case 1:
+        world.plan().cut(id, world.now_s());
+        break;
+      case 2:
+        world.plan().plan_group(id, world.now_s());
+        break;
+      case 3:
+        world.plan_those_without();
+        break;
+      default:
+        world.end_goals_reached();
+        world.plan().plan(id, {}, world.now_s());
+    }
+    ASSERT_TRUE(world.has_no_circle()) << "turn " << turn;
+    world.grant(2);
+    world.drive(0.25, [&](const std::string&) { return dice.below(4) == 0; });
+    ASSERT_TRUE(world.has_no_circle()) << "turn " << turn;
+    ASSERT_EQ(world.plan().circles(), 0U) << "turn " << turn;
+    ASSERT_EQ(world.refused(), 0U) << "turn " << turn;
+  }
+}
+
+TEST_P(RandomPlans, EverybodyComesHome) {
+  PlanWorld world(kHall);
+  Dice dice(static_cast<std::uint64_t>(GetParam()) + 100);
+  const auto starts = apart(world, 8, dice);
+  const auto goals = apart(world, 8, dice);
+  ASSERT_EQ(starts.size(), 8U);
+  ASSERT_EQ(goals.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) world.add("v" + std::to_string(i), starts[i]);
+  for (std::size_t i = 0; i < 8; ++i) world.send("v" + std::to_string(i), goals[i]);
+
+  EXPECT_TRUE(drive_home(world, 300.0, &dice)) << who_waits(world);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomPlans, ::testing::Range(0, 10));
+
+}  // namespace
+}  // namespace aisle::global_planner::traffic
