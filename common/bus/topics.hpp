@@ -11,6 +11,7 @@
 #include "idl/planning.hpp"
 #include "idl/service.hpp"
 #include "idl/tracking.hpp"
+#include "idl/traffic.hpp"
 #include "idl/vehicle.hpp"
 
 namespace aisle::topics {
@@ -133,6 +134,26 @@ struct Plan {
   static constexpr const char* kWhy = "one planner is heard; a standby takes over within the lease";
 };
 
+struct Grant {
+  using Sample = aisle::Grant;
+
+  static constexpr const char* kName = "grant";
+  static constexpr const char* kKey = "agv_id";
+  static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
+  static constexpr Qos kQos = Plan::kQos;
+  static constexpr const char* kWhy = "how far a vehicle may drive; authority changes hands with that of the plan";
+};
+
+struct TrafficStatus {
+  using Sample = aisle::TrafficStatus;
+
+  static constexpr const char* kName = "traffic_status";
+  static constexpr const char* kKey = "source_id";
+  static auto key(Sample& sample) { return std::tie(sample.source_id()); }
+  static constexpr Qos kQos = kState;
+  static constexpr const char* kWhy = "10 Hz: the leader's beat, and which vehicle waits for which, since when and why";
+};
+
 struct Track {
   using Sample = aisle::Track;
 
@@ -211,7 +232,8 @@ template <class... Topics>
 struct List {};
 
 using All = List<MapInfo, MapTile, MapRequest, MapEdit, MapEditResult, VehicleInfo, VehicleState, Scan, Goal, Plan,
-                 Track, TrackingStatus, Coverage, VelocityCommand, NavigationStatus, WorldObstacle, ServiceHealth>;
+                 Grant, TrafficStatus, Track, TrackingStatus, Coverage, VelocityCommand, NavigationStatus,
+                 WorldObstacle, ServiceHealth>;
 
 template <class... Topics, class Function>
 void for_each(List<Topics...>, Function&& function) {

@@ -62,6 +62,10 @@ const char* name(Reason reason) {
       return "late";
     case Reason::kAuthority:
       return "authority";
+    case Reason::kNoGrant:
+      return "no grant";
+    case Reason::kPerson:
+      return "held by a person";
   }
 
   return "?";

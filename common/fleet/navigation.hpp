@@ -29,7 +29,9 @@ enum class Reason {
   kUnreachable,
   kCancelled,
   kLate,
-  kAuthority
+  kAuthority,
+  kNoGrant,
+  kPerson
 };
 
 /// A predicted pose of a vehicle's frame, `offset_s` seconds after the stamp of the status that lists
@@ -37,6 +39,12 @@ enum class Reason {
 struct IntentPoint {
   double offset_s{0.0};
   geometry::Pose2 base_in_map;
+};
+
+/// A pose on the way that the vehicle may still drive, and the step that it lies in.
+struct HeldPose {
+  geometry::Pose2 base_in_map;
+  std::uint64_t step{0};
 };
 
 /// What a vehicle's local planner says of its way, 10 times a second.
@@ -54,6 +62,18 @@ struct NavigationStatus {
   double blocked_radius_m{0.0};        // 0 to 100; 0: unknown
   double control_ms{0.0};              // computing time of the newest cycle
   std::vector<IntentPoint> intent;     // the way that it claims, from its stamp on, at most 64; offsets do not fall
+
+  // Of a plan with steps. Steps count from the vehicle's registration, see Grant.
+  double progress_m{0.0};          // along the plan's waypoints, 0 to 1e9
+  std::uint64_t step_done{0};      // steps behind it: the number of the step that it is on, or stands before
+  std::uint64_t limit_step{0};     // it stops before this step at the latest
+  double limit_m{0.0};             // the same along the plan's waypoints, 0 to 1e9
+  std::uint64_t grant_number{0};   // that it obeys; 0: none
+  std::uint32_t traffic_epoch{0};  // of the planner that it obeys; 0: none
+  std::uint64_t heard_beat{0};     // newest TrafficStatus::beat of that planner
+  double stray_m{0.0};             // farthest that its outline is off its outline on the way, 0 to 1e6
+  bool wants_room{false};          // something is in the way that its tube is too narrow to pass
+  std::vector<HeldPose> held;      // from where it is to its limit, at most 32; steps do not fall
 };
 
 /// "driving"

@@ -34,6 +34,13 @@ struct Plan {
   double length_m{0.0};                            // sum of the distances between waypoints
   double planning_ms{0.0};
 
+  // Steps are the parts of the way that are granted one by one. A plan without traffic has none: no limit, no tube.
+  std::uint64_t first_step{0};       // number of the step that begins at the first waypoint, from registration on
+  std::vector<double> step_ends_m;   // where first_step, first_step + 1, ... end, along the waypoints; they do not fall
+  double tube_m{0.0};                // the outline stays within this of its outline on the way; 0: any free floor
+  std::vector<double> headings_rad;  // at each waypoint, of vehicles that do not turn on the spot; else empty
+  std::vector<std::uint8_t> own_steps;  // 1: of the vehicle's own way, 0: of the roadmap; one a step, or none
+
   bool is_found() const { return outcome == PlanOutcome::kFound; }
   bool is_cancelled() const { return outcome == PlanOutcome::kCancelled; }
 };

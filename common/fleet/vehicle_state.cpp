@@ -14,6 +14,8 @@ const char* name(Hold hold) {
       return "contact";
     case Hold::kDuplicateId:
       return "duplicate_id";
+    case Hold::kPerson:
+      return "person";
   }
 
   return "unknown";

@@ -16,8 +16,8 @@ struct Motion {
   double steering_rad{0.0};     // of a tricycle's wheel, counter-clockwise from straight, [-pi, pi]; of others 0
 };
 
-/// Why a vehicle does not follow commands. kDuplicateId: another process is this vehicle.
-enum class Hold { kNone, kNoCommand, kLateCommand, kContact, kDuplicateId };
+/// Why a vehicle does not follow commands. kDuplicateId: another process is this vehicle; kPerson: a person holds it.
+enum class Hold { kNone, kNoCommand, kLateCommand, kContact, kDuplicateId, kPerson };
 
 /// The velocity command that a vehicle follows, as it took it.
 struct CommandInForce {

@@ -8,4 +8,5 @@
 #include "common/wire/planning.hpp"
 #include "common/wire/service.hpp"
 #include "common/wire/tracking.hpp"
+#include "common/wire/traffic.hpp"
 #include "common/wire/vehicle.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "common/wire/geometry.hpp"
@@ -11,11 +12,16 @@ namespace {
 
 // Sizes are those of the IDL.
 constexpr std::size_t kMostWaypoints = 4096;
+constexpr std::size_t kMostSteps = 4096;
 constexpr std::size_t kMostIntent = 64;
+constexpr std::size_t kMostHeld = 32;
 constexpr std::size_t kMostDetail = 256;
 constexpr double kWidestToleranceM = 100.0;
 constexpr double kWidestToleranceRad = 7.0;  // a turn and more
 constexpr double kLongestWayM = 1e9;
+constexpr double kWidestTubeM = 100.0;
+constexpr double kFarthestStrayM = 1e6;
+constexpr double kWidestHeadingRad = 3.0 * geometry::kPi;  // as of a pose; it is wrapped
 constexpr double kLongestIntentS = 3600.0;
 constexpr double kLargestBlockM = 100.0;
 
@@ -180,6 +186,10 @@ aisle::NavigationReason to_wire(fleet::Reason value) {
       return NavigationReason::REASON_LATE;
     case fleet::Reason::kAuthority:
       return NavigationReason::REASON_AUTHORITY;
+    case fleet::Reason::kNoGrant:
+      return NavigationReason::REASON_NO_GRANT;
+    case fleet::Reason::kPerson:
+      return NavigationReason::REASON_PERSON;
   }
 
   return {};
@@ -221,9 +231,71 @@ std::optional<fleet::Reason> from_wire(aisle::NavigationReason value) {
       return fleet::Reason::kLate;
     case NavigationReason::REASON_AUTHORITY:
       return fleet::Reason::kAuthority;
+    case NavigationReason::REASON_NO_GRANT:
+      return fleet::Reason::kNoGrant;
+    case NavigationReason::REASON_PERSON:
+      return fleet::Reason::kPerson;
   }
 
   return std::nullopt;
+}
+
+/// The steps, after the waypoints were read. Their ends do not fall; there is a heading a waypoint, or none.
+void decode_steps(const aisle::Plan& sample, Checks& checks, fleet::Plan& plan) {
+  const std::size_t waypoints = plan.waypoints_in_map.size();
+  plan.first_step = sample.first_step();
+  plan.tube_m = sample.tube_m();
+
+  checks.count("step_ends_m", sample.step_ends_m().size(), 0, waypoints == 0 ? 0 : kMostSteps)
+      .within("tube_m", plan.tube_m, 0.0, kWidestTubeM)
+      .count("headings_rad", sample.headings_rad().size(), sample.headings_rad().empty() ? 0 : waypoints, waypoints)
+      .count("own_steps", sample.own_steps().size(), sample.own_steps().empty() ? 0 : sample.step_ends_m().size(),
+             sample.step_ends_m().size());
+  if (!checks.ok()) return;
+
+  double before_m = 0.0;
+  for (const double end_m : sample.step_ends_m()) {
+    checks.within("step_ends_m", end_m, before_m, kLongestWayM);
+    before_m = end_m;
+  }
+  plan.step_ends_m = sample.step_ends_m();
+
+  for (const std::uint8_t is_own : sample.own_steps()) checks.within("own_steps", is_own, 0, 1);
+  plan.own_steps = sample.own_steps();
+
+  plan.headings_rad.reserve(sample.headings_rad().size());
+  for (const double heading_rad : sample.headings_rad()) {
+    checks.within("headings_rad", heading_rad, -kWidestHeadingRad, kWidestHeadingRad);
+    plan.headings_rad.push_back(geometry::wrap(heading_rad));
+  }
+}
+
+/// What a vehicle says of its steps and of the grant that it obeys.
+void decode_traffic(const aisle::NavigationStatus& sample, Checks& checks, fleet::NavigationStatus& status) {
+  status.progress_m = sample.progress_m();
+  status.step_done = sample.step_done();
+  status.limit_step = sample.limit_step();
+  status.limit_m = sample.limit_m();
+
+  status.grant_number = sample.grant_number();
+  status.traffic_epoch = sample.traffic_epoch();
+  status.heard_beat = sample.heard_beat();
+
+  status.stray_m = sample.stray_m();
+  status.wants_room = sample.wants_room();
+
+  checks.within("progress_m", status.progress_m, 0.0, kLongestWayM)
+      .within("limit_m", status.limit_m, 0.0, kLongestWayM)
+      .within("stray_m", status.stray_m, 0.0, kFarthestStrayM)
+      .count("held", sample.held().size(), 0, kMostHeld);
+  if (!checks.ok()) return;
+
+  std::uint64_t before = 0;
+  for (const aisle::HeldPose& held : sample.held()) {
+    checks.holds(held.step() >= before, "held.step falls");
+    before = held.step();
+    status.held.push_back({decode(held.base_in_map(), checks, "held.base_in_map"), held.step()});
+  }
 }
 
 }  // namespace
@@ -284,11 +356,17 @@ aisle::Plan encode(const fleet::Plan& plan) {
   sample.length_m(plan.length_m);
   sample.planning_ms(plan.planning_ms);
 
+  sample.first_step(plan.first_step);
+  sample.step_ends_m(plan.step_ends_m);
+  sample.tube_m(plan.tube_m);
+  sample.headings_rad().reserve(plan.headings_rad.size());
+  for (const double heading_rad : plan.headings_rad) sample.headings_rad().push_back(geometry::wrap(heading_rad));
+  sample.own_steps(plan.own_steps);
+
   return sample;
 }
 
-/// A plan that was found has at least one waypoint; the waypoints are read last, since there may be
-/// many.
+/// A plan that was found has at least one waypoint; waypoints and steps are read last, since there may be many.
 Decoded<fleet::Plan> decode(const aisle::Plan& sample) {
   Checks checks;
   fleet::Plan plan;
@@ -328,6 +406,8 @@ Decoded<fleet::Plan> decode(const aisle::Plan& sample) {
   for (const aisle::Point& point : sample.waypoints_in_map())
     plan.waypoints_in_map.push_back(decode(point, checks, "waypoints_in_map"));
 
+  decode_steps(sample, checks, plan);
+
   return checks.decoded(std::move(plan));
 }
 
@@ -355,6 +435,25 @@ aisle::NavigationStatus encode(const fleet::NavigationStatus& status) {
     point.offset_s(status.intent[i].offset_s);
     point.base_in_map(encode(status.intent[i].base_in_map));
     sample.intent().push_back(point);
+  }
+
+  sample.progress_m(status.progress_m);
+  sample.step_done(status.step_done);
+  sample.limit_step(status.limit_step);
+  sample.limit_m(status.limit_m);
+
+  sample.grant_number(status.grant_number);
+  sample.traffic_epoch(status.traffic_epoch);
+  sample.heard_beat(status.heard_beat);
+
+  sample.stray_m(status.stray_m);
+  sample.wants_room(status.wants_room);
+
+  for (const fleet::HeldPose& held : status.held) {
+    aisle::HeldPose pose;
+    pose.base_in_map(encode(held.base_in_map));
+    pose.step(held.step);
+    sample.held().push_back(pose);
   }
 
   return sample;
@@ -397,6 +496,8 @@ Decoded<fleet::NavigationStatus> decode(const aisle::NavigationStatus& sample) {
     before_s = point.offset_s();
     status.intent.push_back({point.offset_s(), decode(point.base_in_map(), checks, "intent.base_in_map")});
   }
+
+  decode_traffic(sample, checks, status);
 
   return checks.decoded(std::move(status));
 }

@@ -76,6 +76,8 @@ aisle::HoldReason to_wire(fleet::Hold hold) {
       return HoldReason::HOLD_CONTACT;
     case fleet::Hold::kDuplicateId:
       return HoldReason::HOLD_DUPLICATE_ID;
+    case fleet::Hold::kPerson:
+      return HoldReason::HOLD_PERSON;
   }
 
   return {};
@@ -93,6 +95,8 @@ std::optional<fleet::Hold> from_wire(aisle::HoldReason hold) {
       return fleet::Hold::kContact;
     case HoldReason::HOLD_DUPLICATE_ID:
       return fleet::Hold::kDuplicateId;
+    case HoldReason::HOLD_PERSON:
+      return fleet::Hold::kPerson;
   }
 
   return std::nullopt;

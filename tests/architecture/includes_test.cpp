@@ -148,7 +148,8 @@ TEST(Architecture, NobodyReadsARawSample) {
 
 /// Each is defined once; topics, which carry the names of their values, are not meant.
 TEST(Architecture, TheFleetsValuesHaveOneDefinition) {
-  const std::regex definition(R"(\b(?:struct|class|enum)\s+(?:class\s+)?(Vehicle|Plan|Goal|Track|Claim)\b(?!\s*;))");
+  const std::regex definition(
+      R"(\b(?:struct|class|enum)\s+(?:class\s+)?(Vehicle|Plan|Grant|Goal|Track|Claim)\b(?!\s*;))");
   std::map<std::string, Strings> homes;
   for (const Source& source : all_sources()) {
     if (begins_with(source.file, "common/bus/topics")) continue;
@@ -157,7 +158,7 @@ TEST(Architecture, TheFleetsValuesHaveOneDefinition) {
       if (std::regex_search(line, match, definition)) homes[match[1]].push_back(source.file);
     }
   }
-  for (const char* name : {"Vehicle", "Plan", "Goal", "Track"}) {
+  for (const char* name : {"Vehicle", "Plan", "Grant", "Goal", "Track"}) {
     ASSERT_EQ(homes[name].size(), 1U) << name << " is defined in " << testing::PrintToString(homes[name]);
     EXPECT_TRUE(begins_with(homes[name][0], "common/fleet/")) << name << " is defined in " << homes[name][0];
   }

@@ -32,12 +32,12 @@ TEST(JsonOf, EnumeratorsCoversTheLastOfEach) {
   EXPECT_EQ(to_json(plan)["outcome"], "cancelled");
   aisle::NavigationStatus status;
   status.phase(NavigationPhase::PHASE_HELD);
-  status.reason(NavigationReason::REASON_AUTHORITY);
+  status.reason(NavigationReason::REASON_PERSON);
   EXPECT_EQ(to_json(status)["phase"], "held");
-  EXPECT_EQ(to_json(status)["reason"], "authority");
+  EXPECT_EQ(to_json(status)["reason"], "person");
   aisle::VehicleState state;
-  state.hold(HoldReason::HOLD_DUPLICATE_ID);
-  EXPECT_EQ(to_json(state)["hold"], "duplicate_id");
+  state.hold(HoldReason::HOLD_PERSON);
+  EXPECT_EQ(to_json(state)["hold"], "person");
   aisle::ServiceHealth health;
   health.state(ServiceState::SERVICE_STOPPING);
   EXPECT_EQ(to_json(health)["state"], "stopping");

@@ -79,6 +79,44 @@ void expect_sound(const fleet::Plan& plan) {
   expect_within(plan.length_m, 0.0, 1e9);
   EXPECT_TRUE(!plan.is_found() || !plan.waypoints_in_map.empty());
   for (const geometry::Point2 point : plan.waypoints_in_map) expect_place(point);
+
+  expect_within(plan.tube_m, 0.0, 100.0);
+  double before_m = 0.0;
+  for (const double end_m : plan.step_ends_m) {
+    expect_within(end_m, before_m, 1e9);
+    before_m = end_m;
+  }
+  EXPECT_TRUE(plan.own_steps.empty() || plan.own_steps.size() == plan.step_ends_m.size());
+  EXPECT_TRUE(plan.headings_rad.empty() || plan.headings_rad.size() == plan.waypoints_in_map.size());
+  for (const double heading_rad : plan.headings_rad) expect_within(heading_rad, -geometry::kPi, geometry::kPi);
+}
+void expect_sound(const fleet::Grant& grant) {
+  expect_id(grant.agv_id);
+  EXPECT_GT(grant.number, 0U);
+  expect_within(grant.limit_m, 0.0, 1e9);
+  EXPECT_LE(grant.extra.size(), 32U);
+  std::uint64_t before = 0;
+  for (const fleet::ExtraWidth& extra : grant.extra) {
+    EXPECT_GE(extra.step, before);
+    before = extra.step;
+    expect_within(extra.left_m, 0.0, 100.0);
+    expect_within(extra.right_m, 0.0, 100.0);
+  }
+  for (const std::string& agv_id : grant.waits_for) expect_id(agv_id);
+}
+void expect_sound(const fleet::TrafficStatus& status) {
+  expect_id(status.source_id);
+  for (const fleet::WaitingVehicle& waiting : status.waiting) {
+    expect_id(waiting.agv_id);
+    EXPECT_FALSE(Checks::has_control_characters(waiting.waits_for));
+    expect_within(waiting.since_s, 0.0, 1e9);
+  }
+  for (const fleet::SilentVehicle& silent : status.silent) {
+    expect_id(silent.agv_id);
+    expect_place(silent.place_in_map);
+  }
+  EXPECT_TRUE(std::isfinite(status.slice_ms_p99));
+  expect_within(status.share_of_places, 0.0, 1.0);
 }
 void expect_sound(const fleet::NavigationStatus& status) {
   expect_id(status.agv_id);
@@ -92,6 +130,17 @@ void expect_sound(const fleet::NavigationStatus& status) {
     expect_within(point.offset_s, before_s, 3600.0);
     before_s = point.offset_s;
     expect_pose(point.base_in_map);
+  }
+
+  expect_within(status.progress_m, 0.0, 1e9);
+  expect_within(status.limit_m, 0.0, 1e9);
+  expect_within(status.stray_m, 0.0, 1e6);
+  EXPECT_LE(status.held.size(), 32U);
+  std::uint64_t before = 0;
+  for (const fleet::HeldPose& held : status.held) {
+    EXPECT_GE(held.step, before);
+    before = held.step;
+    expect_pose(held.base_in_map);
   }
 }
 void expect_sound(const fleet::Track& track) {

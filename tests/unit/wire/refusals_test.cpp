@@ -150,6 +150,48 @@ TEST(Refusals, OfAnIntentThatGoesBackInTime) {
   EXPECT_EQ(decode(status).reason().rfind("intent.offset_s", 0), 0U) << decode(status).reason();
 }
 
+TEST(Refusals, OfAPlanWhoseStepsGoBack) {
+  auto plan = sound_sample<aisle::Plan>();
+  plan.step_ends_m({3.0, 2.0});
+  EXPECT_EQ(decode(plan).reason().rfind("step_ends_m = 2", 0), 0U) << decode(plan).reason();
+}
+
+TEST(Refusals, OfAPlanWithStepsAndNoWay) {
+  auto plan = sound_sample<aisle::Plan>();
+  plan.waypoints_in_map().clear();
+  plan.headings_rad().clear();
+  EXPECT_EQ(decode(plan).reason().rfind("step_ends_m has 2", 0), 0U) << decode(plan).reason();
+  plan.step_ends_m().clear();
+  plan.own_steps().clear();
+  EXPECT_EQ(decode(plan).reason(), "");
+}
+
+TEST(Refusals, OfAPlanWithAHeadingForSomeOfItsWaypoints) {
+  auto plan = sound_sample<aisle::Plan>();
+  plan.headings_rad().pop_back();
+  EXPECT_EQ(decode(plan).reason().rfind("headings_rad has 1", 0), 0U) << decode(plan).reason();
+  plan.headings_rad().clear();
+  EXPECT_EQ(decode(plan).reason(), "");
+}
+
+TEST(Refusals, OfAPlanThatTellsOwnFromRoadmapForSomeOfItsSteps) {
+  auto plan = sound_sample<aisle::Plan>();
+  plan.own_steps().pop_back();
+  EXPECT_EQ(decode(plan).reason().rfind("own_steps has 1", 0), 0U) << decode(plan).reason();
+}
+
+TEST(Refusals, OfHeldPosesWhoseStepsGoBack) {
+  auto status = sound_sample<aisle::NavigationStatus>();
+  status.held().push_back(status.held().front());
+  EXPECT_EQ(decode(status).reason(), "held.step falls");
+}
+
+TEST(Refusals, OfExtraWidthsWhoseStepsGoBack) {
+  auto grant = sound_sample<aisle::Grant>();
+  grant.extra().push_back(grant.extra().front());
+  EXPECT_EQ(decode(grant).reason(), "extra.step falls");
+}
+
 /// The pose is good without the command.
 TEST(Refusals, NotOfAVehicleStateForTheCommandInForce) {
   const std::function<void(aisle::VehicleState&)> spoils[]{
