@@ -393,7 +393,7 @@ void KinematicSite::serve_goals(double now_s) {
 
 void KinematicSite::judge(double now_s) {
   std::vector<JudgedVehicle> judged;
-  std::map<std::string, Doing> doings;
+  std::map<std::string, sim::Doing> doings;
 
   for (const auto& [id, unit] : units_) {
     const KinematicVehicle& vehicle = unit->vehicle;

@@ -13,7 +13,7 @@
 #include "services/global-planner/core/traffic/coordinator.hpp"
 #include "tools/lab/traffic/floor_judge.hpp"
 #include "tools/lab/traffic/kinematic_vehicle.hpp"
-#include "tools/lab/traffic/standoffs.hpp"
+#include "tools/sim/standoffs.hpp"
 
 namespace aisle::lab {
 
@@ -58,7 +58,7 @@ struct TrafficRun {
   int contacts{0}, wall_contacts{0}, off_road{0}, held_twice{0};
   double least_clearance_m{0.0};
   std::uint64_t refused{0}, circles{0};
-  LongestStand standoff, wait;
+  sim::LongestStand standoff, wait;
   double step_ms_p99{0.0}, step_ms_most{0.0}, all_steps_s{0.0};  // computing time of the coordinator
   std::vector<std::string> findings;
   std::vector<std::string> events;
@@ -107,7 +107,7 @@ class KinematicSite {
   grid::OccupancyGrid grid_;
   grid::ClearanceField clearance_;
   FloorJudge judge_;
-  StandoffWatch standoffs_;
+  sim::StandoffWatch standoffs_;
   std::unique_ptr<global_planner::traffic::Coordinator> coordinator_;
   std::map<std::string, std::unique_ptr<Unit>> units_;
   std::vector<std::unique_ptr<Person>> people_;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace aisle::lab {
+namespace aisle::sim {
 
 /// What a vehicle does at one moment, for the watch on stand-offs.
 struct Doing {
@@ -38,4 +38,4 @@ class StandoffWatch {
   LongestStand standoff_, wait_;
 };
 
-}  // namespace aisle::lab
+}  // namespace aisle::sim

@@ -1,8 +1,8 @@
-#include "tools/lab/traffic/standoffs.hpp"
+#include "tools/sim/standoffs.hpp"
 
 #include <set>
 
-namespace aisle::lab {
+namespace aisle::sim {
 namespace {
 
 /// Does anybody in the chain of waiting that begins at this vehicle move, or have an excuse?
@@ -54,4 +54,4 @@ void StandoffWatch::look(double now_s, const std::map<std::string, Doing>& fleet
   }
 }
 
-}  // namespace aisle::lab
+}  // namespace aisle::sim
