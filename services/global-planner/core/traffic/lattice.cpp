@@ -128,7 +128,7 @@ Box floor_box(const grid::ClearanceField& clearance) {
 
 std::vector<geometry::Point2> lattice_points(const grid::ClearanceField& clearance, const LatticeSpec& spec,
                                              const Box& within, const std::vector<geometry::Point2>& taken) {
-  const Point2 origin = clearance.geometry().origin_in_map;
+  const Point2 origin = spec.origin_in_map;
   const Box floor = floor_box(clearance);
   const auto square_of = [&](double m, double origin_m) {
     return static_cast<int>(std::floor((m - origin_m) / spec.pitch_m));

@@ -9,8 +9,9 @@ namespace aisle::global_planner::traffic {
 
 /// Where the points of a lattice may lie, and how close.
 struct LatticeSpec {
-  double need_m{0.45};  // least clearance of a point
-  double pitch_m{1.0};  // edge of the lattice's squares
+  double need_m{0.45};               // least clearance of a point
+  double pitch_m{1.0};               // edge of the lattice's squares
+  geometry::Point2 origin_in_map{};  // a corner of one of them
 };
 
 /// Points nearer to each other than this share of the pitch are one.

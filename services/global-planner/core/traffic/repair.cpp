@@ -1,6 +1,5 @@
 // Makes the roadmap's places and motions from the map, and again near an edit.
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "services/global-planner/core/traffic/corridors.hpp"
@@ -35,6 +34,7 @@ void Roadmap::set_map(const grid::ClearanceField& clearance, grid::Cell low, gri
   changed = grown(changed, 0.5 * geometry_.resolution_m);
   if (is_new) {
     changed = floor_box(clearance);
+    for (Net& net : nets_) net.spec.origin_in_map = geometry_.origin_in_map;
     for (PlaceId id = 0; id < places_.size(); ++id)
       if (places_[id]) take_away(id);
   }
@@ -48,38 +48,48 @@ void Roadmap::make_near(KindId kind, const Box& changed) {
   const Box window = grown(region, kWindow * spec.pitch_m);
 
   take_away_blocked(kind, region);
-  make_turning_places(kind, region, window);
+  make_turning_places(kind, {*clearance_, region, window, true});
+  for (auto& closure : closures_)
+    if (touch(closure.second.shape.box(), region)) make_room(closure.second);
   find_corridors(kind);
 
   ++revision_;
   seconds_to_.clear();
 }
 
-/// It is closed for good, and ends when it is left. Its motions close by themselves, but for those out of it.
-void Roadmap::take_away(PlaceId id) {
+/// The place ends when it is left.
+void Roadmap::retire(PlaceId id) {
   Place& place = *places_[id];
-  const Point2 at = place.base_in_map.position();
-  if (!place.is_temporary) {
-    nets_[place.kind].places.remove({at, at}, id);
-    place.is_temporary = true;
-    temporary_places_.push_back(id);
-  }
+  if (place.is_temporary) return;
 
+  const Point2 at = place.base_in_map.position();
+  nets_[place.kind].places.remove({at, at}, id);
+  place.is_temporary = true;
+  temporary_places_.push_back(id);
+  for (const MotionId motion : place.entering) retire_motion(motion);
+  for (const MotionId motion : place.leaving) retire_motion(motion);
+}
+
+void Roadmap::retire_motion(MotionId id) {
+  if (motions_[id]->is_temporary) return;
+
+  motions_[id]->is_temporary = true;
+  temporary_motions_.push_back(id);
+}
+
+/// Besides, nobody may enter it any more, for good.
+void Roadmap::take_away(PlaceId id) {
+  retire(id);
   place_closed_by_[id] = std::max(place_closed_by_[id], kForGood);
-  place.is_closed = true;
-  for (const MotionId motion : place.entering) take_away_motion(motion);
-  for (const MotionId motion : place.leaving) take_away_motion(motion);
+  places_[id]->is_closed = true;
+  for (const MotionId motion : places_[id]->entering) take_away_motion(motion);
+  for (const MotionId motion : places_[id]->leaving) take_away_motion(motion);
 }
 
 void Roadmap::take_away_motion(MotionId id) {
-  Motion& motion = *motions_[id];
-  if (!motion.is_temporary) {
-    motion.is_temporary = true;
-    temporary_motions_.push_back(id);
-  }
-
+  retire_motion(id);
   motion_closed_by_[id] = std::max(motion_closed_by_[id], kForGood);
-  motion.is_closed = true;
+  motions_[id]->is_closed = true;
 }
 
 void Roadmap::take_away_blocked(KindId kind, const Box& region) {
@@ -101,55 +111,67 @@ void Roadmap::take_away_blocked(KindId kind, const Box& region) {
   for (const MotionId id : motions) take_away_motion(id);
 }
 
-void Roadmap::make_turning_places(KindId kind, const Box& region, const Box& window) {
+Roadmap::Ids Roadmap::make_turning_places(KindId kind, const Work& work) {
   const LatticeSpec spec = nets_[kind].spec;
+  const auto counts = [&](bool is_closed) { return work.with_closed || !is_closed; };
+  Ids made;
 
   std::vector<PlaceId> ids;
-  nets_[kind].places.visit(window, [&](PlaceId id) { ids.push_back(id); });
-  std::sort(ids.begin(), ids.end());
-
   std::vector<Point2> points;
-  const auto add = [&](Point2 at) {
+  nets_[kind].places.visit(work.window, [&](PlaceId id) {
+    if (counts(places_[id]->is_closed)) ids.push_back(id);
+  });
+  std::sort(ids.begin(), ids.end());
+  for (const PlaceId id : ids) points.push_back(places_[id]->base_in_map.position());
+
+  const auto add_place_at = [&](Point2 at) {
     ids.push_back(add_place(kind, {at.x, at.y, 0.0}, false, false));
     points.push_back(at);
+    made.places.push_back(ids.back());
   };
-  for (const PlaceId id : ids) points.push_back(places_[id]->base_in_map.position());
-  for (const Point2 at : lattice_points(*clearance_, spec, region, points)) add(at);
+  const auto add_join = [&](const Join& join, const std::vector<Point2>& path) {
+    const MotionId first = add_both_ways(kind, ids[join.first], ids[join.second], path, false);
+    made.motions.insert(made.motions.end(), {first, first + 1});
+  };
+  for (const Point2 at : lattice_points(work.clearance, spec, work.region, points)) add_place_at(at);
 
-  std::map<PlaceId, std::size_t> index_of;
+  std::vector<std::size_t> index_of(places_.size(), ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) index_of[ids[i]] = i;
   std::vector<Join> joins;
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    for (const MotionId motion : places_[ids[i]]->leaving) {
-      const auto next = index_of.find(motions_[motion]->to);
-      if (!motions_[motion]->is_temporary && next != index_of.end() && next->second > i)
-        joins.emplace_back(i, next->second);
+    for (const MotionId id : places_[ids[i]]->leaving) {
+      const Motion& motion = *motions_[id];
+      const std::size_t next = index_of[motion.to];
+      if (!motion.is_temporary && counts(motion.is_closed) && next < ids.size() && next > i)
+        joins.emplace_back(i, next);
     }
   }
 
-  for (const Join& join : join_neighbours(*clearance_, spec, points, joins, region)) {
-    add_both_ways(kind, ids[join.first], ids[join.second], {points[join.first], points[join.second]}, false);
+  for (const Join& join : join_neighbours(work.clearance, spec, points, joins, work.region)) {
+    add_join(join, {points[join.first], points[join.second]});
     joins.push_back(join);
   }
 
   // Parts of the whole net: two places may hang together by ways outside the window.
   Parts parts(places_.size());
   for (const auto& motion : motions_)
-    if (motion && motion->kind == kind && !motion->is_temporary) parts.join(motion->from, motion->to);
+    if (motion && motion->kind == kind && !motion->is_temporary && counts(motion->is_closed))
+      parts.join(motion->from, motion->to);
   std::vector<std::size_t> part;
   for (const PlaceId id : ids) part.push_back(parts.of(id));
 
-  const Bridging bridging = bridge_parts(*clearance_, spec.need_m, points, part, joins, window, region);
-  for (const Bridge& bridge : bridging.bridges)
-    add_both_ways(kind, ids[bridge.join.first], ids[bridge.join.second], bridge.way_in_map, false);
-  for (const Point2 at : bridging.islands) add(at);
+  const Bridging bridging = bridge_parts(work.clearance, spec.need_m, points, part, joins, work.window, work.region);
+  for (const Bridge& bridge : bridging.bridges) add_join(bridge.join, bridge.way_in_map);
+  for (const Point2 at : bridging.islands) add_place_at(at);
+
+  return made;
 }
 
 /// Is it a dead end of one place beside a way that goes on? A vehicle that stands in it is in no other's way.
 bool Roadmap::is_spur(PlaceId id) const {
   PlaceId only = kNoId;
   for (const MotionId m : places_[id]->leaving) {
-    if (motions_[m]->is_temporary) continue;
+    if (motions_[m]->is_temporary || motions_[m]->is_closed) continue;
     if (only != kNoId) return false;
     only = motions_[m]->to;
   }
@@ -158,7 +180,7 @@ bool Roadmap::is_spur(PlaceId id) const {
   int others = 0;
   for (const MotionId m : places_[only]->leaving) {
     const Motion& motion = *motions_[m];
-    if (motion.is_temporary || motion.to == id) continue;
+    if (motion.is_temporary || motion.is_closed || motion.to == id) continue;
     if (meet(motion.shape, places_[id]->standing, gap_m_)) return false;
     ++others;
   }
@@ -167,7 +189,7 @@ bool Roadmap::is_spur(PlaceId id) const {
 
 void Roadmap::find_corridors(KindId kind) {
   std::vector<PlaceId> ids;
-  std::map<PlaceId, std::uint32_t> index_of;
+  std::vector<std::uint32_t> index_of(places_.size(), kNoId);
   for (PlaceId id = 0; id < places_.size(); ++id) {
     if (!places_[id] || places_[id]->kind != kind || places_[id]->is_temporary) continue;
     index_of[id] = static_cast<std::uint32_t>(ids.size());
@@ -177,7 +199,7 @@ void Roadmap::find_corridors(KindId kind) {
   std::vector<std::vector<std::uint32_t>> neighbours(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const auto add = [&](const Motion& motion, PlaceId other) {
-      if (!motion.is_temporary) neighbours[i].push_back(index_of.at(other));
+      if (!motion.is_temporary && !motion.is_closed) neighbours[i].push_back(index_of[other]);
     };
     for (const MotionId motion : places_[ids[i]]->leaving) add(*motions_[motion], motions_[motion]->to);
     for (const MotionId motion : places_[ids[i]]->entering) add(*motions_[motion], motions_[motion]->from);
@@ -188,7 +210,7 @@ void Roadmap::find_corridors(KindId kind) {
   const Cuts cuts = find_cuts(neighbours);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     places_[ids[i]]->corridor = is_spur(ids[i]) ? kNoId : cuts.corridor[i];
-    places_[ids[i]]->may_rest = !cuts.is_cut[i];
+    places_[ids[i]]->may_rest = !cuts.is_cut[i] && !places_[ids[i]]->is_closed;
   }
   for (const PlaceId id : temporary_places_)
     if (places_[id] && places_[id]->kind == kind) settle_temporary(id);

@@ -33,7 +33,7 @@ void erase_id(std::vector<MotionId>& ids, MotionId id) {
 LatticeSpec spec_for(const Kind& kind, double gap_m) {
   constexpr double kLeastPitchM = 1.0;
   const double reach_m = geometry::reach_m(kind.footprint);
-  return {reach_m + kind.wall_margin_m, std::max(kLeastPitchM, 2.0 * (reach_m + kind.tube_m) + gap_m)};
+  return {reach_m + kind.wall_margin_m, std::max(kLeastPitchM, 2.0 * (reach_m + kind.tube_m) + gap_m), {}};
 }
 
 }  // namespace
@@ -46,7 +46,10 @@ KindId Roadmap::kind(const Kind& kind) {
 
   const auto id = static_cast<KindId>(nets_.size());
   nets_.push_back({kind, spec_for(kind, gap_m_), {}});
-  if (clearance_ != nullptr) make_near(id, floor_box(*clearance_));
+  if (clearance_ != nullptr) {
+    nets_[id].spec.origin_in_map = geometry_.origin_in_map;
+    make_near(id, floor_box(*clearance_));
+  }
 
   return id;
 }
@@ -118,8 +121,8 @@ MotionId Roadmap::add_motion(Motion motion) {
   return id;
 }
 
-void Roadmap::add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::vector<geometry::Point2>& path_in_map,
-                            bool is_temporary) {
+MotionId Roadmap::add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::vector<geometry::Point2>& path_in_map,
+                                bool is_temporary) {
   Motion there;
   there.from = a;
   there.to = b;
@@ -132,8 +135,9 @@ void Roadmap::add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::vector
   std::swap(back.from, back.to);
   std::reverse(back.path_in_map.begin(), back.path_in_map.end());
 
-  add_motion(std::move(there));
+  const MotionId first = add_motion(std::move(there));
   add_motion(std::move(back));
+  return first;
 }
 
 void Roadmap::end_motion(MotionId id) {

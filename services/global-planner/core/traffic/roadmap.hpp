@@ -97,8 +97,9 @@ class Roadmap {
   /// the others is joined anew.
   void sweep(const std::vector<PlaceId>& places_in_use, const std::vector<MotionId>& motions_in_use);
 
-  /// Closes what meets the shape (a box, a parked vehicle, a dead one) under a name, until it is opened again. A motion
-  /// that leads away from it out of a closed place stays open.
+  /// Closes what meets the shape (a box, a parked vehicle, a dead one) under a name, until it is opened again, and
+  /// makes places and motions round it where there is room; these are temporary once it is opened. A motion that leads
+  /// away from it out of a closed place stays open. The same shape as before changes nothing.
   void close(const std::string& name, const Shape& shape);
   void open(const std::string& name);
 
@@ -121,17 +122,31 @@ class Roadmap {
     FloorBins<PlaceId> places;  // neither temporary nor taken away
   };
 
-  struct Closure {
-    Shape shape;
+  struct Ids {
     std::vector<PlaceId> places;
     std::vector<MotionId> motions;
+  };
+
+  /// Something that stands on the floor: what it closes, and what was made round it.
+  struct Closure {
+    Shape shape;
+    Ids closed;
+    Ids made;
+  };
+
+  /// Which floor is looked at, and what is made there.
+  struct Work {
+    const grid::ClearanceField& clearance;
+    Box region;        // new places lie in it
+    Box window;        // places in it are looked at
+    bool with_closed;  // closed places and motions count as well
   };
 
   // --- ids: roadmap.cpp
   PlaceId add_place(KindId kind, const geometry::Pose2& base_in_map, bool has_heading, bool is_temporary);
   MotionId add_motion(Motion motion);
-  void add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::vector<geometry::Point2>& path_in_map,
-                     bool is_temporary);
+  MotionId add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::vector<geometry::Point2>& path_in_map,
+                         bool is_temporary);  // the id of the first, that of the other follows
   void end_place(PlaceId id);
   void end_motion(MotionId id);
   bool is_joined(PlaceId a, PlaceId b) const;
@@ -139,9 +154,11 @@ class Roadmap {
   // --- the map: repair.cpp
   void make_near(KindId kind, const Box& changed);
   void take_away_blocked(KindId kind, const Box& region);
+  void retire(PlaceId id);
+  void retire_motion(MotionId id);
   void take_away(PlaceId id);
   void take_away_motion(MotionId id);
-  void make_turning_places(KindId kind, const Box& region, const Box& window);
+  Ids make_turning_places(KindId kind, const Work& work);
   void find_corridors(KindId kind);
   bool is_spur(PlaceId id) const;
 
@@ -155,6 +172,7 @@ class Roadmap {
   // --- closures.cpp
   void close_place(PlaceId id, Closure& closure);
   void close_motion(MotionId id, Closure& closure);
+  void make_room(Closure& closure);
   void closures_changed();
 
   double gap_m_;

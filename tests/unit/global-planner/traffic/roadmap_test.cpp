@@ -221,6 +221,46 @@ TEST(Closures, CloseWhatMeetsThemUntilTheyEnd) {
   for (const PlaceId id : lattice(roadmap)) EXPECT_FALSE(roadmap.place(id).is_closed);
 }
 
+TEST(Closures, HaveAWayRoundWhereThereIsRoom) {
+  const FloorMap floor = room(40, 5);  // 20 m x 2.5 m
+  auto made = made_for(floor);
+  Roadmap& roadmap = made.roadmap;
+  const PlaceId left = roadmap.nearest(made.kind, {1.5, 1.75, 0.0});
+  const PlaceId right = roadmap.nearest(made.kind, {19.0, 1.75, 0.0});
+  const auto before = lattice(roadmap);
+  const double free_s = roadmap.seconds_to(left, right);
+
+  const Shape box({{{10.0, 1.75}, {10.3, 1.75}, 0.12}});
+  roadmap.close("box", box);
+  EXPECT_LT(roadmap.seconds_to(left, right), free_s + 3.0);
+  for (MotionId id = 0; id < roadmap.motions(); ++id) {
+    const Motion& motion = roadmap.motion(id);
+    const bool is_open = !motion.is_closed && !roadmap.place(motion.from).is_closed;
+    ASSERT_FALSE(is_open && meet(motion.shape, box, 0.05));
+  }
+  ASSERT_GT(lattice(roadmap).size(), before.size());
+  const PlaceId beside = lattice(roadmap).back();
+
+  roadmap.open("box");
+  EXPECT_EQ(lattice(roadmap), before);
+  EXPECT_FALSE(roadmap.place(beside).is_closed);  // a vehicle may stand there still
+  EXPECT_TRUE(std::isfinite(roadmap.seconds_to(beside, right)));
+  roadmap.sweep({}, {});
+  EXPECT_TRUE(roadmap.place(beside).standing.empty());
+  EXPECT_NEAR(roadmap.seconds_to(left, right), free_s, 1e-9);
+}
+
+TEST(Closures, TheSameShapeAgainChangesNothing) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  made.roadmap.close("box", Shape({{{4.0, 4.0}, {4.0, 4.0}, 0.2}}));
+  const std::uint64_t revision = made.roadmap.revision();
+  made.roadmap.close("box", Shape({{{4.001, 4.0}, {4.0, 4.0}, 0.2}}));
+  EXPECT_EQ(made.roadmap.revision(), revision);
+  made.roadmap.close("box", Shape({{{4.1, 4.0}, {4.0, 4.0}, 0.2}}));
+  EXPECT_GT(made.roadmap.revision(), revision);
+}
+
 TEST(Distances, AreThoseOfTheShortestWayAndServeTemporaryPlaces) {
   const FloorMap floor = room();
   auto made = made_for(floor);
