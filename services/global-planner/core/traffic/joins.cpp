@@ -151,14 +151,16 @@ std::vector<Point2> find_islands(const grid::ClearanceField& clearance, Flood& f
 
 }  // namespace
 
-Parts::Parts(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), std::size_t{0}); }
+JoinedSets::JoinedSets(std::size_t count) : parent_(count) {
+  std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+}
 
-std::size_t Parts::of(std::size_t i) {
+std::size_t JoinedSets::of(std::size_t i) {
   for (; parent_[i] != i; i = parent_[i]) parent_[i] = parent_[parent_[i]];
   return i;
 }
 
-bool Parts::join(std::size_t a, std::size_t b) {
+bool JoinedSets::join(std::size_t a, std::size_t b) {
   a = of(a);
   b = of(b);
   parent_[std::max(a, b)] = std::min(a, b);
@@ -212,9 +214,9 @@ Bridging bridge_parts(const grid::ClearanceField& clearance, double need_m, cons
 
   Bridging out;
   const std::size_t most_part = part.empty() ? 0 : *std::max_element(part.begin(), part.end());
-  Parts parts(most_part + 1);
+  JoinedSets sets(most_part + 1);
   for (const auto& [join, meeting] : found) {
-    const bool is_apart = parts.join(part[join.first], part[join.second]);
+    const bool is_apart = sets.join(part[join.first], part[join.second]);
     if (!is_apart && joined.has_way(join.first, join.second, kRoundabout * meeting.length_m)) continue;
 
     joined.add(join);

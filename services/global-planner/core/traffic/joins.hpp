@@ -48,9 +48,9 @@ Bridging bridge_parts(const grid::ClearanceField& clearance, double need_m, cons
                       const Box& touching);
 
 /// Which things are joined, directly or by others (union-find).
-class Parts {
+class JoinedSets {
  public:
-  explicit Parts(std::size_t count);
+  explicit JoinedSets(std::size_t count);
   std::size_t of(std::size_t i);
 
   /// @return false: they were one part already

@@ -153,12 +153,12 @@ Roadmap::Ids Roadmap::make_turning_places(KindId kind, const Work& work) {
   }
 
   // Parts of the whole net: two places may hang together by ways outside the window.
-  Parts parts(places_.size());
+  JoinedSets sets(places_.size());
   for (const auto& motion : motions_)
     if (motion && motion->kind == kind && !motion->is_temporary && counts(motion->is_closed))
-      parts.join(motion->from, motion->to);
+      sets.join(motion->from, motion->to);
   std::vector<std::size_t> part;
-  for (const PlaceId id : ids) part.push_back(parts.of(id));
+  for (const PlaceId id : ids) part.push_back(sets.of(id));
 
   const Bridging bridging = bridge_parts(work.clearance, spec.need_m, points, part, joins, work.window, work.region);
   for (const Bridge& bridge : bridging.bridges) add_join(bridge.join, bridge.way_in_map);
