@@ -4,6 +4,7 @@
 
 #include "services/global-planner/core/traffic/corridors.hpp"
 #include "services/global-planner/core/traffic/joins.hpp"
+#include "services/global-planner/core/traffic/pose_lattice.hpp"
 #include "services/global-planner/core/traffic/roadmap.hpp"
 #include "services/global-planner/core/traffic/straight_way.hpp"
 
@@ -47,6 +48,14 @@ void Roadmap::make_near(KindId kind, const Box& changed) {
   const Box region = grown(changed, spec.need_m + spec.pitch_m);
   const Box window = grown(region, kWindow * spec.pitch_m);
 
+  if (!nets_[kind].kind.turns_on_the_spot()) {
+    take_away_blocked(kind, region);
+    make_steered_places(kind, region);
+    ++revision_;
+    seconds_to_.clear();
+    return;
+  }
+
   take_away_blocked(kind, region);
   make_turning_places(kind, {*clearance_, region, window, true});
   for (auto& closure : closures_)
@@ -64,6 +73,7 @@ void Roadmap::retire(PlaceId id) {
 
   const Point2 at = place.base_in_map.position();
   nets_[place.kind].places.remove({at, at}, id);
+  if (place.has_heading) forget_pose(id);
   place.is_temporary = true;
   temporary_places_.push_back(id);
   for (const MotionId motion : place.entering) retire_motion(motion);
@@ -93,12 +103,15 @@ void Roadmap::take_away_motion(MotionId id) {
 }
 
 void Roadmap::take_away_blocked(KindId kind, const Box& region) {
-  const double need_m = nets_[kind].spec.need_m;
-  const double bare_m = need_m - 0.5 * nets_[kind].kind.wall_margin_m;  // own ways are not held to the whole margin
+  const Net& net = nets_[kind];
+  const double bare_m = net.spec.need_m - 0.5 * net.kind.wall_margin_m;  // own ways are not held to the whole margin
 
   std::vector<PlaceId> places;
-  nets_[kind].places.visit(region, [&](PlaceId id) {
-    if (clearance_->clearance_m(places_[id]->base_in_map.position()) < need_m) places.push_back(id);
+  net.places.visit(region, [&](PlaceId id) {
+    const Place& place = *places_[id];
+    const bool is_free = place.has_heading ? is_floor_free(*clearance_, net.kind, place.standing)
+                                           : clearance_->clearance_m(place.base_in_map.position()) >= net.spec.need_m;
+    if (!is_free) places.push_back(id);
   });
   for (const PlaceId id : places) take_away(id);
 
@@ -106,7 +119,11 @@ void Roadmap::take_away_blocked(KindId kind, const Box& region) {
   motion_shapes_.visit(region, [&](MotionId id) {
     const Motion& motion = *motions_[id];
     if (motion.kind != kind) return;
-    if (!is_path_free(*clearance_, motion.path_in_map, motion.is_temporary ? bare_m : need_m)) motions.push_back(id);
+
+    const bool is_free = net.kind.turns_on_the_spot() ? is_path_free(*clearance_, motion.path_in_map,
+                                                                     motion.is_temporary ? bare_m : net.spec.need_m)
+                                                      : is_floor_free(*clearance_, net.kind, motion.shape);
+    if (!is_free) motions.push_back(id);
   });
   for (const MotionId id : motions) take_away_motion(id);
 }
@@ -188,6 +205,8 @@ bool Roadmap::is_spur(PlaceId id) const {
 }
 
 void Roadmap::find_corridors(KindId kind) {
+  if (!nets_[kind].kind.turns_on_the_spot()) return;  // poses at 0.5 m have ways round everywhere
+
   std::vector<PlaceId> ids;
   std::vector<std::uint32_t> index_of(places_.size(), kNoId);
   for (PlaceId id = 0; id < places_.size(); ++id) {

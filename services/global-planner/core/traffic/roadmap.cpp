@@ -29,6 +29,8 @@ void erase_id(std::vector<MotionId>& ids, MotionId id) {
   ids.erase(std::remove(ids.begin(), ids.end(), id), ids.end());
 }
 
+constexpr double kBackMps = 0.3;  // at most, backwards
+
 /// Edge of a lattice square: two vehicles may stand in neighbouring ones.
 LatticeSpec spec_for(const Kind& kind, double gap_m) {
   constexpr double kLeastPitchM = 1.0;
@@ -45,7 +47,7 @@ KindId Roadmap::kind(const Kind& kind) {
     if (nets_[id].kind == kind) return id;
 
   const auto id = static_cast<KindId>(nets_.size());
-  nets_.push_back({kind, spec_for(kind, gap_m_), {}});
+  nets_.push_back({kind, spec_for(kind, gap_m_), {}, {}});
   if (clearance_ != nullptr) {
     nets_[id].spec.origin_in_map = geometry_.origin_in_map;
     make_near(id, floor_box(*clearance_));
@@ -100,7 +102,7 @@ MotionId Roadmap::add_motion(Motion motion) {
   const Kind& kind = nets_[motion.kind].kind;
 
   motion.length_m = length_of_m(motion.path_in_map);
-  motion.speed_mps = motion.is_reverse ? kind.limits.max_reverse_mps : kind.limits.max_speed_mps;
+  motion.speed_mps = motion.is_reverse ? std::min(kBackMps, kind.limits.max_reverse_mps) : kind.limits.max_speed_mps;
   if (motion.headings_rad.empty()) {
     motion.entry_rad = heading_of_leg(motion.path_in_map, true);
     motion.exit_rad = heading_of_leg(motion.path_in_map, false);

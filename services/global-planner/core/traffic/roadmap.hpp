@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "common/grid/clearance.hpp"
@@ -83,7 +84,8 @@ class Roadmap {
 
   /// A temporary place, joined both ways to all places in straight reach (within 1.6 m, else 2.5 m, else 4 m, else by a
   /// short search to one; none: kNoId). An existing place within 1 cm is returned instead. It may stand nearer to a
-  /// wall than others: then the ways to it may begin as near.
+  /// wall than others: then the ways to it may begin as near. Of a kind that does not turn on the spot: joined by
+  /// arcs and straights, each way where there is room; it may be that it can only be entered, or only be left.
   /// @param is_joined false: no motions yet, for a cut of an own way
   PlaceId temporary_place(KindId kind, const geometry::Pose2& base_in_map, bool is_joined = true);
 
@@ -119,7 +121,8 @@ class Roadmap {
   struct Net {
     Kind kind;
     LatticeSpec spec;
-    FloorBins<PlaceId> places;  // neither temporary nor taken away
+    FloorBins<PlaceId> places;                        // neither temporary nor taken away
+    std::unordered_map<std::int64_t, PlaceId> poses;  // of a kind that does not turn on the spot
   };
 
   struct Ids {
@@ -161,6 +164,14 @@ class Roadmap {
   Ids make_turning_places(KindId kind, const Work& work);
   void find_corridors(KindId kind);
   bool is_spur(PlaceId id) const;
+
+  // --- steered_places.cpp: kinds that do not turn on the spot
+  void make_steered_places(KindId kind, const Box& region);
+  void join_steered(PlaceId id);
+  bool join_by_arcs(PlaceId id, PlaceId other, bool leaves);
+  PlaceId nearest_pose(KindId kind, const geometry::Pose2& base_in_map) const;
+  PlaceId pose_id(KindId kind, std::int64_t number) const;
+  void forget_pose(PlaceId id);
 
   // --- temporary.cpp
   void join_temporary(PlaceId id);

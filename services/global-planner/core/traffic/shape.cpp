@@ -172,6 +172,16 @@ void Shape::add(const Shape& other) {
   capsules_.insert(capsules_.end(), other.capsules_.begin(), other.capsules_.end());
 }
 
+Shape Shape::moved(geometry::Point2 by) const {
+  Shape out = *this;
+  for (Capsule& capsule : out.capsules_) {
+    capsule.from_in_map = capsule.from_in_map + by;
+    capsule.to_in_map = capsule.to_in_map + by;
+  }
+  out.box_ = {box_.low_in_map + by, box_.high_in_map + by};
+  return out;
+}
+
 double separation_m(const Shape& a, const Shape& b) {
   double least_m = std::numeric_limits<double>::infinity();
   for (const Capsule& of_a : a.capsules())

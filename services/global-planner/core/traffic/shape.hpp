@@ -32,6 +32,9 @@ class Shape {
 
   void add(const Shape& other);
 
+  /// The shape moved by an offset in map.
+  Shape moved(geometry::Point2 by) const;
+
  private:
   std::vector<Capsule> capsules_;
   Box box_;

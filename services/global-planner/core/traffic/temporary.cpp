@@ -25,6 +25,8 @@ PlaceId Roadmap::nearest(KindId kind, const geometry::Pose2& base_in_map) const 
   if (clearance_ == nullptr) return kNoId;
 
   const Net& net = nets_[kind];
+  if (!net.kind.turns_on_the_spot()) return nearest_pose(kind, base_in_map);
+
   const Point2 at = base_in_map.position();
   std::vector<std::pair<double, PlaceId>> near;
   net.places.visit(grown({at, at}, kNearestReachM), [&](PlaceId id) {
@@ -58,7 +60,7 @@ PlaceId Roadmap::temporary_place(KindId kind, const geometry::Pose2& base_in_map
   if (!is_joined) return id;
 
   if (places_[id]->is_temporary) join_temporary(id);
-  if (is_new && places_[id]->leaving.empty()) {
+  if (is_new && places_[id]->leaving.empty() && places_[id]->entering.empty()) {
     end_place(id);
     return kNoId;
   }
@@ -67,10 +69,16 @@ PlaceId Roadmap::temporary_place(KindId kind, const geometry::Pose2& base_in_map
 }
 
 void Roadmap::join_temporary(PlaceId id) {
-  const auto& leaving = places_[id]->leaving;
-  const auto leads_to_lattice = [&](MotionId m) { return !places_[motions_[m]->to]->is_temporary; };
-  if (std::any_of(leaving.begin(), leaving.end(), leads_to_lattice)) return;
+  const Place& place = *places_[id];
+  const auto leads_to = [&](MotionId m) { return !places_[motions_[m]->to]->is_temporary; };
+  const auto comes_from = [&](MotionId m) { return !places_[motions_[m]->from]->is_temporary; };
+  if (std::any_of(place.leaving.begin(), place.leaving.end(), leads_to)) return;
+  if (place.has_heading && std::any_of(place.entering.begin(), place.entering.end(), comes_from)) return;
 
+  if (place.has_heading) {
+    join_steered(id);
+    return;
+  }
   for (const double reach_m : kStraightReachM)
     if (join_straight(id, reach_m)) return;
   join_by_search(id);
@@ -207,8 +215,7 @@ void Roadmap::sweep(const std::vector<PlaceId>& places_in_use, const std::vector
                            temporary_motions_.end());
   temporary_places_.erase(std::remove_if(temporary_places_.begin(), temporary_places_.end(), place_ends),
                           temporary_places_.end());
-  for (const PlaceId id : temporary_places_)
-    if (nets_[places_[id]->kind].kind.turns_on_the_spot()) join_temporary(id);
+  for (const PlaceId id : temporary_places_) join_temporary(id);
 
   for (auto table = seconds_to_.begin(); table != seconds_to_.end();)
     table = kept.count(table->first) > 0 ? std::next(table) : seconds_to_.erase(table);
