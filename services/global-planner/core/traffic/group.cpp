@@ -59,7 +59,7 @@ GroupPlanner::Members GroupPlanner::those_in_the_way(Agent& agent, double now_s)
 /// All members end their plans where their grants end; then one after the other plans anew.
 /// @return has the first one what it needs, and is nobody in the way of the others?
 bool GroupPlanner::plan_in_order(const Members& order, double now_s, double soft_rest_s) {
-  const WayFinder::Terms terms{soft_rest_s, 0.0};
+  const WayFinder::Terms terms{soft_rest_s};
   for (Agent* member : order) parts_.timetable.drop_from(*member, member->granted);
 
   Agent& first = *order.front();

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "services/global-planner/core/traffic/group.hpp"
+#include "services/global-planner/core/traffic/last_resort.hpp"
 #include "services/global-planner/core/traffic/parts.hpp"
 
 namespace aisle::global_planner::traffic {
@@ -11,9 +12,17 @@ JointPlan::JointPlan(Roadmap& roadmap, const Settings& settings) : parts_(std::m
 
 JointPlan::~JointPlan() = default;
 
-Agent& JointPlan::add(const std::string& agv_id, KindId kind, PlaceId place, double heading_rad, double) {
-  Agent* known = find(agv_id);
-  return known != nullptr ? *known : parts_->timetable.add(agv_id, kind, place, heading_rad);
+Agent& JointPlan::add(const std::string& agv_id, KindId kind, PlaceId place, double heading_rad, double,
+                      std::uint64_t first_step) {
+  Agent before;
+  if (const Agent* known = find(agv_id)) before = *known;
+  remove(agv_id);
+
+  Agent& agent = parts_->timetable.add(agv_id, kind, place, heading_rad, first_step);
+  agent.goal = before.goal;
+  agent.goal_since_s = before.goal_since_s;
+  agent.has_plan_to_goal = agent.goal == place && agent.goal != kNoId;
+  return agent;
 }
 
 void JointPlan::remove(const std::string& agv_id) {
@@ -38,7 +47,7 @@ bool JointPlan::plan(const std::string& agv_id, const std::vector<MotionId>& own
   if (agent == nullptr || agent->is_frozen) return false;
 
   WayFinder& ways = parts_->ways;
-  WayFinder::Terms terms{parts_->settings.soft_rest_s, 0.0};
+  WayFinder::Terms terms{parts_->settings.soft_rest_s};
   if (agent->goal == kNoId) {
     agent->has_plan_to_goal = false;
     return ways.leave(*agent, now_s, terms) && ways.clear_way_of(*agent, now_s, terms);
@@ -54,15 +63,18 @@ bool JointPlan::plan(const std::string& agv_id, const std::vector<MotionId>& own
     agent->reason = "goal taken by " + ahead->id;
     return false;
   }
+
+  const bool has_plan = agent->has_plan_to_goal && parts_->timetable.rest_place(*agent) == agent->goal;
+  if (has_plan) terms = {parts_->settings.soft_rest_s, 0.0, parts_->timetable.end_s(*agent, now_s)};
   if (!ways.go(*agent, now_s, terms)) {
+    if (has_plan) return true;
     ways.explain(*agent, now_s);
     return false;
   }
 
   agent->waits_for.clear();
   agent->reason.clear();
-  terms.own_way_bonus_s = 0.0;
-  ways.clear_way_of(*agent, now_s, terms);
+  ways.clear_way_of(*agent, now_s, {parts_->settings.soft_rest_s});
   return true;
 }
 
@@ -80,7 +92,15 @@ bool JointPlan::plan_group(const std::string& agv_id, double now_s) {
   return agent != nullptr && !agent->is_frozen && GroupPlanner(*parts_).plan(*agent, now_s);
 }
 
-bool JointPlan::plan_all(double) { return false; }
+bool JointPlan::plan_all(double now_s) {
+  parts_->timetable.begin_trial();
+  const bool has_plan = LastResort(*parts_).plan(now_s);
+  if (has_plan)
+    parts_->timetable.keep_trial();
+  else
+    parts_->timetable.undo_trial();
+  return has_plan;
+}
 
 bool JointPlan::improve(double now_s, std::uint64_t& random_state) {
   return GroupPlanner(*parts_).improve(now_s, random_state);

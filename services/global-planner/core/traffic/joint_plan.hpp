@@ -26,6 +26,7 @@ struct Step {
   double end_s{0.0};
   bool is_own_way{false};
   std::vector<Link> links;
+  MotionId before{kNoId};  // the step before, whose arc is in `shape`; none: there was none when this was planned
 };
 
 /// A vehicle as the joint plan sees it. Step numbers count from its registration: the step after the one in which it
@@ -75,8 +76,11 @@ class JointPlan {
   JointPlan(const JointPlan&) = delete;
   JointPlan& operator=(const JointPlan&) = delete;
 
-  /// @return the agent, made when new. It rests at `place` from now on.
-  Agent& add(const std::string& agv_id, KindId kind, PlaceId place, double heading_rad, double now_s);
+  /// The agent rests at `place` from now on, whatever it did before; its goal stays. Those that are planned to pass
+  /// there wait until it has left.
+  /// @param first_step number of the next step that it will get
+  Agent& add(const std::string& agv_id, KindId kind, PlaceId place, double heading_rad, double now_s,
+             std::uint64_t first_step = 0);
   void remove(const std::string& agv_id);
   Agent* find(const std::string& agv_id);
   const std::map<std::string, Agent>& agents() const;

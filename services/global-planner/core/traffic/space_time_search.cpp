@@ -16,14 +16,12 @@ std::uint32_t heading_number(double heading_rad) {
   return static_cast<std::uint32_t>(static_cast<std::int64_t>(eighths) & 7);
 }
 
-/// Nobody may enter a closed place. Out of one lead the motions that are open, and where an edit took the place away
-/// all that lead to open places.
-bool may_drive(const Motion& motion, const Place& from, const Place& to) {
+}  // namespace
+
+bool SpaceTimeSearch::may_drive(const Motion& motion, const Place& from, const Place& to) {
   if (motion.is_closed) return from.is_closed && from.is_temporary && !to.is_closed;
   return !to.is_closed || from.is_closed;
 }
-
-}  // namespace
 
 void SpaceTimeSearch::begin(const View& view) {
   view_ = view;

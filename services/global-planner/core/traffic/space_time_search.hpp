@@ -71,6 +71,10 @@ class SpaceTimeSearch {
     corridor_rests_ = &rests;
   }
 
+  /// May a vehicle drive the motion? Nobody may enter a closed place. Out of one lead the motions that are open, and
+  /// where an edit took the place away all that lead to open places.
+  static bool may_drive(const Motion& motion, const Place& from, const Place& to);
+
   /// States expanded since the beginning, of all searches.
   std::uint64_t expanded() const { return expanded_; }
 

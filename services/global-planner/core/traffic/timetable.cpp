@@ -13,12 +13,15 @@ using Use = Reservation::Use;
 Timetable::Timetable(const Roadmap& roadmap, Meetings& meetings, double merge_s, double soft_rest_s)
     : roadmap_(roadmap), meetings_(meetings), reservations_(meetings, merge_s), soft_rest_s_(soft_rest_s) {}
 
-Agent& Timetable::add(const std::string& agv_id, KindId kind, PlaceId place, double heading_rad) {
+Agent& Timetable::add(const std::string& agv_id, KindId kind, PlaceId place, double heading_rad,
+                      std::uint64_t first_step) {
   Agent& agent = agents_[agv_id];
   agent.id = agv_id;
   agent.kind = kind;
   agent.place = place;
   agent.heading_rad = heading_rad;
+  agent.done = first_step;
+  agent.granted = first_step;
   agent.number = static_cast<std::uint32_t>(by_number_.size());
   by_number_.push_back(&agent);
   books_.emplace_back();
@@ -76,6 +79,7 @@ Step Timetable::step_of(const Leg& leg, MotionId before, bool is_own_way) {
   step.begin_s = leg.begin_s;
   step.end_s = leg.end_s;
   step.is_own_way = is_own_way;
+  step.before = before;
   return step;
 }
 
@@ -191,7 +195,8 @@ void Timetable::write_book(const Agent& agent) {
     entry.shape = meetings_.of_motion(motion);
     step.motion = reservations_.add(entry);
 
-    const ShapeId corner = i == 0 ? kNoId : meetings_.of_corner(agent.steps[i - 1].motion, motion);
+    const MotionId before = agent.steps[i].before;
+    const ShapeId corner = before == kNoId ? kNoId : meetings_.of_corner(before, motion);
     if (corner != kNoId) {
       entry.shape = corner;
       step.corner = reservations_.add(entry);

@@ -24,7 +24,7 @@ class Timetable {
   /// @param soft_rest_s what waits for a step that no plan has yet is forecast to wait so long
   Timetable(const Roadmap& roadmap, Meetings& meetings, double merge_s, double soft_rest_s);
 
-  Agent& add(const std::string& agv_id, KindId kind, PlaceId place, double heading_rad);
+  Agent& add(const std::string& agv_id, KindId kind, PlaceId place, double heading_rad, std::uint64_t first_step);
   void remove(const std::string& agv_id);
   Agent* find(const std::string& agv_id);
   Agent* at(std::uint32_t number) { return by_number_[number]; }

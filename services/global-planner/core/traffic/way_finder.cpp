@@ -11,6 +11,9 @@ namespace {
 // A way over others' rests is taken only if it ends so much sooner.
 constexpr double kWorthAskingS = 1.0;
 
+// A plan gives way to one by the roadmap only if that ends so much sooner.
+constexpr double kWorthChangingS = 0.5;
+
 // Those in the way of those in the way, and so on, so many times.
 constexpr std::size_t kMostAskedInTurn = 6;
 
@@ -19,6 +22,14 @@ constexpr double kQueueFromS = 3.0;
 constexpr double kQueueToS = 30.0;
 
 }  // namespace
+
+/// A cut of an own way is joined with the places around it when a new way may begin there.
+Departure WayFinder::departure(const Agent& agent, double now_s) {
+  const Departure out = timetable_.departure(agent, now_s);
+  const Place& place = roadmap_.place(out.place);
+  if (place.is_temporary) roadmap_.temporary_place(place.kind, place.base_in_map);
+  return out;
+}
 
 View WayFinder::view_of(const Agent& agent, double now_s, double soft_rest_s) const {
   View view;
@@ -44,7 +55,7 @@ void WayFinder::remember_own_way(const Agent& agent, std::vector<MotionId> motio
 
 /// The own way if it ends at most `own_way_bonus_s` later than the roadmap's.
 std::optional<WayFinder::Choice> WayFinder::choose(const Agent& agent, const View& view, double own_way_bonus_s) {
-  const Departure from = timetable_.departure(agent, view.now_s);
+  const Departure from = departure(agent, view.now_s);
   const auto choice = [&](std::optional<std::vector<Leg>> legs, bool is_own_way) -> std::optional<Choice> {
     if (!legs) return std::nullopt;
     const double end_s = legs->empty() ? from.time_s : legs->back().end_s;
@@ -63,14 +74,14 @@ double WayFinder::alone_s(const Agent& agent) { return search_.alone_s(timetable
 
 bool WayFinder::go(Agent& agent, double now_s, const Terms& terms) {
   auto best = choose(agent, view_of(agent, now_s, kForEver), terms.own_way_bonus_s);
-  const double start_s = timetable_.departure(agent, now_s).time_s;
+  const double start_s = departure(agent, now_s).time_s;
   const bool is_late = best && best->end_s - start_s > 1.5 * alone_s(agent) + settings_.late_s;
 
   if (!best || is_late) {
     auto over_rests = choose(agent, view_of(agent, now_s, terms.soft_rest_s), terms.own_way_bonus_s);
     if (over_rests && (!best || over_rests->end_s + kWorthAskingS < best->end_s)) best = std::move(over_rests);
   }
-  if (!best) return false;
+  if (!best || best->end_s > terms.latest_end_s - (best->is_own_way ? 0.0 : kWorthChangingS)) return false;
 
   timetable_.replace_tail(agent, best->legs, best->is_own_way);
   return true;
@@ -90,7 +101,7 @@ bool WayFinder::is_spare(const Agent& agent, PlaceId place, bool is_strict) cons
 }
 
 bool WayFinder::find_rest(Agent& agent, double now_s, const Terms& terms, bool is_strict) {
-  const Departure from = timetable_.departure(agent, now_s);
+  const Departure from = departure(agent, now_s);
   const Destination to{kNoId, [&](PlaceId place) { return is_spare(agent, place, is_strict); }};
   for (const double soft_rest_s : {kForEver, terms.soft_rest_s}) {
     const auto legs = search_.find(from, to, view_of(agent, now_s, soft_rest_s));
@@ -103,7 +114,7 @@ bool WayFinder::find_rest(Agent& agent, double now_s, const Terms& terms, bool i
 
 bool WayFinder::leave(Agent& agent, double now_s, const Terms& terms) {
   if (agent.pending() == agent.steps.size()) {
-    const double arrival_s = timetable_.departure(agent, now_s).time_s;
+    const double arrival_s = departure(agent, now_s).time_s;
     if (search_.is_free_for_ever(timetable_.granted_end(agent), arrival_s, view_of(agent, now_s, kForEver)))
       return true;
   }
@@ -187,14 +198,14 @@ void WayFinder::queue(Agent& agent, double now_s) {
   const PlaceId place = queue_place(agent, now_s);
   if (place == kNoId || place == rest) return;
 
-  const auto legs = search_.find(timetable_.departure(agent, now_s), {place, {}}, view_of(agent, now_s, kForEver));
+  const auto legs = search_.find(departure(agent, now_s), {place, {}}, view_of(agent, now_s, kForEver));
   if (legs) timetable_.replace_tail(agent, *legs, false);
 }
 
 std::optional<std::vector<Leg>> WayFinder::way_past_plans(const Agent& agent, double now_s) {
   View view = view_of(agent, now_s, 0.0);
   view.granted_only = true;
-  return search_.find(timetable_.departure(agent, now_s), {agent.goal, {}}, view);
+  return search_.find(departure(agent, now_s), {agent.goal, {}}, view);
 }
 
 void WayFinder::explain(Agent& agent, double now_s) {

@@ -18,11 +18,14 @@ class WayFinder {
   WayFinder(Roadmap& roadmap, Timetable& timetable, SpaceTimeSearch& search, const JointPlan::Settings& settings)
       : roadmap_(roadmap), timetable_(timetable), search_(search), settings_(settings) {}
 
-  /// How long others' rests count, and how much later than the roadmap's an own way may end.
   struct Terms {
-    double soft_rest_s{6.0};
-    double own_way_bonus_s{0.0};
+    double soft_rest_s{6.0};      // how long others' rests count
+    double own_way_bonus_s{0.0};  // how much later than the roadmap's an own way may end
+    double latest_end_s{kForEver};
   };
+
+  /// Where and when the agent's plan may change.
+  Departure departure(const Agent& agent, double now_s);
 
   /// Replaces what is not granted by a way to the goal; changes nothing when there is none. @pre has a goal
   bool go(Agent& agent, double now_s, const Terms& terms);

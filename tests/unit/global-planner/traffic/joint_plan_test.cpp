@@ -128,6 +128,49 @@ TEST(JointPlan, NobodyIsPlannedThroughAFrozenVehicle) {
   EXPECT_FALSE(world.plan().plan_group("a", 0.0));
 }
 
+const std::vector<std::string> kLaneWithBay{
+    "##############################", "#############....#############", "#############....#############",
+    "#############....#############", "#############....#############", "#............................#",
+    "#............................#", "##############################",
+};
+
+TEST(JointPlan, TwoSwapInALaneByTheBay) {
+  PlanWorld world(kLaneWithBay);
+  world.add("a", world.near({1.0, 1.0}));
+  world.add("b", world.near({14.0, 1.0}));
+  world.send("a", world.near({14.0, 1.0}));
+  world.send("b", world.near({1.0, 1.0}));
+
+  EXPECT_TRUE(drive_home(world, 200.0)) << who_waits(world);
+}
+
+TEST(JointPlan, TheLastResortBringsTheOldestToItsGoal) {
+  PlanWorld world(kLaneWithBay);
+  world.add("a", world.near({4.0, 1.0}));
+  world.add("b", world.near({8.0, 1.0}));
+  world.add("c", world.near({12.0, 1.0}));
+  world.send("a", world.near({14.0, 1.0}));
+  world.send("c", world.near({1.0, 1.0}));
+
+  ASSERT_TRUE(world.plan().plan_all(0.0));
+
+  EXPECT_TRUE(world.plan().find("a")->has_plan_to_goal);
+  EXPECT_TRUE(world.has_no_circle());
+  EXPECT_TRUE(drive_home(world, 200.0)) << who_waits(world);
+}
+
+TEST(JointPlan, TheLastResortChangesNothingWhereThereIsNoWay) {
+  PlanWorld world({"####################", "#..................#", "#..................#", "####################"});
+  world.add("a", world.near({1.0, 1.0}));
+  world.add("b", world.near({5.0, 1.0}));
+  world.send("a", world.near({9.0, 1.0}));
+  world.send("b", world.near({2.0, 1.0}));
+
+  EXPECT_FALSE(world.plan().plan_all(0.0));
+  EXPECT_TRUE(world.plan().find("a")->steps.empty());
+  EXPECT_TRUE(world.plan().find("b")->steps.empty());
+}
+
 TEST(JointPlan, TheSameCallsGiveTheSamePlans) {
   std::vector<double> ends[2];
   for (auto& out : ends) {

@@ -1,8 +1,10 @@
 #pragma once
 // Vehicles that drive plans step by step, as a coordinator would let them: plans, grants through a lock, and reports.
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -60,8 +62,12 @@ class PlanWorld {
   global_planner::traffic::KindId kind() const { return kind_; }
   double now_s() const { return now_s_; }
 
-  /// The place nearest to a point.
-  PlaceId near(geometry::Point2 in_map) const { return roadmap_.nearest(kind_, {in_map.x, in_map.y, 0.0}); }
+  /// The place nearest to a point. @throws std::invalid_argument when there is none near it
+  PlaceId near(geometry::Point2 in_map) const {
+    const PlaceId place = roadmap_.nearest(kind_, {in_map.x, in_map.y, 0.0});
+    if (place == global_planner::traffic::kNoId) throw std::invalid_argument("no place near this point");
+    return place;
+  }
 
   /// Open places of the roadmap.
   std::vector<PlaceId> places() const {
