@@ -123,6 +123,7 @@ bool FakeVehicleService::may_act(time::Stamp now) {
 
 void FakeVehicleService::tick() {
   const time::Stamp now = shell_.now();
+  if (config_.hindrance != nullptr) vehicle_.hinder(*config_.hindrance);
   if (!may_act(now)) {
     if (introduced_ && map_.has_map())
       vehicle_.advance_to(now, {map_.grid(), bodies_.bodies()});  // brakes: nobody commands it any more

@@ -21,7 +21,8 @@ struct ServiceConfig {
   std::uint64_t seed{1};
   std::string run;  // names this vehicle's run in the state file
   geometry::Pose2 start_in_map;
-  std::filesystem::path state_file;  // empty: nothing is kept
+  std::filesystem::path state_file;     // empty: nothing is kept
+  const Hindrance* hindrance{nullptr};  // read in each cycle, and must outlive the service; null: none
 
   template <class Reader>
   void describe(Reader& r) {

@@ -146,6 +146,8 @@ struct Driven {
   bool is_good() const { return totals.is_good() && violations.empty(); }
 };
 
+Json json_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
 /// One JSON object, or a few lines for a person.
 void print(const Cli& cli, const Options& options, const Driven& driven) {
   const sim::Totals& totals = driven.totals;
@@ -165,6 +167,12 @@ void print(const Cli& cli, const Options& options, const Driven& driven) {
                                 {"least_clearance_m", has_least ? Json(totals.least_clearance_m) : Json(nullptr)},
                                 {"distance_m", totals.distance_m},
                                 {"time_s", totals.time_s},
+                                {"longest_standoff_s", totals.longest_standoff_s},
+                                {"longest_standoff", totals.longest_standoff},
+                                {"longest_wait_s", totals.longest_wait_s},
+                                {"longest_wait", totals.longest_wait},
+                                {"goals_per_vehicle_hour", json_or_null(totals.goals_per_vehicle_hour())},
+                                {"own_way_share", json_or_null(totals.own_way_share())},
                                 {"replans", totals.replans},
                                 {"omega_sign_changes", totals.omega_sign_changes},
                                 {"jerk_rms", totals.jerk_rms},
@@ -185,6 +193,14 @@ void print(const Cli& cli, const Options& options, const Driven& driven) {
               has_least ? fmt::format("{:.3f} m", totals.least_clearance_m).c_str() : "-, as nothing came near");
   std::printf("%.1f m in %.1f s, %d replans, %d changes of the turn's sign, jerk %.2f m/s^3\n", totals.distance_m,
               totals.time_s, totals.replans, totals.omega_sign_changes, totals.jerk_rms);
+
+  if (totals.longest_wait_s > 0.0)
+    std::printf("longest wait %.1f s: %s\n", totals.longest_wait_s, totals.longest_wait.c_str());
+  if (totals.longest_standoff_s > 0.0)
+    std::printf("longest stand-off %.1f s: %s\n", totals.longest_standoff_s, totals.longest_standoff.c_str());
+  if (const auto rate = totals.goals_per_vehicle_hour())
+    std::printf("%.0f goals a vehicle and hour, %.0f %% of the metres on own ways\n", *rate,
+                100.0 * totals.own_way_share().value_or(0.0));
 
   std::string faults;
   for (const auto& [kind, count] : driven.faults)

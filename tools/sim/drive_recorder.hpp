@@ -2,14 +2,17 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "common/service/shell.hpp"
 #include "tools/sim/result.hpp"
+#include "tools/sim/standoffs.hpp"
 
 namespace aisle::sim {
 
-/// Notes how vehicles drive, from ground truth and from what they report: smoothness, plans, and a hash of every pose.
+/// Notes how vehicles drive, from ground truth and from what they report: smoothness, plans, how long they stood with a
+/// goal, on whose way they drove, and a hash of every pose.
 /// What the referee judges (contacts, goals, distances) is not noted here.
 class DriveRecorder {
  public:
@@ -17,6 +20,9 @@ class DriveRecorder {
   explicit DriveRecorder(service::Shell& shell);
   DriveRecorder(const DriveRecorder&) = delete;
   DriveRecorder& operator=(const DriveRecorder&) = delete;
+
+  /// Looks at which vehicles stand. To be called often: stands are measured to the time between two calls.
+  void look(time::Stamp now);
 
   /// Puts its figures into `result`.
   void fill(Result& result) const;
@@ -31,7 +37,23 @@ class DriveRecorder {
     bool has_state{false};
     double mps{0.0}, mps2{0.0}, turn_radps{0.0};
     std::string planned_goal;  // whose first plan was measured
+
+    // What it does, as far as it was heard.
+    bool is_moving{false};  // or turns
+    bool is_held{false};    // by a person
+    std::optional<fleet::Goal> goal;
+    std::optional<fleet::NavigationStatus> navigation;
+    time::Stamp navigation_arrived{};
+    fleet::Grant grant;
+    fleet::Plan plan;
+    std::optional<geometry::Point2> place_in_map;  // true
   };
+
+  /// For the watch on stand-offs.
+  static Doing doing(const VehicleEntry& vehicle, time::Stamp now);
+
+  /// Is the step that it is on one of its own way, as all of a plan without steps?
+  static bool is_on_own_way(const VehicleEntry& vehicle);
 
   /// Each notes what its topic tells.
   void take(const fleet::Obstacle& obstacle, std::int64_t stamp_ns);
@@ -44,6 +66,12 @@ class DriveRecorder {
   int turn_sign_changes_{0};
   double jerk_squared_sum_{0.0};
   std::uint64_t jerk_samples_{0};
+
+  StandoffWatch standoffs_;
+  time::Stamp begun_;
+  std::optional<time::Stamp> leader_heard_;  // newest beat of a leading planner; none where nobody plans the traffic
+  double own_way_m_{0.0};
+  double plan_way_m_{0.0};
 };
 
 }  // namespace aisle::sim

@@ -102,7 +102,8 @@ T at_some_time(Dice& dice) {
 }  // namespace
 
 bool FaultPlan::is_empty() const {
-  return links.empty() && cuts.empty() && crashes.empty() && hangs.empty() && clock_jumps.empty() && disks.empty();
+  return links.empty() && cuts.empty() && crashes.empty() && hangs.empty() && clock_jumps.empty() && disks.empty() &&
+         holds.empty() && slows.empty();
 }
 
 FaultPlan read_fault_plan(const std::filesystem::path& file) {

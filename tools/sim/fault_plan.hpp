@@ -128,15 +128,55 @@ struct DiskFault : Occasion {
   }
 };
 
+/// In each period of `every_s` from `begin_s` on, a person holds each vehicle that `vehicle` names once, at a moment
+/// that the seed draws, for `least_s` to `most_s`. The vehicle brakes, and stands until the person lets go.
+struct Hold {
+  std::string vehicle{"*"};  // "agv-1"
+  double begin_s{0.0};
+  double every_s{60.0};
+  double least_s{2.0};
+  double most_s{8.0};
+
+  static constexpr double kLeastPeriodS = 1.0;
+
+  template <class Reader>
+  void describe(Reader& r) {
+    r.field("vehicle", vehicle)
+        .field("begin_s", begin_s, 0.0, LinkFault::kLongestS)
+        .field("every_s", every_s, kLeastPeriodS, LinkFault::kLongestS)
+        .field("least_s", least_s, 0.0, LinkFault::kLongestS)
+        .field("most_s", most_s, 0.0, LinkFault::kLongestS);
+    if (most_s < least_s) r.reject("most_s", "less than least_s");
+  }
+};
+
+/// Each vehicle that `vehicle` names reaches only this share of its top speed, and says nothing of it.
+struct Slow {
+  std::string vehicle{"*"};
+  double begin_s{0.0};
+  double for_s{LinkFault::kLongestS};
+  double share{0.8};
+
+  template <class Reader>
+  void describe(Reader& r) {
+    r.field("vehicle", vehicle)
+        .field("begin_s", begin_s, 0.0, LinkFault::kLongestS)
+        .field("for_s", for_s, 0.0, LinkFault::kLongestS)
+        .field("share", share, 0.05, 1.0);
+  }
+};
+
 /// Everything that goes wrong in one run.
 struct FaultPlan {
-  double stop_s{60.0};  // then links are whole again, and what was cut, hung or down comes back
+  double stop_s{60.0};  // then links are whole again, what was cut, hung or down comes back, and vehicles go as told
   std::vector<LinkFault> links;
   std::vector<Cut> cuts;
   std::vector<Crash> crashes;
   std::vector<Hang> hangs;
   std::vector<ClockJump> clock_jumps;
   std::vector<DiskFault> disks;
+  std::vector<Hold> holds;
+  std::vector<Slow> slows;
 
   template <class Reader>
   void describe(Reader& r) {
@@ -146,7 +186,9 @@ struct FaultPlan {
         .list("crashes", crashes)
         .list("hangs", hangs)
         .list("clock_jumps", clock_jumps)
-        .list("disks", disks);
+        .list("disks", disks)
+        .list("holds", holds)
+        .list("slows", slows);
   }
 
   /// Does nothing go wrong?

@@ -12,7 +12,8 @@ namespace {
 
 using Kind = FaultAction::Kind;
 
-constexpr int kMostDraws = 100;  // until the ends of a cut differ
+const std::string kVehicle = "fake-vehicle-";  // with an id behind it: the process that simulates the vehicle
+constexpr int kMostDraws = 100;                // until the ends of a cut differ
 
 /// Lays a plan out: draws the processes in the order of the plan, then sorts by time.
 class Layout {
@@ -37,6 +38,9 @@ class Layout {
     }
 
     for (const DiskFault& disk : plan_.disks) add_disk(disk);
+    for (const Hold& hold : plan_.holds) add_holds(hold);
+    for (const Slow& slow : plan_.slows) add_slow(slow);
+
     std::stable_sort(actions_.begin(), actions_.end(),
                      [](const FaultAction& a, const FaultAction& b) { return a.t_s < b.t_s; });
 
@@ -132,6 +136,44 @@ class Layout {
       actions_.push_back({t_s, kind, one_of(disk.process), "", false, 0.0, ++faults_});
   }
 
+  /// Processes of the vehicles that the pattern names, by their ids.
+  std::vector<std::string> vehicles_of(const std::string& pattern) const {
+    std::vector<std::string> named;
+    for (const std::string& name : others_)
+      if (is_named(kVehicle + pattern, name)) named.push_back(name);
+
+    if (named.empty()) refuse(kVehicle + pattern);
+    return named;
+  }
+
+  /// A pair of actions that begin and end on one vehicle.
+  void add_on_vehicle(const std::string& process, double begin_s, double for_s, Kind begin, Kind end, double share) {
+    if (begin_s >= plan_.stop_s) return;
+    const int fault = ++faults_;
+    actions_.push_back({begin_s, begin, process, "", false, 0.0, fault, share});
+    actions_.push_back({std::min(begin_s + for_s, plan_.stop_s), end, process, "", false, 0.0, fault, share});
+  }
+
+  /// Once a period for each vehicle; the moment and how long are drawn.
+  void add_holds(const Hold& hold) {
+    const std::vector<std::string> vehicles = vehicles_of(hold.vehicle);
+    for (int i = 0; hold.begin_s + i * hold.every_s < plan_.stop_s; ++i) {
+      for (const std::string& vehicle : vehicles) {
+        const double at_s = hold.begin_s + (i + share_drawn()) * hold.every_s;
+        const double for_s = hold.least_s + share_drawn() * (hold.most_s - hold.least_s);
+        add_on_vehicle(vehicle, at_s, for_s, Kind::kHold, Kind::kLetGo, 1.0);
+      }
+    }
+  }
+
+  void add_slow(const Slow& slow) {
+    for (const std::string& vehicle : vehicles_of(slow.vehicle))
+      add_on_vehicle(vehicle, slow.begin_s, slow.for_s, Kind::kSlow, Kind::kFast, slow.share);
+  }
+
+  /// From 0 on, below 1, in steps of a thousandth: the same on every machine.
+  double share_drawn() { return static_cast<double>(random_() % 1000) / 1000.0; }
+
   const FaultPlan& plan_;
   const std::vector<std::string>& services_;
   const std::vector<std::string>& others_;
@@ -161,11 +203,17 @@ const char* name_of(FaultAction::Kind kind) {
       return "files_torn";
     case Kind::kFilesLost:
       return "files_lost";
+    case Kind::kHold:
+      return "hold";
+    case Kind::kSlow:
+      return "slow";
     case Kind::kLinksChange:
     case Kind::kHeal:
     case Kind::kStart:
     case Kind::kGoOn:
     case Kind::kDiskFree:
+    case Kind::kLetGo:
+    case Kind::kFast:
       return "";
   }
 

@@ -23,7 +23,11 @@ struct FaultAction {
     kDiskFull,
     kDiskFree,
     kFilesTorn,
-    kFilesLost
+    kFilesLost,
+    kHold,
+    kLetGo,
+    kSlow,
+    kFast
   };
 
   double t_s{0.0};
@@ -31,16 +35,17 @@ struct FaultAction {
   std::string process{};  // of a cut: where the messages come from
   std::string to{};       // of a cut
   bool both_ways{false};
-  double by_s{0.0};  // of a clock jump
-  int fault{0};      // its number in the plan; what ends a fault bears the same number as what began it
+  double by_s{0.0};   // of a clock jump
+  int fault{0};       // its number in the plan; what ends a fault bears the same number as what began it
+  double share{1.0};  // of the top speed, of a vehicle that is slow
 };
 
 /// "crash", "cut", ...; how it is counted. Empty for what only ends another fault.
 const char* name_of(FaultAction::Kind kind);
 
 /// A plan laid out for one site: which process is hit when. Where a pattern names several processes, one is drawn for
-/// each occasion; the draw depends on plan, names and seed only. In the order of time; nothing begins at or after the
-/// plan's stop_s, and what is still under way then ends there.
+/// each occasion (vehicles are held, and are slow, all that are named); the draw depends on plan, names and seed only.
+/// In the order of time; nothing begins at or after the plan's stop_s, and what is still under way then ends there.
 /// @param services names of the processes that may be hit by a pattern
 /// @param others further names that may be hit where the plan names them in full, or, as ends of cuts, by a pattern
 ///   that fits no service

@@ -32,6 +32,16 @@ struct Result {
   double jerk_squared_sum{0.0};  // (m/s^3)^2 of each vehicle and control period, of true speeds
   std::uint64_t jerk_samples{0};
   std::uint64_t trace_hash{0};
+
+  /// How long vehicles stood with an open goal: see StandoffWatch.
+  double longest_standoff_s{0.0};
+  std::string longest_standoff;  // when, which vehicle and why; empty: there was none
+  double longest_wait_s{0.0};
+  std::string longest_wait;
+  double vehicle_hours{0.0};  // from the first goal given on, of all vehicles together
+  double own_way_m{0.0};      // driven on the vehicle's own way, not on the roadmap
+  double plan_way_m{0.0};     // driven with a plan, on either
+
   std::vector<std::string> log;  // contacts, violations of authority and goals missed, with time and vehicle
 };
 

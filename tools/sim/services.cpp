@@ -106,13 +106,15 @@ fake_vehicle::Parameters parameters_of(const Setup& setup, const scenario::Vehic
   return parameters;
 }
 
-std::shared_ptr<void> make_vehicle(const Setup& setup, const scenario::Vehicle& vehicle, service::Shell& shell) {
+std::shared_ptr<void> make_vehicle(const Setup& setup, const scenario::Vehicle& vehicle,
+                                   const fake_vehicle::Hindrance& hindrance, service::Shell& shell) {
   fake_vehicle::ServiceConfig config;
   config.vehicle = parameters_of(setup, vehicle);
   config.seed = setup.seed;
   config.run = setup.scenario.name + "/" + vehicle.id;
   config.start_in_map = scenario::varied_start(vehicle, setup.scenario.start_jitter_m, setup.seed);
   config.state_file = kStateFile;
+  config.hindrance = &hindrance;
 
   return std::make_shared<fake_vehicle::FakeVehicleService>(shell, config);
 }
@@ -152,7 +154,7 @@ std::shared_ptr<void> make_dispatcher(const Setup& setup, service::Shell& shell)
 }  // namespace
 
 /// World and product are told apart: see Blueprint::is_world.
-std::vector<Blueprint> blueprints_of(const Setup& setup, const HearsCycle& hears_cycle) {
+std::vector<Blueprint> blueprints_of(const Setup& setup, Hindrances& hindrances, const HearsCycle& hears_cycle) {
   constexpr bool kIsWorld = true;
   const auto with = [&setup](auto make) {
     return [&setup, make](service::Shell& shell) { return make(setup, shell); };
@@ -165,8 +167,10 @@ std::vector<Blueprint> blueprints_of(const Setup& setup, const HearsCycle& hears
   all.push_back({"fake-world", "", kIsWorld, with(make_world)});
 
   for (const scenario::Vehicle& vehicle : setup.scenario.vehicles) {
-    all.push_back({"fake-vehicle", vehicle.id, kIsWorld,
-                   [&setup, &vehicle](service::Shell& shell) { return make_vehicle(setup, vehicle, shell); }});
+    const fake_vehicle::Hindrance& hindrance = hindrances[vehicle.id];
+    all.push_back({"fake-vehicle", vehicle.id, kIsWorld, [&setup, &vehicle, &hindrance](service::Shell& shell) {
+                     return make_vehicle(setup, vehicle, hindrance, shell);
+                   }});
     all.push_back({"local-planner", vehicle.id, !kIsWorld, [&setup, hears_cycle](service::Shell& shell) {
                      return make_local_planner(setup, hears_cycle, shell);
                    }});

@@ -62,7 +62,8 @@ referee::Expectation expectation_of(const scenario::Scenario& scenario) {
 
 /// The faults that lie on a process now, by their numbers in the plan: it recovers when the last of a kind is over.
 struct Burden {
-  std::set<int> downs, hangs, full_disk;
+  std::set<int> downs, hangs, full_disk, holds;
+  std::map<int, double> slows;  // shares of the top speed
 };
 
 class Site {
@@ -82,7 +83,7 @@ class Site {
     log_->set_level(hooks_.says ? spdlog::level::info : spdlog::level::off);
     put_sqlite_on_simulated_disks();
     referee_bus_->drive();
-    for (Blueprint& blueprint : blueprints_of(setup, seat_spectator())) add(std::move(blueprint));
+    for (Blueprint& blueprint : blueprints_of(setup, hindrances_, seat_spectator())) add(std::move(blueprint));
     plan_faults();
   }
 
@@ -92,6 +93,7 @@ class Site {
     for (int look = 0; because.empty(); ++look) {
       network_.advance_to(network_.now() + kLook);
       const double t_s = now_s();
+      recorder_.look(referee_shell_.now());
       if (referee_.is_over()) because = "all missions are over";
       if (t_s >= setup_.scenario.duration_s) because = fmt::format("{:.0f} s are over", setup_.scenario.duration_s);
       if (hooks_.goes_on && t_s - asked_s >= 1.0 && !hooks_.goes_on(asked_s = t_s)) because = "stopped";
@@ -199,6 +201,11 @@ class Site {
       case Kind::kFilesTorn:
       case Kind::kFilesLost:
         return harm_files(find(action.process), action);
+      case Kind::kHold:
+      case Kind::kLetGo:
+      case Kind::kSlow:
+      case Kind::kFast:
+        return hinder(find(action.process), action);
     }
     return false;
   }
@@ -243,6 +250,22 @@ class Site {
     }
     network_.at(network_.now() + kRestart, [this, action] { bring_up(action.process, action.fault); });
     return was_up || had_files;
+  }
+
+  /// Of a vehicle that several hold, the last one lets it go; shares of its speed are multiplied.
+  bool hinder(Process& vehicle, const FaultAction& action) {
+    Burden& burden = burdens_[vehicle.name()];
+    if (action.kind == FaultAction::Kind::kHold) burden.holds.insert(action.fault);
+    if (action.kind == FaultAction::Kind::kLetGo) burden.holds.erase(action.fault);
+    if (action.kind == FaultAction::Kind::kSlow) burden.slows[action.fault] = action.share;
+    if (action.kind == FaultAction::Kind::kFast) burden.slows.erase(action.fault);
+
+    fake_vehicle::Hindrance& hindrance = hindrances_[vehicle.blueprint().agv_id];
+    hindrance.is_held = !burden.holds.empty();
+    hindrance.speed_share = 1.0;
+    for (const auto& [fault, share] : burden.slows) hindrance.speed_share *= share;
+
+    return true;
   }
 
   bool set_cut(const FaultAction& action) {
@@ -330,6 +353,8 @@ class Site {
     result.time_s = report.duration_s;
     result.first_goal_s = first_goal_s(report);
     result.driven_s = driven_s(report);
+    result.vehicle_hours =
+        static_cast<double>(setup_.scenario.vehicles.size()) * (report.duration_s - result.first_goal_s) / 3600.0;
     result.replans = report.replans();
     for (const scenario::Vehicle& vehicle : setup_.scenario.vehicles) {
       int reached = 0;
@@ -359,6 +384,7 @@ class Site {
   referee::RefereeService referee_;
   DriveRecorder recorder_;
   std::optional<Spectator> spectator_;
+  Hindrances hindrances_;  // before the processes, which read it
   std::vector<std::unique_ptr<Process>> processes_;
   std::map<std::string, nanoseconds> clock_offsets_;
   std::map<std::string, Burden> burdens_;                    // by process

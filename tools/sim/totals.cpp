@@ -5,7 +5,24 @@
 
 namespace aisle::sim {
 
+template <class Part>
+void Totals::add_stands(const Part& part) {
+  if (part.longest_standoff_s > longest_standoff_s) {
+    longest_standoff_s = part.longest_standoff_s;
+    longest_standoff = part.longest_standoff;
+  }
+  if (part.longest_wait_s > longest_wait_s) {
+    longest_wait_s = part.longest_wait_s;
+    longest_wait = part.longest_wait;
+  }
+
+  vehicle_hours += part.vehicle_hours;
+  own_way_m += part.own_way_m;
+  plan_way_m += part.plan_way_m;
+}
+
 void Totals::add(const Result& result) {
+  add_stands(result);
   ++runs;
   goals_assigned += result.goals_assigned;
   goals_reached += result.goals_reached;
@@ -24,6 +41,7 @@ void Totals::add(const Result& result) {
 }
 
 void Totals::add(const Totals& others) {
+  add_stands(others);
   runs += others.runs;
   goals_assigned += others.goals_assigned;
   goals_reached += others.goals_reached;

@@ -53,6 +53,9 @@ void SimulatedVehicle::step(time::Stamp now, double dt_s, const Surroundings& ar
     wanted_ = {};
     drive_ = brake(dt_s);
     hold_ = commanded_ ? Hold::kLateCommand : Hold::kNoCommand;
+  } else if (hindrance_.is_held) {
+    drive_ = brake(dt_s);
+    hold_ = Hold::kPerson;
   } else {
     drive_ = follow(dt_s);
     if (hold_ != Hold::kContact) hold_ = Hold::kNone;
@@ -62,7 +65,9 @@ void SimulatedVehicle::step(time::Stamp now, double dt_s, const Surroundings& ar
 }
 
 kinematics::DriveState SimulatedVehicle::follow(double dt_s) const {
-  const kinematics::Limits& limits = parameters_.limits;
+  kinematics::Limits limits = parameters_.limits;
+  limits.max_speed_mps *= hindrance_.speed_share;
+  limits.max_reverse_mps *= hindrance_.speed_share;
   const geometry::Twist2& twist = drive_.twist;
 
   // First-order lag: v(t + dt) = v + (1 - e^(-dt / lag)) (v_wanted - v), an axis.

@@ -14,6 +14,12 @@ namespace aisle::fake_vehicle {
 
 using fleet::Hold;
 
+/// What keeps a vehicle from doing what it is told, beside its own limits.
+struct Hindrance {
+  bool is_held{false};      // by a person: it brakes and stands
+  double speed_share{1.0};  // of its top speed that it reaches, above 0, to 1
+};
+
 /// A vehicle of any model: follows commands after a dead time and with a first-order lag, within its limits, and brakes
 /// by itself, with its full deceleration and without lag, when no command came for command_timeout_s. It cannot pass
 /// through things: where a motion would press it deeper into a wall or a body, it stands (a disc may turn on the spot
@@ -21,6 +27,7 @@ using fleet::Hold;
 ///
 ///   no command ──command──► driving ──silence──► late ──command──► driving
 ///                              └─would overlap─► contact ──a motion that does not──┘
+/// A person may hold it in any of these: it brakes, and goes on as it is told when the person lets go.
 ///
 /// Reads no clock: each call says what time it is, and the times of calls never go back.
 class SimulatedVehicle {
@@ -30,6 +37,9 @@ class SimulatedVehicle {
 
   /// Takes a command whose source may give it; in force after the dead time. `arrived`: also begins the time-out anew.
   void command(const geometry::Twist2& twist, time::Stamp arrived);
+
+  /// In force until the next call.
+  void hinder(const Hindrance& hindrance) { hindrance_ = hindrance; }
 
   /// Moves on to `now` in steps of at most 5 ms. A gap of more than kLongestGap since the last call means that the
   /// simulation did not run: the vehicle moves for one step only.
@@ -74,6 +84,7 @@ class SimulatedVehicle {
   geometry::Pose2 base_in_map_;
   kinematics::DriveState drive_;
   geometry::Twist2 wanted_;  // the command in force
+  Hindrance hindrance_;
   std::deque<Queued> queued_;
   bool commanded_{false};
 

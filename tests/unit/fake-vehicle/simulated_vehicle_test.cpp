@@ -95,6 +95,32 @@ TEST_F(Vehicle, DrivesAgainWhenCommandsComeBack) {
   EXPECT_GT(vehicle.twist().linear_mps, 0.5);
 }
 
+TEST_F(Vehicle, BrakesAndStandsWhileAPersonHoldsItAndGoesOnAsToldThen) {
+  SimulatedVehicle vehicle(parameters_, {2, 5, 0});
+  drive(vehicle, {1.0, 0, 0}, now_ + seconds(3));
+  const double from_m = vehicle.base_in_map().x;
+  vehicle.hinder({true, 1.0});
+  drive(vehicle, {1.0, 0, 0}, now_ + seconds(3));
+  EXPECT_EQ(vehicle.hold(), Hold::kPerson);
+  EXPECT_EQ(vehicle.twist().linear_mps, 0.0);
+  const double a = parameters_.limits.max_deceleration_mps2;
+  EXPECT_LE(vehicle.base_in_map().x - from_m, 1.05 / (2 * a));
+
+  vehicle.hinder({});
+  drive(vehicle, {1.0, 0, 0}, now_ + seconds(3));
+  EXPECT_EQ(vehicle.hold(), Hold::kNone);
+  EXPECT_DOUBLE_EQ(vehicle.twist().linear_mps, 1.0);
+}
+
+TEST_F(Vehicle, ASlowOneReachesItsShareOfTheTopSpeedEitherWay) {
+  SimulatedVehicle vehicle(parameters_, {15, 5, 0});
+  vehicle.hinder({false, 0.8});
+  drive(vehicle, {50.0, 0, 0}, now_ + seconds(4));
+  EXPECT_DOUBLE_EQ(vehicle.twist().linear_mps, 0.8 * parameters_.limits.max_speed_mps);
+  drive(vehicle, {-50.0, 0, 0}, now_ + seconds(8));
+  EXPECT_DOUBLE_EQ(vehicle.twist().linear_mps, -0.8 * parameters_.limits.max_reverse_mps);
+}
+
 TEST_F(Vehicle, StopsAtAWallAndCanBackOff) {
   for (int y = 0; y < 200; ++y) walls_.set({200, y}, grid::Occupancy::kOccupied);  // x from 10.0
   SimulatedVehicle vehicle(parameters_, {8, 5, 0});

@@ -44,6 +44,10 @@ clock_jumps:
   - {process: map, at_s: 10.0, by_s: -11.0}
 disks:
   - {process: map, at_s: 12.0, kind: torn}
+holds:
+  - {vehicle: agv-1, begin_s: 13.0, every_s: 14.0, least_s: 15.0, most_s: 16.0}
+slows:
+  - {vehicle: agv-2, begin_s: 17.0, for_s: 18.0, share: 0.7}
 )");
   EXPECT_EQ(plan.stop_s, 30.0);
   ASSERT_EQ(plan.links.size(), 1u);
@@ -58,6 +62,13 @@ disks:
   EXPECT_EQ(plan.hangs[0].for_s, 9.0);
   ASSERT_EQ(plan.clock_jumps.size(), 1u);
   EXPECT_EQ(plan.clock_jumps[0].by_s, -11.0);
+  ASSERT_EQ(plan.holds.size(), 1u);
+  EXPECT_EQ(plan.holds[0].vehicle, "agv-1");
+  EXPECT_EQ(plan.holds[0].every_s, 14.0);
+  EXPECT_EQ(plan.holds[0].most_s, 16.0);
+  ASSERT_EQ(plan.slows.size(), 1u);
+  EXPECT_EQ(plan.slows[0].for_s, 18.0);
+  EXPECT_EQ(plan.slows[0].share, 0.7);
   ASSERT_EQ(plan.disks.size(), 1u);
   EXPECT_EQ(plan.disks[0].kind, "torn");
 }
@@ -68,6 +79,8 @@ TEST(FaultPlan, NamesWhatItCannotTake) {
   EXPECT_THAT(refusal_of("disks:\n  - {kind: burnt}\n"), HasSubstr("burnt"));
   EXPECT_THAT(refusal_of("hangs:\n  - {at_s: -1.0}\n"), HasSubstr("at_s"));
   EXPECT_THAT(refusal_of("hangs:\n  - {every_s: 1e-8}\n"), HasSubstr("every_s: neither 0 nor"));
+  EXPECT_THAT(refusal_of("holds:\n  - {least_s: 3.0, most_s: 2.0}\n"), HasSubstr("most_s: less than least_s"));
+  EXPECT_THAT(refusal_of("slows:\n  - {share: 0.0}\n"), HasSubstr("share"));
   EXPECT_EQ(plan_of("hangs:\n  - {every_s: 0.01}\n").hangs[0].every_s, 0.01);
 }
 
@@ -90,6 +103,18 @@ TEST(FaultPlan, TheSamplesAreRead) {
     EXPECT_EQ(plan.stop_s, 60.0) << name;
     EXPECT_FALSE(plan.is_empty()) << name;
   }
+}
+
+TEST(FaultPlan, TheDisturbanceHoldsAndSlowsEachVehicleAndLosesPackets) {
+  const FaultPlan plan = read_fault_plan(test_support::source_folder() / "deploy/faults/disturbed.yaml");
+  ASSERT_EQ(plan.holds.size(), 1u);
+  EXPECT_EQ(plan.holds[0].every_s, 60.0);
+  EXPECT_EQ(plan.holds[0].least_s, 2.0);
+  EXPECT_EQ(plan.holds[0].most_s, 8.0);
+  ASSERT_EQ(plan.slows.size(), 1u);
+  EXPECT_EQ(plan.slows[0].share, 0.8);
+  ASSERT_EQ(plan.links.size(), 1u);
+  EXPECT_EQ(plan.links[0].loss, 0.1);
 }
 
 TEST(FaultPlan, AStarStandsForAnyText) {

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -70,6 +72,49 @@ TEST(FaultSchedule, TheSameSeedDrawsTheSameAndAnotherDoesNot) {
   };
   EXPECT_EQ(names(3), names(3));
   EXPECT_NE(names(3), names(4));
+}
+
+TEST(FaultSchedule, EachVehicleIsHeldOnceAPeriodAsLongAsItSays) {
+  FaultPlan plan;
+  plan.stop_s = 600.0;
+  plan.holds.resize(1);
+  const std::vector<std::string> world{"fake-vehicle-agv-1", "fake-vehicle-agv-2", "fake-world"};
+  std::map<std::string, std::vector<double>> begins;
+  std::map<int, double> begun_s;
+  for (const FaultAction& action : schedule(plan, kServices, world, 1)) {
+    if (action.kind == Kind::kHold) {
+      begins[action.process].push_back(action.t_s);
+      begun_s[action.fault] = action.t_s;
+    } else {
+      ASSERT_EQ(action.kind, Kind::kLetGo);
+      const double for_s = action.t_s - begun_s.at(action.fault);
+      EXPECT_TRUE((for_s >= 2.0 - 1e-9 && for_s <= 8.0) || action.t_s == 600.0) << for_s;
+    }
+  }
+  ASSERT_EQ(begins.size(), 2u) << "the vehicles, and nothing else";
+  for (const auto& [vehicle, times_s] : begins) {
+    ASSERT_EQ(times_s.size(), 10u) << vehicle;
+    for (std::size_t i = 0; i < times_s.size(); ++i) EXPECT_EQ(static_cast<std::size_t>(times_s[i] / 60.0), i);
+  }
+  EXPECT_NE(begins["fake-vehicle-agv-1"], begins["fake-vehicle-agv-2"]);
+}
+
+TEST(FaultSchedule, TheVehiclesThatAreNamedAreSlow) {
+  FaultPlan plan;
+  plan.slows.resize(1);
+  plan.slows[0].vehicle = "agv-*";
+  plan.slows[0].begin_s = 3.0;
+  plan.slows[0].for_s = 4.0;
+  const std::vector<FaultAction> actions = schedule(plan, kServices, kWorld, 1);
+  ASSERT_EQ(actions.size(), 2u);
+  EXPECT_EQ(actions[0].kind, Kind::kSlow);
+  EXPECT_EQ(actions[0].process, "fake-vehicle-agv-1");
+  EXPECT_EQ(actions[0].share, 0.8);
+  EXPECT_EQ(actions[1].kind, Kind::kFast);
+  EXPECT_EQ(actions[1].t_s, 7.0);
+
+  plan.slows[0].vehicle = "agv-7";
+  EXPECT_THROW(schedule(plan, kServices, kWorld, 1), config::BadInput);
 }
 
 TEST(FaultSchedule, APartOfTheWorldIsHitWhereItIsNamedInFull) {

@@ -143,6 +143,15 @@ TEST(Site, TimeOfDrivingCountsFromTheFirstGoal) {
   EXPECT_NEAR(stopped.driven_s, stopped.time_s - stopped.first_goal_s, 1e-9);
 }
 
+TEST(Site, TellsHowMuchVehiclesWaitedAndOnWhoseWayTheyDrove) {
+  const Result result = drive(hall_with_two_vehicles(1)).result;
+  EXPECT_NEAR(result.vehicle_hours, 2.0 * (result.time_s - result.first_goal_s) / 3600.0, 1e-9);
+  EXPECT_NEAR(result.plan_way_m, result.distance_m, 0.5);
+  EXPECT_LE(result.own_way_m, result.plan_way_m);
+  EXPECT_EQ(result.longest_wait_s > 0.0, !result.longest_wait.empty());
+  EXPECT_LE(result.longest_standoff_s, result.longest_wait_s);
+}
+
 TEST(Site, AGoalInAWallFailsWithItsReason) {
   sim::Setup setup = hall_with_two_vehicles(1);
   setup.scenario.missions.front().goals_in_map = {{0.05, 0.05, 0.0}};
@@ -242,6 +251,26 @@ TEST(SiteFaults, AVehicleStandsWhileItsPlannerHangs) {
   const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
   expect_a_good_run(outcome);
   EXPECT_EQ(outcome.faults.at("hang"), 1u);
+  EXPECT_GT(outcome.result.done_s.at(0), drive(hall_with_two_vehicles(1)).result.done_s.at(0) + 4.0);
+}
+
+TEST(SiteFaults, AVehicleThatAPersonHoldsComesLaterAndIsExcused) {
+  FaultPlan plan;
+  plan.holds.push_back({"agv-1", 3.0, 3.0, 2.0, 2.0});
+  plan.stop_s = 12.0;
+  const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+  expect_a_good_run(outcome);
+  EXPECT_EQ(outcome.faults.at("hold"), 3u);
+  EXPECT_GT(outcome.result.done_s.at(0), drive(hall_with_two_vehicles(1)).result.done_s.at(0) + 2.0);
+  EXPECT_LT(outcome.result.longest_standoff_s, 1.0) << outcome.result.longest_standoff;
+}
+
+TEST(SiteFaults, ASlowVehicleComesLater) {
+  FaultPlan plan;
+  plan.slows.push_back({"agv-1", 0.0, 60.0, 0.5});
+  const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan));
+  expect_a_good_run(outcome);
+  EXPECT_EQ(outcome.faults.at("slow"), 1u);
   EXPECT_GT(outcome.result.done_s.at(0), drive(hall_with_two_vehicles(1)).result.done_s.at(0) + 4.0);
 }
 
