@@ -150,6 +150,7 @@ void Roadmap::end_motion(MotionId id) {
   if (places_[motion.to]) erase_id(places_[motion.to]->entering, id);
   motion_shapes_.remove(motion.shape.box(), id);
   motions_[id].reset();
+  ended_.motions.push_back(id);
 }
 
 void Roadmap::end_place(PlaceId id) {
@@ -161,6 +162,7 @@ void Roadmap::end_place(PlaceId id) {
   for (const MotionId motion : entering) end_motion(motion);
   place_shapes_.remove(places_[id]->standing.box(), id);
   places_[id].reset();
+  ended_.places.push_back(id);
 }
 
 bool Roadmap::is_joined(PlaceId a, PlaceId b) const {

@@ -52,8 +52,8 @@ struct Motion {
   Shape shape;  // swept from place to place, tube included
 };
 
-/// Places and motions of all kinds of vehicles, made from the map alone. Ids survive edits elsewhere and are never used
-/// twice. No lane is drawn by hand: places are the points of a lattice, moved to where there is room.
+/// Places and motions of all kinds of vehicles, made from the map alone. Ids survive edits elsewhere. No lane is drawn
+/// by hand: places are the points of a lattice, moved to where there is room.
 ///
 ///   clearance ─► lattice points ─► joins of neighbours ─► bridges between parts that the floor joins
 ///             ─► places and motions with shapes ─► corridors and cuts
@@ -200,6 +200,7 @@ class Roadmap {
   FloorBins<MotionId> motion_shapes_;
   std::map<std::string, Closure> closures_;
   std::map<PlaceId, std::vector<double>> seconds_to_;
+  Ended ended_;  // since the last sweep
   std::uint64_t revision_{0};
 };
 

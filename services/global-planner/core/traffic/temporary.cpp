@@ -190,7 +190,7 @@ MotionId Roadmap::temporary_motion(PlaceId from, PlaceId to, std::vector<geometr
   return id;
 }
 
-void Roadmap::sweep(const std::vector<PlaceId>& places_in_use, const std::vector<MotionId>& motions_in_use) {
+Roadmap::Ended Roadmap::sweep(const std::vector<PlaceId>& places_in_use, const std::vector<MotionId>& motions_in_use) {
   std::set<PlaceId> kept(places_in_use.begin(), places_in_use.end());
   const std::set<MotionId> kept_motions(motions_in_use.begin(), motions_in_use.end());
   for (const MotionId id : kept_motions) {
@@ -219,6 +219,8 @@ void Roadmap::sweep(const std::vector<PlaceId>& places_in_use, const std::vector
 
   for (auto table = seconds_to_.begin(); table != seconds_to_.end();)
     table = kept.count(table->first) > 0 ? std::next(table) : seconds_to_.erase(table);
+
+  return std::exchange(ended_, {});
 }
 
 }  // namespace aisle::global_planner::traffic

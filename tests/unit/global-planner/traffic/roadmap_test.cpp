@@ -153,7 +153,9 @@ TEST(TemporaryPlace, IsJoinedBothWaysAndEndsWhenItIsNotInUse) {
   made.roadmap.sweep({}, {leaving});
   EXPECT_FALSE(made.roadmap.place(id).is_closed);
 
-  made.roadmap.sweep({}, {});
+  const Roadmap::Ended ended = made.roadmap.sweep({}, {});
+  EXPECT_THAT(ended.places, ::testing::ElementsAre(id));
+  EXPECT_THAT(ended.motions, ::testing::Contains(leaving));
   EXPECT_TRUE(made.roadmap.place(id).is_closed);
   EXPECT_TRUE(made.roadmap.motion(leaving).is_closed);
   EXPECT_NE(made.roadmap.temporary_place(made.kind, {5.2, 4.3, 0.0}), id);
