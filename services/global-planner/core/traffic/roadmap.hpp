@@ -94,10 +94,16 @@ class Roadmap {
   MotionId temporary_motion(PlaceId from, PlaceId to, std::vector<geometry::Point2> path_in_map,
                             std::vector<double> headings_rad = {});
 
-  /// Temporary places and motions that are not in `in_use` end: their ids stay invalid for ever. The ends of a motion
-  /// in use are in use, and so are the motions between two places in use. A place in use that is left without a way to
-  /// the others is joined anew.
-  void sweep(const std::vector<PlaceId>& places_in_use, const std::vector<MotionId>& motions_in_use);
+  /// Ids of places and motions that ended.
+  struct Ended {
+    std::vector<PlaceId> places;
+    std::vector<MotionId> motions;
+  };
+
+  /// Temporary places and motions that are not in `in_use` end. The ends of a motion in use are in use, and so are the
+  /// motions between two places in use. A place in use that is left without a way to the others is joined anew.
+  /// @return all that ended since the last sweep
+  Ended sweep(const std::vector<PlaceId>& places_in_use, const std::vector<MotionId>& motions_in_use);
 
   /// Closes what meets the shape (a box, a parked vehicle, a dead one) under a name, until it is opened again, and
   /// makes places and motions round it where there is room; these are temporary once it is opened. A motion that leads
