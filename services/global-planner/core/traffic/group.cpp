@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
 namespace aisle::global_planner::traffic {
@@ -86,8 +87,9 @@ bool GroupPlanner::plan(Agent& agent, double now_s) {
     if (plan_in_order(members, now_s, kSoftRestsS[i])) {
       parts_.timetable.keep_trial();
       for (Agent* member : members) {
-        member->waits_for.clear();
-        member->reason.clear();
+        const bool makes_way = member != &agent && member->goal != kNoId && !member->has_plan_to_goal;
+        member->waits_for = makes_way ? std::vector<std::string>{agent.id} : std::vector<std::string>{};
+        member->reason = makes_way ? "makes way for " + agent.id : "";
       }
       return true;
     }

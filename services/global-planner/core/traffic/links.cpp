@@ -202,6 +202,7 @@ Timetable::StepGraph Timetable::graph_of_steps(double now_s) {
 }
 
 bool Timetable::retime(double now_s) {
+  reservations_.tidy_up();
   StepGraph graph = graph_of_steps(now_s);
   std::vector<std::uint32_t> known;  // nodes whose begin is known
   for (std::uint32_t node = 0; node < graph.nodes.size(); ++node)

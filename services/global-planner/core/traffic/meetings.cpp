@@ -6,15 +6,51 @@ namespace aisle::global_planner::traffic {
 namespace {
 
 // Remembered pairs take some 50 bytes each; beyond this many all are forgotten, and judged again when asked for.
-constexpr std::size_t kMostPairs = 4'000'000;
+constexpr std::size_t kMostPairs = 1'000'000;
+constexpr std::size_t kFewPairs = 9;  // of capsules
 
 std::uint64_t key_of(std::uint32_t high, std::uint32_t low) { return (static_cast<std::uint64_t>(high) << 32U) | low; }
 
 }  // namespace
 
 ShapeId Meetings::add(const Shape& shape) {
-  shapes_.push_back(shape);
-  return static_cast<ShapeId>(shapes_.size() - 1);
+  if (free_.empty()) {
+    shapes_.push_back(shape);
+    return static_cast<ShapeId>(shapes_.size() - 1);
+  }
+  const ShapeId number = free_.back();
+  free_.pop_back();
+  shapes_[number] = shape;
+  return number;
+}
+
+/// Frees the number, unless it is in use. @return is it free?
+bool Meetings::end(ShapeId& number, const std::vector<bool>& is_used) {
+  if (number == kNoId) return true;
+  if (number < is_used.size() && is_used[number]) return false;
+
+  shapes_[number] = Shape();
+  free_.push_back(number);
+  number = kNoId;
+  return true;
+}
+
+void Meetings::forget_ended(const std::vector<bool>& is_used) {
+  const auto has_ended = [&](MotionId id) { return roadmap_.motion(id).from == kNoId; };
+
+  for (PlaceId id = 0; id < of_place_.size(); ++id)
+    if (of_place_[id] != kNoId && roadmap_.place(id).standing.empty()) end(of_place_[id], is_used);
+  for (MotionId id = 0; id < of_motion_.size(); ++id)
+    if (of_motion_[id] != kNoId && has_ended(id)) end(of_motion_[id], is_used);
+
+  for (MotionId before = 0; before < of_corner_.size(); ++before) {
+    auto& corners = of_corner_[before];
+    const auto goes = [&](Corner& corner) {
+      return (has_ended(before) || has_ended(corner.after)) && end(corner.shape, is_used);
+    };
+    corners.erase(std::remove_if(corners.begin(), corners.end(), goes), corners.end());
+  }
+  known_pairs_.clear();
 }
 
 ShapeId Meetings::numbered(std::vector<ShapeId>& numbers, std::uint32_t id, const Shape& shape) {
@@ -28,24 +64,29 @@ ShapeId Meetings::of_place(PlaceId place) { return numbered(of_place_, place, ro
 ShapeId Meetings::of_motion(MotionId motion) { return numbered(of_motion_, motion, roadmap_.motion(motion).shape); }
 
 ShapeId Meetings::of_corner(MotionId before, MotionId after) {
+  if (before >= of_corner_.size()) of_corner_.resize(std::max<std::size_t>(before + 1, 2 * of_corner_.size()));
+  for (const Corner& corner : of_corner_[before])
+    if (corner.after == after) return corner.shape;
+
   const Motion& first = roadmap_.motion(before);
-  const Kind& kind = roadmap_.kind(first.kind);
-  if (!kind.turns_on_the_spot()) return kNoId;
-
-  const auto [found, is_new] = of_corner_.try_emplace(key_of(before, after), kNoId);
-  if (!is_new) return found->second;
-
   const auto& way_in = first.path_in_map;
   const auto& way_out = roadmap_.motion(after).path_in_map;
-  if (way_in.size() < 2 || way_out.size() < 2) return kNoId;
-
-  const Shape arc = corner_shape(kind, way_in[way_in.size() - 2], way_out.front(), way_out[1]);
-  if (!arc.empty()) found->second = add(arc);
-  return found->second;
+  const Kind& kind = roadmap_.kind(first.kind);
+  ShapeId shape = kNoId;
+  if (kind.turns_on_the_spot() && way_in.size() > 1 && way_out.size() > 1) {
+    const Shape arc = corner_shape(kind, way_in[way_in.size() - 2], way_out.front(), way_out[1]);
+    if (!arc.empty()) shape = add(arc);
+  }
+  of_corner_[before].push_back({after, shape});
+  return shape;
 }
 
 bool Meetings::meet(ShapeId a, ShapeId b) {
   if (a == b) return true;
+
+  // Small shapes are judged sooner than they are looked up.
+  if (shapes_[a].capsules().size() * shapes_[b].capsules().size() <= kFewPairs)
+    return traffic::meet(shapes_[a], shapes_[b], gap_m_);
 
   if (known_pairs_.size() > kMostPairs) known_pairs_.clear();
   const auto [found, is_new] = known_pairs_.try_emplace(key_of(std::min(a, b), std::max(a, b)), false);

@@ -32,19 +32,30 @@ class Meetings {
 
   bool meet(ShapeId a, ShapeId b);
 
+  /// Numbers of shapes are below this.
   std::size_t shapes() const { return shapes_.size(); }
+
+  /// Numbers of shapes whose places and motions have ended are given to others from now on, but for those in use.
+  /// @param is_used by number, of size shapes()
+  void forget_ended(const std::vector<bool>& is_used);
 
  private:
   ShapeId add(const Shape& shape);
+  bool end(ShapeId& number, const std::vector<bool>& is_used);
   ShapeId numbered(std::vector<ShapeId>& numbers, std::uint32_t id, const Shape& shape);
 
   const Roadmap& roadmap_;
   double gap_m_;
 
   std::vector<Shape> shapes_;
+  std::vector<ShapeId> free_;       // numbers that are not in use
   std::vector<ShapeId> of_place_;   // by place; kNoId: not yet asked for
   std::vector<ShapeId> of_motion_;  // by motion
-  std::unordered_map<std::uint64_t, ShapeId> of_corner_;
+  struct Corner {
+    MotionId after{kNoId};
+    ShapeId shape{kNoId};
+  };
+  std::vector<std::vector<Corner>> of_corner_;  // by the motion before
   std::unordered_map<std::uint64_t, bool> known_pairs_;
 };
 

@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace aisle::global_planner::traffic {
+namespace {
+
+constexpr std::size_t kMostUnused = 4096;  // shapes that are remembered though nothing reserves them
+
+}  // namespace
 
 ReservationId Reservations::add(const Reservation& reservation) {
   ReservationId id = static_cast<ReservationId>(all_.size());
@@ -14,19 +19,78 @@ ReservationId Reservations::add(const Reservation& reservation) {
     all_[id] = reservation;
   }
 
-  if (reservation.shape >= of_shape_.size()) of_shape_.resize(meetings_.shapes());
-  auto& same_shape = of_shape_[reservation.shape];
-  if (same_shape.empty()) bins_.add(meetings_.box(reservation.shape), reservation.shape);
-  same_shape.push_back(id);
+  const ShapeId shape = reservation.shape;
+  if (shape >= of_shape_.size()) {
+    of_shape_.resize(meetings_.shapes());
+    noted_.resize(meetings_.shapes(), 0);
+  }
+  if (of_shape_[shape].empty()) {
+    ++shapes_in_use_;
+    note_reserved(shape);
+  }
+  of_shape_[shape].push_back(id);
   return id;
 }
 
 void Reservations::remove(ReservationId id) {
-  const ShapeId shape = all_[id].shape;
-  auto& same_shape = of_shape_[shape];
+  auto& same_shape = of_shape_[all_[id].shape];
   same_shape.erase(std::find(same_shape.begin(), same_shape.end(), id));
-  if (same_shape.empty()) bins_.remove(meetings_.box(shape), shape);
+  if (same_shape.empty()) --shapes_in_use_;
   free_.push_back(id);
+}
+
+void Reservations::note_reserved(ShapeId shape) {
+  if (noted_[shape] == epoch_) return;
+
+  if (reserved_.size() > kMostUnused + 4 * shapes_in_use_) begin_epoch();
+  noted_[shape] = epoch_;
+  reserved_.push_back({shape, meetings_.box(shape)});
+  bins_.add(meetings_.box(shape), shape);
+}
+
+void Reservations::begin_epoch() {
+  ++epoch_;
+  std::vector<Reserved> before;
+  before.swap(reserved_);
+  bins_.clear();
+  for (const Reserved& entry : before) {
+    if (of_shape_[entry.shape].empty()) continue;
+    noted_[entry.shape] = epoch_;
+    reserved_.push_back(entry);
+    bins_.add(entry.box, entry.shape);
+  }
+}
+
+void Reservations::tidy_up() {
+  if (meetings_.shapes() < tidy_at_) return;
+
+  std::vector<bool> is_used(meetings_.shapes(), false);
+  for (ShapeId shape = 0; shape < of_shape_.size(); ++shape) is_used[shape] = !of_shape_[shape].empty();
+  begin_epoch();
+  meetings_.forget_ended(is_used);
+  tidy_at_ = meetings_.shapes() + 20'000;
+}
+
+/// How: at the first time in an epoch all reserved shapes near are judged, later those that have been reserved since.
+const std::vector<ShapeId>& Reservations::met_by(ShapeId shape) const {
+  if (shape >= near_.size()) near_.resize(meetings_.shapes());
+  Near& near = near_[shape];
+  const Box box = grown(meetings_.box(shape), meetings_.gap_m());
+  const auto judge = [&](ShapeId other) {
+    if (other == shape || meet(meetings_.shape(shape), meetings_.shape(other), meetings_.gap_m()))
+      near.met.push_back(other);
+  };
+
+  if (near.epoch != epoch_) {
+    near.epoch = epoch_;
+    near.met.clear();
+    bins_.visit(box, judge);
+  } else {
+    for (std::size_t i = near.judged; i < reserved_.size(); ++i)
+      if (touch(box, reserved_[i].box)) judge(reserved_[i].shape);
+  }
+  near.judged = reserved_.size();
+  return near.met;
 }
 
 Interval Reservations::counted(const Reservation& r, const View& view) {

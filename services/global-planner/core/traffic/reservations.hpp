@@ -62,14 +62,14 @@ class Reservations {
   Reservation& operator[](ReservationId id) { return all_[id]; }
   const Reservation& operator[](ReservationId id) const { return all_[id]; }
 
+  /// Forgets the shapes of places and motions that have ended when there are many of them. @pre no search runs
+  void tidy_up();
+
   /// All reservations whose shapes meet this one, in a fixed order. @pre `visit` adds and removes none
   template <class Visit>
   void visit_meeting(ShapeId shape, Visit&& visit) const {
-    const double gap_m = meetings_.gap_m();
-    bins_.visit(grown(meetings_.box(shape), gap_m), [&](ShapeId other) {
-      if (!meetings_.meet(shape, other)) return;
+    for (const ShapeId other : met_by(shape))
       for (const ReservationId id : of_shape_[other]) visit(all_[id]);
-    });
   }
 
   /// When the shape is taken by others, sorted; taken times less than `merge_s` apart are one.
@@ -83,13 +83,38 @@ class Reservations {
   static void merge(Intervals& intervals, double merge_s);
 
  private:
+  /// Shapes that were reserved in this epoch and meet one shape.
+  struct Near {
+    std::uint32_t epoch{0};
+    std::size_t judged{0};  // entries of reserved_ that were looked at
+    std::vector<ShapeId> met;
+  };
+
+  struct Reserved {
+    ShapeId shape{kNoId};
+    Box box;
+  };
+
+  const std::vector<ShapeId>& met_by(ShapeId shape) const;
+  void note_reserved(ShapeId shape);
+  void begin_epoch();
+
   Meetings& meetings_;
   double merge_s_;
 
   std::vector<Reservation> all_;
   std::vector<ReservationId> free_;  // numbers in `all_` that are not in use
   std::vector<std::vector<ReservationId>> of_shape_;
-  FloorBins<ShapeId> bins_;  // shapes that have a reservation
+  std::size_t shapes_in_use_{0};
+  std::size_t tidy_at_{20'000};  // shapes
+
+  // Each pair of shapes is judged once in an epoch. An epoch ends when most shapes that were reserved in it are not any
+  // more: so what is remembered stays small.
+  std::uint32_t epoch_{1};
+  std::vector<std::uint32_t> noted_;  // by shape: the last epoch in which it was reserved
+  std::vector<Reserved> reserved_;    // in the order in which they were reserved first in this epoch
+  FloorBins<ShapeId> bins_;           // the same
+  mutable std::vector<Near> near_;    // by shape
 };
 
 }  // namespace aisle::global_planner::traffic

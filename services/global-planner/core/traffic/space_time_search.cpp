@@ -221,7 +221,7 @@ std::optional<std::vector<Leg>> SpaceTimeSearch::find(const Departure& from, con
   goal_ = to.place;
   const std::vector<double>* alone_s = to.place == kNoId ? nullptr : &roadmap_.seconds_to(to.place);
   const double first_to_go_s = to_go_s(from.place, alone_s);
-  if (first_to_go_s == kForEver) return std::nullopt;
+  if (first_to_go_s == kForEver || (to.place != kNoId && !gets_free(to.place, view))) return std::nullopt;
 
   begin(view);
   notes_of_start(from.place, from.time_s);
@@ -279,6 +279,11 @@ std::optional<std::vector<Leg>> SpaceTimeSearch::time(const Departure& from, con
 bool SpaceTimeSearch::is_free_for_ever(PlaceId place, double from_s, const View& view) {
   reservations_.busy(meetings_.of_place(place), view, scratch_);
   return scratch_.empty() || scratch_.back().to_s <= from_s;
+}
+
+bool SpaceTimeSearch::gets_free(PlaceId place, const View& view) {
+  reservations_.busy(meetings_.of_place(place), view, scratch_);
+  return scratch_.empty() || scratch_.back().to_s < kForEver;
 }
 
 }  // namespace aisle::global_planner::traffic

@@ -62,6 +62,9 @@ class SpaceTimeSearch {
   /// Is the place free for ever, from `from_s` on?
   bool is_free_for_ever(PlaceId place, double from_s, const View& view);
 
+  /// Does a time come from which on the place is free for ever?
+  bool gets_free(PlaceId place, const View& view);
+
   /// Seconds alone from the place, which may be temporary, to the goal.
   double alone_s(PlaceId from, PlaceId goal);
 
