@@ -14,6 +14,7 @@ namespace {
 using geometry::Point2;
 using geometry::Pose2;
 using global_planner::traffic::GrantedRoad;
+using global_planner::traffic::HeldPose;
 using global_planner::traffic::Kind;
 using global_planner::traffic::Report;
 using global_planner::traffic::Way;
@@ -59,11 +60,13 @@ void KinematicVehicle::obey_newest() {
   }
 
   if (newest_.gives_back) {
+    // At a stand it may stay where it is, within its step.
+    const bool stands = speed_mps_ < 1e-3;
     const double stop_m =
         s_m_ + kinematics::stopping_distance_m(speed_mps_, kComfort * kind_.limits.max_deceleration_mps2);
     std::uint64_t lowest = std::max(newest_.limit_step, step_done_);
 
-    while (lowest < limit_step_ && end_of_step_m(lowest) < stop_m) ++lowest;
+    while (!stands && lowest < limit_step_ && end_of_step_m(lowest) < stop_m) ++lowest;
     limit_step_ = std::min(limit_step_, lowest);
   } else {
     limit_step_ = newest_.limit_step;
@@ -72,18 +75,65 @@ void KinematicVehicle::obey_newest() {
   obeyed_ = newest_.number;
 }
 
-/// Goes over to another way, which repeats what is granted of the old one: the place within the present step stays.
+/// Goes over to another way, which repeats what is granted of the old one, or begins where it stands: its place on it
+/// is the nearest point of the present step.
 void KinematicVehicle::take(const Way& way) {
-  const double into_step_m = way_ ? s_m_ - end_of_step_m(step_done_) : 0.0;
-
   way_ = way;
+  corners_.clear();
   along_m_.assign(1, 0.0);
   for (std::size_t i = 1; i < way.waypoints_in_map.size(); ++i)
     along_m_.push_back(along_m_.back() + geometry::distance(way.waypoints_in_map[i - 1], way.waypoints_in_map[i]));
 
-  s_m_ = std::clamp(end_of_step_m(step_done_) + into_step_m, 0.0, along_m_.back());
-  heard_ways_.erase(heard_ways_.begin(), heard_ways_.upper_bound(way.plan_id));
   find_corners();
+  place_on_way();
+  heard_ways_.erase(heard_ways_.begin(), heard_ways_.upper_bound(way.plan_id));
+}
+
+/// Finds where it is on a new way, about the present step: on an arc that it is driving, else on the straight way.
+/// Arcs that began behind it and that it does not drive are not cut any more.
+void KinematicVehicle::place_on_way() {
+  s_m_ = end_of_step_m(step_done_);
+  if (along_m_.size() < 2) return;
+
+  const double from_m = std::max(0.0, s_m_ - global_planner::traffic::kCornerM);
+  const double to_m = std::min(along_m_.back(), end_of_step_m(step_done_ + 1) + global_planner::traffic::kCornerM);
+
+  const auto nearest = [&] {
+    std::pair<double, double> best{std::numeric_limits<double>::infinity(), s_m_};
+    for (double s = from_m; s <= to_m + 1e-9; s += 2e-3) {
+      const double off_m = geometry::distance(pose_at(s).position(), base_in_map_.position());
+      if (off_m < best.first - 1e-6) best = {off_m, s};
+    }
+
+    return best;
+  };
+
+  const auto [off_m, straight_m] = nearest();
+  s_m_ = straight_m;
+  if (off_m < kAtM) {
+    decide_corners_behind();
+    return;
+  }
+
+  for (Corner& corner : corners_) {
+    if (corner.is_cusp || corner.is_cut || std::abs(corner.at_m - straight_m) > corner.reach_m + kAtM) continue;
+
+    corner.is_cut = true;
+    const auto [off_arc_m, arc_m] = nearest();
+    if (off_arc_m < off_m) {
+      s_m_ = arc_m;
+      break;
+    }
+
+    corner.is_cut.reset();
+  }
+
+  decide_corners_behind();
+}
+
+void KinematicVehicle::decide_corners_behind() {
+  for (Corner& corner : corners_)
+    if (corner.at_m - corner.reach_m < s_m_ - kAtM && !corner.is_cut) corner.is_cut = false;
 }
 
 void KinematicVehicle::find_corners() {
@@ -111,18 +161,7 @@ void KinematicVehicle::find_corners() {
 
     corner.reach_m = std::min({global_planner::traffic::kCornerM, 0.5 * before_m, 0.5 * after_m});
     if (std::abs(corner.turn_rad) > kSharpestArcRad) corner.is_cut = false;
-    if (corner.at_m - corner.reach_m < s_m_ - kAtM && !corner.is_cut) corner.is_cut = false;
     corners_.push_back(corner);
-  }
-
-  // Within an arc that it is driving already it goes on driving it: see take().
-  const Pose2 here = base_in_map_;
-  for (Corner& corner : corners_) {
-    const bool is_within = std::abs(s_m_ - corner.at_m) < corner.reach_m - kAtM;
-    if (!is_within || std::abs(corner.turn_rad) > kSharpestArcRad) continue;
-
-    corner.is_cut = true;
-    if (geometry::distance(pose_at(s_m_).position(), here.position()) > 0.02) corner.is_cut = false;
   }
 }
 
@@ -294,6 +333,7 @@ Report KinematicVehicle::report() const {
   report.limit_step = limit_step_;
   report.grant_number = obeyed_;
   report.is_held = is_held_;
+  report.held = held();
 
   if (blocker_ && speed_mps_ < 0.01) {
     report.is_blocked = true;
@@ -304,6 +344,25 @@ Report KinematicVehicle::report() const {
   }
 
   return report;
+}
+
+/// Where it is, and each turning point and end of a step up to its limit.
+std::vector<HeldPose> KinematicVehicle::held() const {
+  std::vector<HeldPose> poses{{base_in_map_, step_done_}};
+  if (!way_) return poses;
+
+  const double end_m = limit_m();
+  std::uint64_t step = step_done_;
+  for (std::size_t i = 0; i < along_m_.size() && along_m_[i] <= end_m + 1e-9; ++i) {
+    if (along_m_[i] <= s_m_ + 1e-9) continue;
+    while (step + 1 < limit_step_ && end_of_step_m(step + 1) < along_m_[i] - 1e-9) ++step;
+
+    const Point2 at = way_->waypoints_in_map[i];
+    const double yaw = way_->headings_rad.empty() ? pose_at(along_m_[i]).yaw : way_->headings_rad[i];
+    poses.push_back({{at.x, at.y, yaw}, step});
+  }
+
+  return poses;
 }
 
 std::vector<Point2> KinematicVehicle::road_ahead_in_map() const {

@@ -61,6 +61,8 @@ class KinematicVehicle {
   void take(const global_planner::traffic::Way& way);
   void obey_newest();
   void find_corners();
+  void place_on_way();
+  void decide_corners_behind();
 
   double end_of_step_m(std::uint64_t step) const;  // along the way; 0 for steps before its first
   double limit_m() const;
@@ -70,6 +72,7 @@ class KinematicVehicle {
   bool turn_on_the_spot(double dt_s);
   void advance(double metres);
   geometry::Pose2 pose_at(double s_m) const;
+  std::vector<global_planner::traffic::HeldPose> held() const;
   double blocked_from_m(const std::vector<geometry::Body>& in_sight);
 
   std::string agv_id_;

@@ -44,8 +44,9 @@ struct Way {
   std::uint64_t plan_id{0};
   std::uint64_t first_step{0};  // number of the step that begins at the first point
   std::vector<geometry::Point2> waypoints_in_map;
-  std::vector<double> headings_rad;  // at each point, for kinds that do not turn on the spot
-  std::vector<double> step_ends_m;   // along the way, of first_step, first_step + 1, ...
+  std::vector<double> headings_rad;     // at each point, for kinds that do not turn on the spot
+  std::vector<double> step_ends_m;      // along the way, of first_step, first_step + 1, ...
+  std::vector<std::uint8_t> own_steps;  // of each step: 1 where it is one of the vehicle's own way
   bool leads_to_goal{false};
   std::string goal_id;         // that the vehicle had when the way was made; empty: it is moved out of the way
   std::string own_or_roadmap;  // "own way", "roadmap", or "own way, roadmap"
@@ -158,6 +159,8 @@ class Coordinator {
     double own_tried_s{-1e9};
 
     LeadIn lead_in;
+    std::optional<LeadIn> behind;  // the step behind it: it may be on the arc that leads out of it
+    bool is_behind_own{false};     // that step was one of its own way
     std::optional<AskedBack> asked_back;
     std::uint64_t refused_step{~std::uint64_t{0}};  // counted already
     std::set<std::string> excepted;                 // too near to these from the beginning

@@ -57,7 +57,9 @@ bool JointPlan::plan(const std::string& agv_id, const std::vector<MotionId>& own
     ways.remember_own_way(*agent, own_way);
     terms.own_way_bonus_s = parts_->settings.own_way_bonus_s;
   }
-  if (const Agent* ahead = ways.ahead_in_queue(*agent)) {
+  const Agent* ahead = ways.ahead_in_queue(*agent);
+  agent->is_queueing = ahead != nullptr;
+  if (ahead != nullptr) {
     ways.queue(*agent, now_s);
     agent->waits_for = {ahead->id};
     agent->reason = "goal taken by " + ahead->id;

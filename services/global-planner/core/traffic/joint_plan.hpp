@@ -45,6 +45,7 @@ struct Agent {
   bool has_plan_to_goal{false};
   std::vector<std::string> waits_for;  // why there is no plan: for whom
   std::string reason;                  // in words: "goal taken by agv-7"
+  bool is_queueing{false};             // another one with an older goal there goes first
   bool is_frozen{false};               // dead, held or disobedient: it is planned around and never moved
   std::uint32_t number{kNoId};         // in the order of joining, never used twice
 

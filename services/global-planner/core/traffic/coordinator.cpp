@@ -1,0 +1,77 @@
+#include "services/global-planner/core/traffic/coordinator.hpp"
+
+#include <utility>
+
+namespace aisle::global_planner::traffic {
+namespace {
+
+constexpr double kRetimeS = 0.5;
+constexpr double kSweepS = 2.0;
+constexpr int kMostTriesInVain = 20;  // of improvement, until something changes
+
+JointPlan::Settings plan_settings(double gap_m) {
+  JointPlan::Settings settings;
+  settings.gap_m = gap_m;
+  return settings;
+}
+
+}  // namespace
+
+Coordinator::Coordinator(const Settings& settings, OwnWay own_way)
+    : settings_(settings),
+      own_way_(std::move(own_way)),
+      roadmap_(settings.gap_m),
+      lock_(settings.gap_m),
+      plans_(roadmap_, plan_settings(settings.gap_m)) {}
+
+void Coordinator::set_map(const grid::ClearanceField& clearance, grid::Cell low, grid::Cell high) {
+  roadmap_.set_map(clearance, low, high);
+  has_map_ = true;
+  has_changed_ = true;
+}
+
+/// One slice: first what became of the floor, then plans, then grants, which are never kept waiting.
+Orders Coordinator::step(double now_s) {
+  is_busy_ = false;
+
+  for (auto& [id, vehicle] : vehicles_)
+    if (!vehicle.is_registered) register_vehicle(vehicle, now_s);
+
+  if (now_s >= swept_s_ + kSweepS) sweep(now_s);
+
+  look_for_silence(now_s);
+  look_for_blocks(now_s);
+  if (has_changed_) leave_closed_floor(now_s);
+
+  plan_those_without(now_s);
+  move_resters(now_s);
+
+  if (now_s >= retimed_s_ + kRetimeS) {
+    plans_.retime(now_s);
+    retimed_s_ = now_s;
+  }
+
+  if (!is_busy_) retry_own_way(now_s);
+  if (!is_busy_ && tries_in_vain_ < kMostTriesInVain)
+    tries_in_vain_ = plans_.improve(now_s, random_state_) ? 0 : tries_in_vain_ + 1;
+
+  grant_all(now_s);
+
+  Orders orders;
+  for (auto& [id, vehicle] : vehicles_) {
+    if (vehicle.is_registered) tell_way(vehicle, orders);
+  }
+
+  orders.events.swap(events_);
+  return orders;
+}
+
+bool Coordinator::is_on_own_way(const std::string& agv_id, std::uint64_t step) const {
+  const auto found = plans_.agents().find(agv_id);
+  if (found == plans_.agents().end() || step < found->second.done) return false;
+
+  const std::size_t index = step - found->second.done;
+  return index < found->second.steps.size() && found->second.steps[index].is_own_way;
+}
+
+}  // namespace aisle::global_planner::traffic

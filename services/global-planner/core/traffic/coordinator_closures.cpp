@@ -1,0 +1,104 @@
+#include <algorithm>
+
+#include "services/global-planner/core/traffic/coordinator.hpp"
+
+namespace aisle::global_planner::traffic {
+namespace {
+
+constexpr double kBlockedAfterS = 2.0;  // a vehicle that stands so long before something has it closed
+constexpr double kBlockLastsS = 30.0;   // after the last word of it: then a vehicle may look again
+constexpr double kBesideThingM = 0.05;
+
+}  // namespace
+
+void Coordinator::set_standing(const std::string& name, const Shape& shape, double now_s) {
+  if (shape.empty()) {
+    open("standing " + name);
+  } else {
+    close("standing " + name, shape, now_s);
+  }
+}
+
+void Coordinator::close(const std::string& name, const Shape& shape, double) {
+  roadmap_.close(name, shape);
+  has_changed_ = true;
+  tries_in_vain_ = 0;
+}
+
+void Coordinator::open(const std::string& name) {
+  roadmap_.open(name);
+  tries_in_vain_ = 0;
+}
+
+/// Nobody enters closed floor; whoever is inside may leave: motions that lead out of it are open.
+bool Coordinator::is_open(MotionId motion) const { return !roadmap_.motion(motion).is_closed; }
+
+/// Plans that lead over closed floor are cut before it; what is granted there is asked back.
+void Coordinator::leave_closed_floor(double now_s) {
+  has_changed_ = false;
+
+  for (auto& [id, vehicle] : vehicles_) {
+    const Agent* agent = plans_.find(id);
+    if (agent == nullptr || agent->is_frozen) continue;
+
+    const std::size_t granted = agent->pending();
+    for (std::size_t i = 0; i < agent->steps.size(); ++i) {
+      if (is_open(agent->steps[i].motion)) continue;
+
+      // The step that it is in leads out of closed floor, or is driven to its end; the vehicle looks by itself.
+      if (i < granted && i > 0) ask_back(vehicle, agent->done + i);
+
+      plans_.cut(id, now_s);
+      plans_.find(id)->has_plan_to_goal = false;
+      vehicle.tried_s = -1e9;
+      break;
+    }
+  }
+}
+
+/// Something stands before a vehicle: after a while its floor is closed, and the vehicle gives back what it has.
+void Coordinator::look_for_blocks(double now_s) {
+  for (auto& [id, vehicle] : vehicles_) {
+    if (!vehicle.is_registered || vehicle.is_silent) continue;
+
+    if (!vehicle.said.is_blocked) {
+      vehicle.blocked_since_s = -1.0;
+    } else if (vehicle.blocked_since_s < 0.0) {
+      vehicle.blocked_since_s = now_s;
+    }
+
+    const std::string name = "before " + id;
+    const bool is_long = vehicle.said.is_blocked && now_s >= vehicle.blocked_since_s + kBlockedAfterS;
+
+    if (is_long) {
+      const geometry::Point2 at = vehicle.said.blocked_at_in_map;
+      if (vehicle.blocked_until_s < 0.0) {
+        close(name, Shape({Capsule{at, at, vehicle.said.blocked_radius_m + kBesideThingM}}), now_s);
+        events_.push_back(id + " stands before something");
+      }
+
+      vehicle.blocked_until_s = now_s + kBlockLastsS;
+      const Agent* agent = plans_.find(id);
+      if (agent->granted > agent->done && vehicle.said.plan_id == vehicle.way.plan_id) {
+        ask_back(vehicle, agent->done);
+        vehicle.blocked_since_s = now_s;
+      }
+
+      continue;
+    }
+
+    if (vehicle.blocked_until_s >= 0.0 && now_s >= vehicle.blocked_until_s) {
+      vehicle.blocked_until_s = -1.0;
+      open(name);
+    }
+  }
+}
+
+void Coordinator::ask_back(Vehicle& vehicle, std::uint64_t limit_step) {
+  if (vehicle.asked_back && vehicle.asked_back->limit_step <= limit_step) return;
+
+  vehicle.asked_back = AskedBack{limit_step, 0};
+  events_.push_back(vehicle.id + " is asked for its road from step " + std::to_string(limit_step) + " on");
+}
+
+}  // namespace aisle::global_planner::traffic
