@@ -175,11 +175,21 @@ std::vector<PlaceId> JointPlan::places_in_use() const {
 
 std::vector<MotionId> JointPlan::motions_in_use() const {
   std::vector<MotionId> out;
-  for (const auto& [id, agent] : agents())
-    for (const Step& step : agent.steps) out.push_back(step.motion);
-  for (const auto& [id, motions] : parts_->ways.own_ways()) out.insert(out.end(), motions.begin(), motions.end());
+  const auto use = [&](MotionId id) {
+    if (id != kNoId && parts_->roadmap.motion(id).from != kNoId) out.push_back(id);
+  };
+  for (const auto& [id, agent] : agents()) {
+    for (const Step& step : agent.steps) {
+      use(step.motion);
+      use(step.before);
+    }
+  }
+  for (const auto& [id, motions] : parts_->ways.own_ways())
+    for (const MotionId motion : motions) use(motion);
   return out;
 }
+
+void JointPlan::forget(const Roadmap::Ended& ended) { parts_->meetings.forget(ended.places, ended.motions); }
 
 std::uint64_t JointPlan::expanded() const { return parts_->search.expanded(); }
 

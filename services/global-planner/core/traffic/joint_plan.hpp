@@ -140,6 +140,9 @@ class JointPlan {
   std::vector<PlaceId> places_in_use() const;
   std::vector<MotionId> motions_in_use() const;
 
+  /// What sweep() ended: nothing is remembered of these ids any more.
+  void forget(const Roadmap::Ended& ended);
+
   /// Expanded states of all searches since the beginning.
   std::uint64_t expanded() const;
 

@@ -1,6 +1,7 @@
 #include "services/global-planner/core/traffic/meetings.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace aisle::global_planner::traffic {
 namespace {
@@ -24,32 +25,45 @@ ShapeId Meetings::add(const Shape& shape) {
   return number;
 }
 
-/// Frees the number, unless it is in use. @return is it free?
-bool Meetings::end(ShapeId& number, const std::vector<bool>& is_used) {
-  if (number == kNoId) return true;
-  if (number < is_used.size() && is_used[number]) return false;
-
-  shapes_[number] = Shape();
-  free_.push_back(number);
+void Meetings::end(ShapeId& number) {
+  if (number != kNoId) ended_.push_back(number);
   number = kNoId;
-  return true;
 }
 
-void Meetings::forget_ended(const std::vector<bool>& is_used) {
-  const auto has_ended = [&](MotionId id) { return roadmap_.motion(id).from == kNoId; };
+void Meetings::forget(const std::vector<PlaceId>& places, const std::vector<MotionId>& motions) {
+  for (const PlaceId id : places)
+    if (id < of_place_.size()) end(of_place_[id]);
+  for (const MotionId id : motions)
+    if (id < of_motion_.size()) end(of_motion_[id]);
 
-  for (PlaceId id = 0; id < of_place_.size(); ++id)
-    if (of_place_[id] != kNoId && roadmap_.place(id).standing.empty()) end(of_place_[id], is_used);
-  for (MotionId id = 0; id < of_motion_.size(); ++id)
-    if (of_motion_[id] != kNoId && has_ended(id)) end(of_motion_[id], is_used);
-
+  if (motions.empty()) return;
+  std::vector<MotionId> sorted = motions;
+  std::sort(sorted.begin(), sorted.end());
+  const auto has_ended = [&](MotionId id) { return std::binary_search(sorted.begin(), sorted.end(), id); };
   for (MotionId before = 0; before < of_corner_.size(); ++before) {
     auto& corners = of_corner_[before];
+    if (corners.empty()) continue;
+    const bool all_end = has_ended(before);
     const auto goes = [&](Corner& corner) {
-      return (has_ended(before) || has_ended(corner.after)) && end(corner.shape, is_used);
+      if (!all_end && !has_ended(corner.after)) return false;
+      end(corner.shape);
+      return true;
     };
     corners.erase(std::remove_if(corners.begin(), corners.end(), goes), corners.end());
   }
+}
+
+void Meetings::reuse_ended(const std::vector<bool>& is_used) {
+  std::vector<ShapeId> kept;
+  for (const ShapeId shape : ended_) {
+    if (shape < is_used.size() && is_used[shape]) {
+      kept.push_back(shape);
+      continue;
+    }
+    shapes_[shape] = Shape();
+    free_.push_back(shape);
+  }
+  ended_ = std::move(kept);
   known_pairs_.clear();
 }
 

@@ -35,13 +35,18 @@ class Meetings {
   /// Numbers of shapes are below this.
   std::size_t shapes() const { return shapes_.size(); }
 
-  /// Numbers of shapes whose places and motions have ended are given to others from now on, but for those in use.
-  /// @param is_used by number, of size shapes()
-  void forget_ended(const std::vector<bool>& is_used);
+  /// The ids have ended and may be given to other places and motions.
+  void forget(const std::vector<PlaceId>& places, const std::vector<MotionId>& motions);
+
+  /// How many shapes of places and motions that have ended still have their numbers.
+  std::size_t ended() const { return ended_.size(); }
+
+  /// Their numbers may be given to other shapes, but for those in use. @param is_used by number
+  void reuse_ended(const std::vector<bool>& is_used);
 
  private:
   ShapeId add(const Shape& shape);
-  bool end(ShapeId& number, const std::vector<bool>& is_used);
+  void end(ShapeId& number);
   ShapeId numbered(std::vector<ShapeId>& numbers, std::uint32_t id, const Shape& shape);
 
   const Roadmap& roadmap_;
@@ -49,6 +54,7 @@ class Meetings {
 
   std::vector<Shape> shapes_;
   std::vector<ShapeId> free_;       // numbers that are not in use
+  std::vector<ShapeId> ended_;      // numbers of shapes that nobody asks for any more
   std::vector<ShapeId> of_place_;   // by place; kNoId: not yet asked for
   std::vector<ShapeId> of_motion_;  // by motion
   struct Corner {

@@ -6,6 +6,7 @@ namespace aisle::global_planner::traffic {
 namespace {
 
 constexpr std::size_t kMostUnused = 4096;  // shapes that are remembered though nothing reserves them
+constexpr std::size_t kMostEnded = 8192;   // shapes that keep their numbers though they have ended
 
 }  // namespace
 
@@ -62,13 +63,12 @@ void Reservations::begin_epoch() {
 }
 
 void Reservations::tidy_up() {
-  if (meetings_.shapes() < tidy_at_) return;
+  if (meetings_.ended() < kMostEnded) return;
 
   std::vector<bool> is_used(meetings_.shapes(), false);
   for (ShapeId shape = 0; shape < of_shape_.size(); ++shape) is_used[shape] = !of_shape_[shape].empty();
   begin_epoch();
-  meetings_.forget_ended(is_used);
-  tidy_at_ = meetings_.shapes() + 20'000;
+  meetings_.reuse_ended(is_used);
 }
 
 /// How: at the first time in an epoch all reserved shapes near are judged, later those that have been reserved since.

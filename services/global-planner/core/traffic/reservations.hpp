@@ -62,7 +62,7 @@ class Reservations {
   Reservation& operator[](ReservationId id) { return all_[id]; }
   const Reservation& operator[](ReservationId id) const { return all_[id]; }
 
-  /// Forgets the shapes of places and motions that have ended when there are many of them. @pre no search runs
+  /// Gives the numbers of shapes that have ended to others, when there are many of them.
   void tidy_up();
 
   /// All reservations whose shapes meet this one, in a fixed order. @pre `visit` adds and removes none
@@ -106,7 +106,6 @@ class Reservations {
   std::vector<ReservationId> free_;  // numbers in `all_` that are not in use
   std::vector<std::vector<ReservationId>> of_shape_;
   std::size_t shapes_in_use_{0};
-  std::size_t tidy_at_{20'000};  // shapes
 
   // Each pair of shapes is judged once in an epoch. An epoch ends when most shapes that were reserved in it are not any
   // more: so what is remembered stays small.

@@ -151,15 +151,18 @@ bool WayFinder::clear_way_of(const Agent& agent, double now_s, const Terms& term
   return clear(agent, now_s, terms, kMostAskedInTurn);
 }
 
+/// How: on open floor goals that only meet are no queue: the second one arrives when the first has left.
 const Agent* WayFinder::ahead_in_queue(const Agent& agent) const {
   if (agent.goal == kNoId) return nullptr;
 
-  const Shape& goal = roadmap_.place(agent.goal).standing;
+  const Place& goal = roadmap_.place(agent.goal);
   for (const auto& [id, other] : timetable_.agents()) {
     if (other.number == agent.number || other.goal == kNoId) continue;
     const bool is_older = other.goal_since_s != agent.goal_since_s ? other.goal_since_s < agent.goal_since_s
                                                                    : other.number < agent.number;
-    if (is_older && (other.goal == agent.goal || meet(goal, roadmap_.place(other.goal).standing, settings_.gap_m)))
+    if (!is_older) continue;
+    if (other.goal == agent.goal) return &other;
+    if (goal.corridor != kNoId && meet(goal.standing, roadmap_.place(other.goal).standing, settings_.gap_m))
       return &other;
   }
   return nullptr;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -126,6 +128,67 @@ TEST(JointPlan, NobodyIsPlannedThroughAFrozenVehicle) {
   EXPECT_FALSE(world.plan().plan("a", {}, 0.0));
   EXPECT_EQ(world.plan().find("a")->waits_for, std::vector<std::string>{"dead"});
   EXPECT_FALSE(world.plan().plan_group("a", 0.0));
+}
+
+/// A straight way in pieces of about a metre, as temporary motions.
+std::vector<MotionId> straight_way(PlanWorld& world, PlaceId from, PlaceId to) {
+  const auto begin = world.roadmap().place(from).base_in_map.position();
+  const auto end = world.roadmap().place(to).base_in_map.position();
+  const int pieces = static_cast<int>(std::ceil(distance(begin, end)));
+  std::vector<MotionId> out;
+  PlaceId last = from;
+  for (int i = 1; i <= pieces; ++i) {
+    const auto at = begin + (static_cast<double>(i) / pieces) * (end - begin);
+    const geometry::Pose2 pose{at.x, at.y, bearing(begin, end)};
+    const PlaceId next = i == pieces ? to : world.roadmap().temporary_place(world.kind(), pose, false);
+    out.push_back(world.roadmap().temporary_motion(
+        last, next, {world.roadmap().place(last).base_in_map.position(), pose.position()}));
+    last = next;
+  }
+  return out;
+}
+
+TEST(JointPlan, AVehicleDrivesItsOwnWayWhereThatIsNoLater) {
+  PlanWorld world(kHall);
+  const PlaceId start = world.near({1.0, 1.0});
+  const PlaceId goal = world.near({10.5, 0.8});
+  world.add("a", start);
+  world.send("a", goal);
+  const auto own = straight_way(world, start, goal);
+
+  ASSERT_TRUE(world.plan().plan("a", own, 0.0));
+
+  const Agent& agent = *world.plan().find("a");
+  ASSERT_EQ(agent.steps.size(), own.size());
+  EXPECT_TRUE(agent.steps.front().is_own_way);
+
+  world.grant(2);
+  world.plan().cut("a", 0.0);
+  ASSERT_TRUE(world.plan().plan("a", {}, 0.0)) << "what is left of the own way is tried again";
+  EXPECT_EQ(agent.steps.size(), own.size());
+  EXPECT_TRUE(agent.steps.back().is_own_way);
+
+  world.roadmap().sweep(world.plan().places_in_use(), world.plan().motions_in_use());
+  EXPECT_TRUE(drive_home(world, 60.0)) << who_waits(world);
+}
+
+TEST(JointPlan, WhatASweepEndedIsForgotten) {
+  PlanWorld world(kHall);
+  const PlaceId start = world.near({1.0, 1.0});
+  const PlaceId goal = world.near({10.5, 0.8});
+  world.add("a", start);
+  for (int i = 0; i < 400; ++i) {
+    world.send("a", goal);
+    ASSERT_TRUE(world.plan().plan("a", straight_way(world, start, goal), 0.0));
+    world.plan().cut("a", 0.0);
+    world.plan().find("a")->goal = kNoId;
+    world.plan().plan("a", {}, 0.0);
+    world.plan().retime(0.0);
+    world.plan().forget(world.roadmap().sweep(world.plan().places_in_use(), world.plan().motions_in_use()));
+  }
+  world.send("a", goal);
+  EXPECT_TRUE(drive_home(world, 60.0)) << who_waits(world);
+  EXPECT_EQ(world.refused(), 0U);
 }
 
 const std::vector<std::string> kLaneWithBay{
