@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "common/bus/topics.hpp"
+#include "common/fleet/any_vehicle.hpp"
 #include "common/service/hear.hpp"
 #include "tools/cli/text.hpp"
 
@@ -16,10 +17,14 @@ std::string number(const Json& row, const char* key, const char* form) {
   return row.contains(key) && row[key].is_number() ? fmt::format(fmt::runtime(form), row[key].get<double>()) : "-";
 }
 
-/// The text under `key`; "-" where there is none.
-std::string word(const Json& row, const char* key) {
-  const std::string text = row.value(key, "");
-  return text.empty() || text == "none" ? "-" : text;
+/// "agv-2 7 s: the lane is taken", the last column, so that long reasons keep the others narrow.
+std::string wait_of(const Json& row) {
+  if (!row.contains("waits_since_s")) return "-";
+
+  const std::string other = row.value("waits_for", "");
+  const std::string why = row.value("waits_because", "");
+  return fmt::format("{} {:.0f} s{}", other.empty() ? "-" : other, row["waits_since_s"].get<double>(),
+                     why.empty() ? "" : ": " + why);
 }
 
 }  // namespace
@@ -40,6 +45,11 @@ void FleetView::watch(bus::Bus& bus) {
 
   hear<topics::Goal>(bus, {[this](const fleet::Goal& goal, const Sender&) { take(goal); }, {}, {}});
 
+  hear<topics::TrafficStatus>(
+      bus, {[this](const fleet::TrafficStatus& status, const Sender& from) { take(status, from.by, from.arrived); },
+            [this](const std::string& source_id, End) { leader_.lose(source_id); },
+            {}});
+
   hear<topics::ServiceHealth>(
       bus, {[this](const fleet::ServiceHealth& health, const Sender& from) { take(health, from.by); },
             [this](const std::string& instance_id, End) { lose_service(instance_id); },
@@ -56,7 +66,10 @@ void FleetView::take(const fleet::Vehicle& vehicle) { vehicles_.try_emplace(vehi
 
 void FleetView::take(const fleet::NavigationStatus& status) { vehicles_[status.agv_id].navigation = status; }
 
-void FleetView::take(const fleet::Goal& goal) { vehicles_[goal.agv_id].goal_id = goal.is_cancelled ? "" : goal.id; }
+void FleetView::take(const fleet::Goal& goal) {
+  if (goal.agv_id == fleet::kAnyVehicle) return;
+  vehicles_[goal.agv_id].goal_id = goal.is_cancelled ? "" : goal.id;
+}
 
 void FleetView::take(const fleet::ServiceHealth& health, const fleet::Origin& by) {
   services_[health.instance_id] = json_of(health, by);
@@ -93,6 +106,12 @@ Json FleetView::snapshot(const std::string& agv_id, const VehicleEntry& vehicle,
   const std::string navigated = vehicle.navigation ? vehicle.navigation->goal_id : "";
   row["goal_id"] = navigated.empty() ? vehicle.goal_id : navigated;
 
+  if (const fleet::WaitingVehicle* const waiting = leader_.find_waiting(agv_id)) {
+    row["waits_for"] = waiting->waits_for;
+    row["waits_since_s"] = waiting->since_s;
+    row["waits_because"] = waiting->reason;
+  }
+
   if (vehicle.state) {
     row["hold"] = word_of(name(vehicle.state->hold));
     row["speed_mps"] = vehicle.state->motion.twist.linear_mps;
@@ -117,13 +136,13 @@ Json FleetView::snapshot(time::Stamp now) const {
 /// From the JSON, so that both outputs say the same.
 std::string text_of_fleet(const Json& snapshot) {
   std::vector<std::vector<std::string>> vehicles{
-      {"VEHICLE", "PHASE", "REASON", "GOAL", "LEFT m", "SPEED m/s", "X m", "Y m", "HOLD"}};
+      {"VEHICLE", "PHASE", "REASON", "GOAL", "LEFT m", "SPEED m/s", "X m", "Y m", "HOLD", "WAITS FOR"}};
   for (const Json& row : snapshot["vehicles"]) {
     const Json pose = row.value("base_in_map", Json::object());
     vehicles.push_back({row["agv_id"], row.contains("phase") ? word(row, "phase") : "no local planner",
                         word(row, "reason"), word(row, "goal_id"), number(row, "distance_left_m", "{:.1f}"),
                         number(row, "speed_mps", "{:.2f}"), number(pose, "x_m", "{:.2f}"),
-                        number(pose, "y_m", "{:.2f}"), row["online"] ? word(row, "hold") : "offline"});
+                        number(pose, "y_m", "{:.2f}"), row["online"] ? word(row, "hold") : "offline", wait_of(row)});
   }
 
   std::vector<std::vector<std::string>> services{

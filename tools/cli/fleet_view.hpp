@@ -14,6 +14,7 @@
 #include "common/fleet/vehicle_state.hpp"
 #include "common/time/stamp.hpp"
 #include "tools/cli/json.hpp"
+#include "tools/cli/traffic_view.hpp"
 
 namespace aisle::cli {
 
@@ -21,7 +22,7 @@ namespace aisle::cli {
 /// them. Keeps the newest value of each.
 class FleetView {
  public:
-  /// Subscribes to vehicle_state, vehicle_info, navigation_status, goal and service_health.
+  /// Subscribes to vehicle_state, vehicle_info, navigation_status, goal, traffic_status and service_health.
   void watch(bus::Bus& bus);
 
   /// A value that came. `now`: on the bus's clock.
@@ -30,6 +31,10 @@ class FleetView {
   void take(const fleet::NavigationStatus& status);
   void take(const fleet::Goal& goal);
   void take(const fleet::ServiceHealth& health, const fleet::Origin& by);
+
+  void take(const fleet::TrafficStatus& status, const fleet::Origin& by, time::Stamp now) {
+    leader_.take(status, by, now);
+  }
 
   /// Its local planner is gone, or silent.
   void lose_navigation(const std::string& agv_id);
@@ -56,6 +61,7 @@ class FleetView {
 
   std::map<std::string, VehicleEntry> vehicles_;
   std::map<std::string, Json> services_;
+  LeadersWord leader_;
 };
 
 /// The snapshot as two tables.

@@ -103,6 +103,11 @@ std::string printable(const std::string& text) {
   return out;
 }
 
+std::string word(const Json& row, const char* key) {
+  const std::string text = row.value(key, "");
+  return text.empty() || text == "none" ? "-" : text;
+}
+
 std::string word_of(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;

@@ -9,6 +9,9 @@ namespace aisle::cli {
 /// A name of an enumerator as one word, "no_goal", as the JSON of samples has it.
 std::string word_of(std::string name);
 
+/// The text under `key` of a row; "-" where there is none.
+std::string word(const nlohmann::ordered_json& row, const char* key);
+
 /// How much of a sample a person wants to see.
 enum class Length { kShort, kFull };
 
