@@ -235,7 +235,7 @@ std::vector<MotionId> Coordinator::own_way_motions(const Vehicle& vehicle) {
 /// Temporary places and motions that nobody uses any more end.
 void Coordinator::sweep(double now_s) {
   swept_s_ = now_s;
-  roadmap_.sweep(plans_.places_in_use(), plans_.motions_in_use());
+  plans_.forget(roadmap_.sweep(plans_.places_in_use(), plans_.motions_in_use()));
 }
 
 }  // namespace aisle::global_planner::traffic
