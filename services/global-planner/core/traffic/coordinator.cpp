@@ -1,13 +1,16 @@
 #include "services/global-planner/core/traffic/coordinator.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace aisle::global_planner::traffic {
 namespace {
 
 constexpr double kRetimeS = 0.5;
+constexpr double kImproveS = 0.1;      // between two tries after one that helped
+constexpr double kSoonImproveS = 0.5;  // at most, after a change
+constexpr double kRarelyImproveS = 4.0;
 constexpr double kSweepS = 2.0;
-constexpr int kMostTriesInVain = 20;  // of improvement, until something changes
 
 JointPlan::Settings plan_settings(double gap_m) {
   JointPlan::Settings settings;
@@ -39,6 +42,7 @@ Orders Coordinator::step(double now_s) {
 
   if (now_s >= swept_s_ + kSweepS) sweep(now_s);
 
+  part_near_ones(now_s);
   look_for_silence(now_s);
   look_for_blocks(now_s);
   if (has_changed_) leave_closed_floor(now_s);
@@ -52,8 +56,7 @@ Orders Coordinator::step(double now_s) {
   }
 
   if (!is_busy_) retry_own_way(now_s);
-  if (!is_busy_ && tries_in_vain_ < kMostTriesInVain)
-    tries_in_vain_ = plans_.improve(now_s, random_state_) ? 0 : tries_in_vain_ + 1;
+  if (!is_busy_) improve(now_s);
 
   grant_all(now_s);
 
@@ -65,6 +68,18 @@ Orders Coordinator::step(double now_s) {
   orders.events.swap(events_);
   return orders;
 }
+
+/// Tries that are in vain become rarer; a change makes them more frequent again.
+void Coordinator::improve(double now_s) {
+  if (now_s < improved_s_ + improve_every_s_) return;
+
+  improved_s_ = now_s;
+  const bool is_better = plans_.improve(now_s, random_state_);
+  improve_every_s_ = is_better ? kImproveS : std::min(1.5 * improve_every_s_, kRarelyImproveS);
+}
+
+/// Something that improvement may make use of.
+void Coordinator::plans_changed() { improve_every_s_ = std::min(improve_every_s_, kSoonImproveS); }
 
 bool Coordinator::is_on_own_way(const std::string& agv_id, std::uint64_t step) const {
   const auto found = plans_.agents().find(agv_id);

@@ -174,6 +174,9 @@ class Coordinator {
     std::string reason;
   };
 
+  void improve(double now_s);
+  void plans_changed();
+
   // coordinator_vehicles.cpp: registration, strays, silence
   void register_vehicle(Vehicle& vehicle, double now_s);
   void place_agent(Vehicle& vehicle, PlaceId place, std::uint64_t step, double now_s);
@@ -183,6 +186,7 @@ class Coordinator {
   void hear_answer(Vehicle& vehicle, double now_s);
   void look_for_silence(double now_s);
   void rebase(Vehicle& vehicle, double now_s);
+  void part_near_ones(double now_s);
   void end_exceptions(Vehicle& vehicle);
 
   // coordinator_closures.cpp: floor that is closed, and taking back
@@ -226,8 +230,9 @@ class Coordinator {
   bool has_changed_{false};  // something that plans may have to leave
   std::uint64_t refused_{0};
   std::uint64_t random_state_{1};
-  int tries_in_vain_{0};
+  double improve_every_s_{0.1};
   double retimed_s_{-1e9};
+  double improved_s_{-1e9};
   double swept_s_{-1e9};
 };
 

@@ -22,12 +22,12 @@ void Coordinator::set_standing(const std::string& name, const Shape& shape, doub
 void Coordinator::close(const std::string& name, const Shape& shape, double) {
   roadmap_.close(name, shape);
   has_changed_ = true;
-  tries_in_vain_ = 0;
+  plans_changed();
 }
 
 void Coordinator::open(const std::string& name) {
   roadmap_.open(name);
-  tries_in_vain_ = 0;
+  plans_changed();
 }
 
 /// Nobody enters closed floor; whoever is inside may leave: motions that lead out of it are open.

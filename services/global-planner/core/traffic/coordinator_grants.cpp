@@ -66,6 +66,12 @@ bool Coordinator::grant_next(Vehicle& vehicle) {
   if (agent->is_frozen || vehicle.asked_back || granted >= agent->steps.size()) return false;
   if (!wants_road(vehicle, *agent)) return false;
 
+  if (!vehicle.excepted.empty()) {
+    vehicle.waits_for.assign(vehicle.excepted.begin(), vehicle.excepted.end());
+    vehicle.reason = "too near to another";
+    return false;
+  }
+
   const Step& step = agent->steps[granted];
   if (!is_open(step.motion)) {
     vehicle.reason = "floor closed ahead";
@@ -216,7 +222,8 @@ void Coordinator::tell_grant(Vehicle& vehicle, bool is_new_way, Orders& orders) 
   grant.waits_for.erase(std::unique(grant.waits_for.begin(), grant.waits_for.end()), grant.waits_for.end());
 
   const GrantedRoad& told = vehicle.told;
-  const bool is_same = !is_new_way && told.number > 0 && told.limit_step == grant.limit_step &&
+  const bool is_asked_anew = vehicle.asked_back && vehicle.asked_back->number == 0;
+  const bool is_same = !is_new_way && !is_asked_anew && told.number > 0 && told.limit_step == grant.limit_step &&
                        told.gives_back == grant.gives_back && told.waits_for == grant.waits_for &&
                        told.reason == grant.reason;
   if (is_same) return;

@@ -69,7 +69,7 @@ void Coordinator::set_goal(const std::string& agv_id, const std::string& goal_id
   vehicle.without_plan_s = now_s;
   vehicle.tried_s = -1e9;
   vehicle.reason.clear();
-  tries_in_vain_ = 0;
+  plans_changed();
 
   if (!vehicle.is_registered) return;
 
@@ -122,7 +122,7 @@ void Coordinator::plan_those_without(double now_s) {
     }
 
     vehicle->tried_s = now_s;
-    if (plan_one(*vehicle, now_s)) tries_in_vain_ = 0;
+    if (plan_one(*vehicle, now_s) && plans_.find(vehicle->id)->has_plan_to_goal) plans_changed();
   }
 }
 
@@ -175,7 +175,7 @@ void Coordinator::move_resters(double now_s) {
     if (agent == nullptr || agent->is_frozen) continue;
 
     vehicle.tried_s = now_s;
-    if (plans_.plan(id, {}, now_s) || plans_.plan_group(id, now_s)) tries_in_vain_ = 0;
+    if (plans_.plan(id, {}, now_s) || plans_.plan_group(id, now_s)) plans_changed();
   }
 }
 
@@ -216,14 +216,17 @@ std::vector<MotionId> Coordinator::own_way_motions(const Vehicle& vehicle) {
 
   std::vector<MotionId> motions;
   PlaceId last = begin;
-  const std::vector<std::vector<Point2>> pieces = cut_up(path, pitch_m(vehicle.kind, settings_.gap_m));
+  std::vector<std::vector<Point2>> pieces = cut_up(path, pitch_m(vehicle.kind, settings_.gap_m));
 
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const std::vector<Point2>& piece = pieces[i];
+    std::vector<Point2>& piece = pieces[i];
     const Pose2 end{piece.back().x, piece.back().y, geometry::bearing(piece[piece.size() - 2], piece.back())};
     const PlaceId next = i + 1 == pieces.size() ? goal : roadmap_.temporary_place(vehicle.kind_id, end, false);
     if (next == kNoId || next == last) return {};
 
+    // A place that is there already may lie a little beside the cut.
+    piece.front() = roadmap_.place(last).base_in_map.position();
+    piece.back() = roadmap_.place(next).base_in_map.position();
     motions.push_back(roadmap_.temporary_motion(last, next, piece));
     if (motions.back() == kNoId) return {};
     last = next;

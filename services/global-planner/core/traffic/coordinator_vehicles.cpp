@@ -142,7 +142,7 @@ void Coordinator::place_agent(Vehicle& vehicle, PlaceId place, std::uint64_t ste
   vehicle.sent.clear();
   vehicle.behind.reset();
   set_agent_goal(vehicle, now_s);
-  tries_in_vain_ = 0;
+  plans_changed();
 }
 
 /// Its body is held at once. A vehicle that still has road from an earlier leader keeps it, and is planned from its
@@ -204,7 +204,6 @@ void Coordinator::register_vehicle(Vehicle& vehicle, double now_s) {
   }
 
   events_.push_back(vehicle.id + " takes part in the traffic");
-  if (!near.empty()) escape(vehicle, now_s);
 }
 
 /// A vehicle that began too near to others drives, straight and never nearer to them, to a place that is free of all.
@@ -254,6 +253,21 @@ bool Coordinator::escape(Vehicle& vehicle, double now_s) {
   vehicle.lead_in = lead_in;
   events_.push_back(vehicle.id + " leaves a spot too near to another");
   return true;
+}
+
+/// While two are too near to each other, one of them leaves and the other holds.
+void Coordinator::part_near_ones(double now_s) {
+  for (auto& [id, vehicle] : vehicles_) {
+    if (vehicle.excepted.empty() || now_s < vehicle.registering_s + kRegisterS) continue;
+
+    const bool is_parting =
+        !vehicle.lead_in.path_in_map.empty() ||
+        std::any_of(vehicle.excepted.begin(), vehicle.excepted.end(),
+                    [&](const std::string& other) { return !vehicles_.at(other).lead_in.path_in_map.empty(); });
+
+    vehicle.registering_s = now_s;
+    if (!is_parting) escape(vehicle, now_s);
+  }
 }
 
 /// They count again as soon as nothing that the two hold meets.

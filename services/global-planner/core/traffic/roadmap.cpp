@@ -25,22 +25,6 @@ double heading_of_leg(const std::vector<Point2>& path, bool is_first) {
   return 0.0;
 }
 
-/// A free id, else a new one. @param free ids that may be used again
-template <class Thing>
-std::uint32_t new_id(std::vector<std::unique_ptr<Thing>>& all, std::vector<std::uint16_t>& closed_by,
-                     std::vector<std::uint32_t>& free) {
-  if (!free.empty()) {
-    const std::uint32_t id = free.back();
-    free.pop_back();
-    closed_by[id] = 0;
-    return id;
-  }
-
-  all.emplace_back();
-  closed_by.push_back(0);
-  return static_cast<std::uint32_t>(all.size() - 1);
-}
-
 void erase_id(std::vector<MotionId>& ids, MotionId id) {
   ids.erase(std::remove(ids.begin(), ids.end(), id), ids.end());
 }
@@ -94,7 +78,7 @@ const Motion& Roadmap::motion(MotionId id) const {
 }
 
 PlaceId Roadmap::add_place(KindId kind, const geometry::Pose2& base_in_map, bool has_heading, bool is_temporary) {
-  const PlaceId id = new_id(places_, place_closed_by_, free_.places);
+  const auto id = static_cast<PlaceId>(places_.size());
   auto place = std::make_unique<Place>();
   place->base_in_map = base_in_map;
   place->kind = kind;
@@ -106,14 +90,15 @@ PlaceId Roadmap::add_place(KindId kind, const geometry::Pose2& base_in_map, bool
   if (!is_temporary) nets_[kind].places.add({at, at}, id);
   if (is_temporary) temporary_places_.push_back(id);
   place_shapes_.add(place->standing.box(), id);
-  places_[id] = std::move(place);
+  places_.push_back(std::move(place));
+  place_closed_by_.push_back(0);
 
   for (auto& closure : closures_) close_place(id, closure.second);
   return id;
 }
 
 MotionId Roadmap::add_motion(Motion motion) {
-  const MotionId id = new_id(motions_, motion_closed_by_, free_.motions);
+  const auto id = static_cast<MotionId>(motions_.size());
   const Kind& kind = nets_[motion.kind].kind;
 
   motion.length_m = length_of_m(motion.path_in_map);
@@ -131,15 +116,15 @@ MotionId Roadmap::add_motion(Motion motion) {
   places_[motion.to]->entering.push_back(id);
   if (motion.is_temporary) temporary_motions_.push_back(id);
   motion_shapes_.add(motion.shape.box(), id);
-  motions_[id] = std::make_unique<Motion>(std::move(motion));
+  motions_.push_back(std::make_unique<Motion>(std::move(motion)));
+  motion_closed_by_.push_back(0);
 
   for (auto& closure : closures_) close_motion(id, closure.second);
   return id;
 }
 
-std::pair<MotionId, MotionId> Roadmap::add_both_ways(KindId kind, PlaceId a, PlaceId b,
-                                                     const std::vector<geometry::Point2>& path_in_map,
-                                                     bool is_temporary) {
+MotionId Roadmap::add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::vector<geometry::Point2>& path_in_map,
+                                bool is_temporary) {
   Motion there;
   there.from = a;
   there.to = b;
@@ -153,8 +138,8 @@ std::pair<MotionId, MotionId> Roadmap::add_both_ways(KindId kind, PlaceId a, Pla
   std::reverse(back.path_in_map.begin(), back.path_in_map.end());
 
   const MotionId first = add_motion(std::move(there));
-  const MotionId second = add_motion(std::move(back));
-  return {first, second};
+  add_motion(std::move(back));
+  return first;
 }
 
 void Roadmap::end_motion(MotionId id) {
