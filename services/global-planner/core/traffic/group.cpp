@@ -11,6 +11,9 @@ namespace {
 constexpr std::size_t kMostMembers = 12;
 constexpr std::size_t kMostImproved = 6;
 
+// No further order is tried after so many expanded states.
+constexpr std::uint64_t kMostExpanded = 12'000;
+
 // Rests of members count so long, one try after the other. Forecasts that are too long do no harm: only the order is
 // kept, and retiming takes the waits out.
 constexpr std::array<double, 6> kSoftRestsS{6.0, 15.0, 40.0, 15.0, 40.0, 90.0};
@@ -80,8 +83,9 @@ bool GroupPlanner::plan_in_order(const Members& order, double now_s, double soft
 bool GroupPlanner::plan(Agent& agent, double now_s) {
   Members members = those_in_the_way(agent, now_s);
   std::uint64_t random_state = agent.number + 1;
+  const std::uint64_t most_expanded = parts_.search.expanded() + kMostExpanded;
 
-  for (std::size_t i = 0; i < kSoftRestsS.size(); ++i) {
+  for (std::size_t i = 0; i < kSoftRestsS.size() && parts_.search.expanded() < most_expanded; ++i) {
     if (i >= 3) shuffle(members, 1, random_state);
     parts_.timetable.begin_trial();
     if (plan_in_order(members, now_s, kSoftRestsS[i])) {

@@ -7,8 +7,8 @@
 namespace aisle::global_planner::traffic {
 namespace {
 
-// Joint steps times vehicles that are tried at most: about a second.
-constexpr std::size_t kMostTries = 60'000;
+// Joint steps times vehicles that are tried at most.
+constexpr std::size_t kMostTries = 30'000;
 
 }  // namespace
 
