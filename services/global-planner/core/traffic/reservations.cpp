@@ -5,8 +5,8 @@
 namespace aisle::global_planner::traffic {
 namespace {
 
-constexpr std::size_t kMostUnused = 4096;  // shapes that are remembered though nothing reserves them
-constexpr std::size_t kMostEnded = 8192;   // shapes that keep their numbers though they have ended
+constexpr std::size_t kMostUnused = 256;  // shapes that are remembered though nothing reserves them
+constexpr std::size_t kMostEnded = 8192;  // shapes that keep their numbers though they have ended
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void Reservations::remove(ReservationId id) {
 void Reservations::note_reserved(ShapeId shape) {
   if (noted_[shape] == epoch_) return;
 
-  if (reserved_.size() > kMostUnused + 4 * shapes_in_use_) begin_epoch();
+  if (reserved_.size() > kMostUnused + 2 * shapes_in_use_) begin_epoch();
   noted_[shape] = epoch_;
   reserved_.push_back({shape, meetings_.box(shape)});
   bins_.add(meetings_.box(shape), shape);
