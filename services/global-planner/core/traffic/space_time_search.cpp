@@ -8,6 +8,11 @@ namespace {
 
 constexpr std::uint32_t kHeadings = 8;
 
+// States that are expanded at most: so many, and these for each second that the vehicle takes alone. Ways that exist
+// take far fewer; what is tried in vain ends sooner.
+constexpr double kFewExpanded = 2'500.0;
+constexpr double kExpandedPerS = 50.0;
+
 // Times that differ by less are equal.
 constexpr double kRoundingS = 1e-9;
 
@@ -231,7 +236,9 @@ std::optional<std::vector<Leg>> SpaceTimeSearch::find(const Departure& from, con
     if (a.order_s != b.order_s) return a.order_s > b.order_s;
     return a.time_s != b.time_s ? a.time_s < b.time_s : a.node > b.node;
   };
-  for (std::size_t expanded = 0; !open_.empty() && expanded < settings_.most_expanded; ++expanded) {
+  const double budget = kFewExpanded + (to.place == kNoId ? 0.0 : kExpandedPerS * first_to_go_s);
+  const std::size_t most_expanded = std::min(settings_.most_expanded, static_cast<std::size_t>(budget));
+  for (std::size_t expanded = 0; !open_.empty() && expanded < most_expanded; ++expanded) {
     std::pop_heap(open_.begin(), open_.end(), later);
     const std::uint32_t number = open_.back().node;
     open_.pop_back();
