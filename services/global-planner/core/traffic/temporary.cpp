@@ -168,6 +168,12 @@ MotionId Roadmap::temporary_motion(PlaceId from, PlaceId to, std::vector<geometr
   if (!place(from).is_temporary && from >= places_.size()) return kNoId;
   if (from >= places_.size() || to >= places_.size() || !places_[from] || !places_[to]) return kNoId;
 
+  // A place that stood within 1 cm already may be an end: the motion's floor must hold that of its places.
+  if (path_in_map.size() > 1) {
+    path_in_map.front() = places_[from]->base_in_map.position();
+    path_in_map.back() = places_[to]->base_in_map.position();
+  }
+
   Motion there;
   there.from = from;
   there.to = to;
