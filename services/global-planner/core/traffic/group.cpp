@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::size_t kMostMembers = 12;
 constexpr std::size_t kMostImproved = 6;
+constexpr double kLeastLossS = 2.0;  // a plan that ends sooner after the free run is not improved
 
 // No further order is tried after so many expanded states.
 constexpr std::uint64_t kMostExpanded = 12'000;
@@ -60,9 +61,23 @@ GroupPlanner::Members GroupPlanner::those_in_the_way(Agent& agent, double now_s)
   return members;
 }
 
+/// The ends of the first `planned` members, and of the others as if they drove alone, from `now_s`; of those with
+/// goals.
+double GroupPlanner::least_sum_of_ends_s(const Members& order, std::size_t planned, double now_s) {
+  double sum_s = 0.0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const Agent& member = *order[i];
+    if (member.goal == kNoId) continue;
+    sum_s += i < planned ? parts_.timetable.end_s(member, now_s) - now_s
+                         : parts_.timetable.departure(member, now_s).time_s - now_s + parts_.ways.alone_s(member);
+  }
+  return sum_s;
+}
+
 /// All members end their plans where their grants end; then one after the other plans anew.
+/// @param most_sum_s it is given up when the ends of those with goals come to more
 /// @return has the first one what it needs, and is nobody in the way of the others?
-bool GroupPlanner::plan_in_order(const Members& order, double now_s, double soft_rest_s) {
+bool GroupPlanner::plan_in_order(const Members& order, double now_s, double soft_rest_s, double most_sum_s) {
   const WayFinder::Terms terms{soft_rest_s};
   for (Agent* member : order) parts_.timetable.drop_from(*member, member->granted);
 
@@ -72,8 +87,10 @@ bool GroupPlanner::plan_in_order(const Members& order, double now_s, double soft
                             : parts_.ways.leave(first, now_s, terms);
   if (!has_plan) return false;
 
-  for (std::size_t i = 1; i < order.size(); ++i)
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    if (most_sum_s < kForEver && least_sum_of_ends_s(order, i, now_s) > most_sum_s) return false;
     if (!parts_.ways.go_or_leave(*order[i], now_s, terms)) return false;
+  }
 
   for (const Agent* member : order)
     if (!parts_.ways.clear_way_of(*member, now_s, terms)) return false;
@@ -109,6 +126,12 @@ double GroupPlanner::sum_of_ends_s(double now_s) const {
   return sum_s;
 }
 
+/// How much later it ends than it would alone.
+double GroupPlanner::lost_s(const Agent& agent, double now_s) {
+  const double start_s = parts_.timetable.departure(agent, now_s).time_s;
+  return parts_.timetable.end_s(agent, now_s) - start_s - parts_.ways.alone_s(agent);
+}
+
 /// Among four vehicles at random that which ends latest after what it would need alone.
 Agent* GroupPlanner::most_late(double now_s, std::uint64_t& random_state) {
   std::vector<Agent*> candidates;
@@ -123,11 +146,10 @@ Agent* GroupPlanner::most_late(double now_s, std::uint64_t& random_state) {
   Agent* worst = nullptr;
   double most_s = 0.0;
   for (Agent* agent : candidates) {
-    const double start_s = parts_.timetable.departure(*agent, now_s).time_s;
-    const double lost_s = parts_.timetable.end_s(*agent, now_s) - start_s - parts_.ways.alone_s(*agent);
-    if (worst != nullptr && lost_s <= most_s) continue;
+    const double loss_s = lost_s(*agent, now_s);
+    if (worst != nullptr && loss_s <= most_s) continue;
     worst = agent;
-    most_s = lost_s;
+    most_s = loss_s;
   }
   return worst;
 }
@@ -145,7 +167,7 @@ GroupPlanner::Members GroupPlanner::those_waited_for(Agent& agent) {
 
 bool GroupPlanner::improve(double now_s, std::uint64_t& random_state) {
   Agent* late = most_late(now_s, random_state);
-  if (late == nullptr) return false;
+  if (late == nullptr || lost_s(*late, now_s) < kLeastLossS) return false;
 
   Members members = those_waited_for(*late);
   shuffle(members, 0, random_state);
@@ -160,8 +182,14 @@ bool GroupPlanner::improve(double now_s, std::uint64_t& random_state) {
   const double oldest_end_s = parts_.timetable.end_s(*oldest, now_s);
   const double before_s = sum_of_ends_s(now_s);
 
+  // As long as all members keep their goals; whether others lose is seen in the end.
+  const bool all_have_plans = std::all_of(members.begin(), members.end(), [](const Agent* member) {
+    return member->goal == kNoId || member->has_plan_to_goal;
+  });
+  const double most_sum_s = all_have_plans ? least_sum_of_ends_s(members, members.size(), now_s) : kForEver;
+
   parts_.timetable.begin_trial();
-  bool is_better = plan_in_order(members, now_s, parts_.settings.soft_rest_s);
+  bool is_better = plan_in_order(members, now_s, parts_.settings.soft_rest_s, most_sum_s);
   if (is_better) {
     std::size_t with_plan_now = 0;
     for (const auto& [id, agent] : parts_.timetable.agents()) with_plan_now += agent.has_plan_to_goal ? 1 : 0;
