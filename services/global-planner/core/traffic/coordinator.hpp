@@ -204,6 +204,7 @@ class Coordinator {
   void move_resters(double now_s);
   void retry_own_way(double now_s);
   std::vector<MotionId> own_way_motions(const Vehicle& vehicle);
+  PlaceId goal_place(const Vehicle& vehicle);
   PlaceId end_of_grants(const Agent& agent) const;
   void sweep(double now_s);
 

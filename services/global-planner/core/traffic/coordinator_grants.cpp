@@ -129,6 +129,15 @@ void Coordinator::tell_reasons(Vehicle& vehicle) {
 
   vehicle.waits_for = agent->waits_for;
   vehicle.reason = agent->goal == kNoId ? "no way in the map" : agent->reason.empty() ? "no way free" : agent->reason;
+  if (!vehicle.waits_for.empty()) return;
+
+  // What is closed may be the only way: those that are silent are named.
+  for (const auto& [id, other] : vehicles_) {
+    if (!other.is_silent || id == vehicle.id) continue;
+
+    vehicle.waits_for.push_back(id);
+    vehicle.reason = "no way past dead " + id;
+  }
 }
 
 Way Coordinator::way_of(const Vehicle& vehicle, const Agent& agent) const {

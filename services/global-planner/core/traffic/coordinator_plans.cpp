@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "services/global-planner/core/traffic/coordinator.hpp"
 
@@ -78,10 +79,9 @@ void Coordinator::set_goal(const std::string& agv_id, const std::string& goal_id
 }
 
 void Coordinator::set_agent_goal(Vehicle& vehicle, double now_s) {
-  Agent* agent = plans_.find(vehicle.id);
-  const PlaceId goal = vehicle.goal_in_map ? roadmap_.temporary_place(vehicle.kind_id, *vehicle.goal_in_map) : kNoId;
+  const PlaceId goal = vehicle.goal_in_map ? goal_place(vehicle) : kNoId;
 
-  agent = plans_.find(vehicle.id);
+  Agent* agent = plans_.find(vehicle.id);
   if (goal != agent->goal && agent->pending() < agent->steps.size()) plans_.cut(vehicle.id, now_s);
 
   agent = plans_.find(vehicle.id);
@@ -89,6 +89,32 @@ void Coordinator::set_agent_goal(Vehicle& vehicle, double now_s) {
   agent->goal_since_s = vehicle.goal_since_s;
   agent->has_plan_to_goal = goal != kNoId && agent->steps.size() == agent->pending() && end_of_grants(*agent) == goal;
   if (vehicle.goal_in_map && goal == kNoId) vehicle.reason = "no way in the map";
+}
+
+/// The place of its goal. A vehicle that does not turn on the spot comes with the heading that it reaches soonest.
+PlaceId Coordinator::goal_place(const Vehicle& vehicle) {
+  const Pose2 goal = *vehicle.goal_in_map;
+  if (vehicle.kind.turns_on_the_spot()) return roadmap_.temporary_place(vehicle.kind_id, goal);
+
+  const PlaceId from = end_of_grants(*plans_.find(vehicle.id));
+  double soonest_s = std::numeric_limits<double>::infinity();
+  PlaceId best = kNoId;
+
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const double yaw = geometry::wrap(0.5 * geometry::kPi * quarter);
+    const PlaceId place = roadmap_.temporary_place(vehicle.kind_id, {goal.x, goal.y, yaw});
+    if (place == kNoId) continue;
+    if (place == from) return place;
+    if (roadmap_.place(place).leaving.empty()) continue;
+
+    const double seconds = roadmap_.seconds_to(from, place);
+    if (seconds >= soonest_s) continue;
+
+    soonest_s = seconds;
+    best = place;
+  }
+
+  return best;
 }
 
 PlaceId Coordinator::end_of_grants(const Agent& agent) const {

@@ -58,6 +58,18 @@ void Coordinator::hear(const Report& report, double now_s) {
 
   if (!vehicle.is_registered) return;
 
+  // It has road that this leader never gave: it was told by an earlier one, and is taken in anew.
+  if (report.limit_step > plans_.find(vehicle.id)->granted) {
+    events_.push_back(vehicle.id + " has road from an earlier leader");
+    vehicle.is_registered = false;
+    vehicle.registering_s = -1e9;
+    vehicle.lead_in = {};
+    vehicle.asked_back.reset();
+    lock_.forget(vehicle.id);
+    register_vehicle(vehicle, now_s);
+    return;
+  }
+
   if (vehicle.is_silent) {
     vehicle.is_silent = false;
     plans_.unfreeze(vehicle.id, now_s);
