@@ -147,8 +147,8 @@ Roadmap::Ids Roadmap::make_turning_places(KindId kind, const Work& work) {
     made.places.push_back(ids.back());
   };
   const auto add_join = [&](const Join& join, const std::vector<Point2>& path) {
-    const MotionId first = add_both_ways(kind, ids[join.first], ids[join.second], path, false);
-    made.motions.insert(made.motions.end(), {first, first + 1});
+    const auto both = add_both_ways(kind, ids[join.first], ids[join.second], path, false);
+    made.motions.insert(made.motions.end(), {both.first, both.second});
   };
   for (const Point2 at : lattice_points(work.clearance, spec, work.region, points)) add_place_at(at);
 

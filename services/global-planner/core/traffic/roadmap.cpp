@@ -25,6 +25,22 @@ double heading_of_leg(const std::vector<Point2>& path, bool is_first) {
   return 0.0;
 }
 
+/// A free id, else a new one. @param free ids that may be used again
+template <class Thing>
+std::uint32_t new_id(std::vector<std::unique_ptr<Thing>>& all, std::vector<std::uint16_t>& closed_by,
+                     std::vector<std::uint32_t>& free) {
+  if (!free.empty()) {
+    const std::uint32_t id = free.back();
+    free.pop_back();
+    closed_by[id] = 0;
+    return id;
+  }
+
+  all.emplace_back();
+  closed_by.push_back(0);
+  return static_cast<std::uint32_t>(all.size() - 1);
+}
+
 void erase_id(std::vector<MotionId>& ids, MotionId id) {
   ids.erase(std::remove(ids.begin(), ids.end(), id), ids.end());
 }
@@ -78,7 +94,7 @@ const Motion& Roadmap::motion(MotionId id) const {
 }
 
 PlaceId Roadmap::add_place(KindId kind, const geometry::Pose2& base_in_map, bool has_heading, bool is_temporary) {
-  const auto id = static_cast<PlaceId>(places_.size());
+  const PlaceId id = new_id(places_, place_closed_by_, free_.places);
   auto place = std::make_unique<Place>();
   place->base_in_map = base_in_map;
   place->kind = kind;
@@ -90,15 +106,14 @@ PlaceId Roadmap::add_place(KindId kind, const geometry::Pose2& base_in_map, bool
   if (!is_temporary) nets_[kind].places.add({at, at}, id);
   if (is_temporary) temporary_places_.push_back(id);
   place_shapes_.add(place->standing.box(), id);
-  places_.push_back(std::move(place));
-  place_closed_by_.push_back(0);
+  places_[id] = std::move(place);
 
   for (auto& closure : closures_) close_place(id, closure.second);
   return id;
 }
 
 MotionId Roadmap::add_motion(Motion motion) {
-  const auto id = static_cast<MotionId>(motions_.size());
+  const MotionId id = new_id(motions_, motion_closed_by_, free_.motions);
   const Kind& kind = nets_[motion.kind].kind;
 
   motion.length_m = length_of_m(motion.path_in_map);
@@ -116,15 +131,15 @@ MotionId Roadmap::add_motion(Motion motion) {
   places_[motion.to]->entering.push_back(id);
   if (motion.is_temporary) temporary_motions_.push_back(id);
   motion_shapes_.add(motion.shape.box(), id);
-  motions_.push_back(std::make_unique<Motion>(std::move(motion)));
-  motion_closed_by_.push_back(0);
+  motions_[id] = std::make_unique<Motion>(std::move(motion));
 
   for (auto& closure : closures_) close_motion(id, closure.second);
   return id;
 }
 
-MotionId Roadmap::add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::vector<geometry::Point2>& path_in_map,
-                                bool is_temporary) {
+std::pair<MotionId, MotionId> Roadmap::add_both_ways(KindId kind, PlaceId a, PlaceId b,
+                                                     const std::vector<geometry::Point2>& path_in_map,
+                                                     bool is_temporary) {
   Motion there;
   there.from = a;
   there.to = b;
@@ -138,8 +153,8 @@ MotionId Roadmap::add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::ve
   std::reverse(back.path_in_map.begin(), back.path_in_map.end());
 
   const MotionId first = add_motion(std::move(there));
-  add_motion(std::move(back));
-  return first;
+  const MotionId second = add_motion(std::move(back));
+  return {first, second};
 }
 
 void Roadmap::end_motion(MotionId id) {

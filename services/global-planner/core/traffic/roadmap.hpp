@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <limits>
 #include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "common/grid/clearance.hpp"
@@ -89,7 +91,8 @@ class Roadmap {
   /// @param is_joined false: no motions yet, for a cut of an own way
   PlaceId temporary_place(KindId kind, const geometry::Pose2& base_in_map, bool is_joined = true);
 
-  /// A temporary motion along the path between two places, with a motion back where the kind turns on the spot.
+  /// A temporary motion along the path between two places, with a motion back where the kind turns on the spot. That of
+  /// an equal path (within 1 cm) is returned instead.
   /// @param headings_rad at each point, for kinds that do not turn on the spot; empty: along the path
   MotionId temporary_motion(PlaceId from, PlaceId to, std::vector<geometry::Point2> path_in_map,
                             std::vector<double> headings_rad = {});
@@ -101,8 +104,9 @@ class Roadmap {
   };
 
   /// Temporary places and motions that are not in `in_use` end. The ends of a motion in use are in use, and so are the
-  /// motions between two places in use. A place in use that is left without a way to the others is joined anew.
-  /// @return all that ended since the last sweep
+  /// motion back over it and the ways between a place in use and the places around. A place in use that is left without
+  /// a way to the others is joined anew.
+  /// @return all that ended since the last sweep; ten sweeps later these ids may be used again
   Ended sweep(const std::vector<PlaceId>& places_in_use, const std::vector<MotionId>& motions_in_use);
 
   /// Closes what meets the shape (a box, a parked vehicle, a dead one) under a name, until it is opened again, and
@@ -154,8 +158,8 @@ class Roadmap {
   // --- ids: roadmap.cpp
   PlaceId add_place(KindId kind, const geometry::Pose2& base_in_map, bool has_heading, bool is_temporary);
   MotionId add_motion(Motion motion);
-  MotionId add_both_ways(KindId kind, PlaceId a, PlaceId b, const std::vector<geometry::Point2>& path_in_map,
-                         bool is_temporary);  // the id of the first, that of the other follows
+  std::pair<MotionId, MotionId> add_both_ways(KindId kind, PlaceId a, PlaceId b,
+                                              const std::vector<geometry::Point2>& path_in_map, bool is_temporary);
   void end_place(PlaceId id);
   void end_motion(MotionId id);
   bool is_joined(PlaceId a, PlaceId b) const;
@@ -185,6 +189,8 @@ class Roadmap {
   bool join_by_search(PlaceId id);
   void settle_temporary(PlaceId id);
   PlaceId place_at(KindId kind, const geometry::Pose2& base_in_map) const;
+  MotionId motion_along(const Motion& wanted) const;
+  void free_ended();
 
   // --- closures.cpp
   void close_place(PlaceId id, Closure& closure);
@@ -206,7 +212,9 @@ class Roadmap {
   FloorBins<MotionId> motion_shapes_;
   std::map<std::string, Closure> closures_;
   std::map<PlaceId, std::vector<double>> seconds_to_;
-  Ended ended_;  // since the last sweep
+  Ended ended_;             // since the last sweep
+  std::deque<Ended> told_;  // by the last sweeps
+  Ended free_;              // told by earlier ones: these ids may be used again
   std::uint64_t revision_{0};
 };
 

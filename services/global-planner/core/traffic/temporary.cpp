@@ -18,6 +18,7 @@ constexpr std::array<double, 3> kStraightReachM{1.6, 2.5, 4.0};
 constexpr double kNearestReachM = 8.0;
 constexpr double kSearchM = 8.0;
 constexpr double kSamePlaceM = 0.01;
+constexpr std::size_t kSweepsKept = 10;  // until ids are used again
 
 }  // namespace
 
@@ -163,9 +164,25 @@ void Roadmap::settle_temporary(PlaceId id) {
   }
 }
 
+MotionId Roadmap::motion_along(const Motion& wanted) const {
+  const auto same_point = [](Point2 a, Point2 b) { return distance(a, b) <= kSamePlaceM; };
+  const auto same_heading = [](double a, double b) { return std::abs(geometry::wrap(a - b)) <= kSamePlaceM; };
+
+  for (const MotionId id : places_[wanted.from]->leaving) {
+    const Motion& known = *motions_[id];
+    if (known.to == wanted.to &&
+        std::equal(known.path_in_map.begin(), known.path_in_map.end(), wanted.path_in_map.begin(),
+                   wanted.path_in_map.end(), same_point) &&
+        std::equal(known.headings_rad.begin(), known.headings_rad.end(), wanted.headings_rad.begin(),
+                   wanted.headings_rad.end(), same_heading))
+      return id;
+  }
+
+  return kNoId;
+}
+
 MotionId Roadmap::temporary_motion(PlaceId from, PlaceId to, std::vector<geometry::Point2> path_in_map,
                                    std::vector<double> headings_rad) {
-  if (!place(from).is_temporary && from >= places_.size()) return kNoId;
   if (from >= places_.size() || to >= places_.size() || !places_[from] || !places_[to]) return kNoId;
 
   // A place that stood within 1 cm already may be an end: the motion's floor must hold that of its places.
@@ -181,6 +198,9 @@ MotionId Roadmap::temporary_motion(PlaceId from, PlaceId to, std::vector<geometr
   there.path_in_map = std::move(path_in_map);
   there.headings_rad = std::move(headings_rad);
   there.is_temporary = true;
+  const MotionId known = motion_along(there);
+  if (known != kNoId) return known;
+
   const MotionId id = add_motion(std::move(there));
   if (!nets_[motions_[id]->kind].kind.turns_on_the_spot()) return id;
 
@@ -198,16 +218,25 @@ MotionId Roadmap::temporary_motion(PlaceId from, PlaceId to, std::vector<geometr
 
 Roadmap::Ended Roadmap::sweep(const std::vector<PlaceId>& places_in_use, const std::vector<MotionId>& motions_in_use) {
   std::set<PlaceId> kept(places_in_use.begin(), places_in_use.end());
-  const std::set<MotionId> kept_motions(motions_in_use.begin(), motions_in_use.end());
-  for (const MotionId id : kept_motions) {
+  std::set<MotionId> kept_motions(motions_in_use.begin(), motions_in_use.end());
+  for (const MotionId id : motions_in_use) {
     kept.insert(motion(id).from);
     kept.insert(motion(id).to);
+    for (const MotionId back : place(motion(id).to).leaving)
+      if (motions_[back]->to == motion(id).from) kept_motions.insert(back);
   }
 
-  const auto is_kept = [&](PlaceId id) { return places_[id] && (!places_[id]->is_temporary || kept.count(id) > 0); };
+  // A way between a temporary place in use and one of the others, and what is in use itself, stays.
+  const auto is_kept = [&](PlaceId id) { return !places_[id]->is_temporary || kept.count(id) > 0; };
   const auto motion_ends = [&](MotionId id) {
     if (!motions_[id]) return true;
-    if (kept_motions.count(id) > 0 || (is_kept(motions_[id]->from) && is_kept(motions_[id]->to))) return false;
+
+    const Place& from = *places_[motions_[id]->from];
+    const Place& to = *places_[motions_[id]->to];
+    const bool is_join =
+        from.is_temporary != to.is_temporary && is_kept(motions_[id]->from) && is_kept(motions_[id]->to);
+    if (is_join || kept_motions.count(id) > 0) return false;
+
     end_motion(id);
     return true;
   };
@@ -226,7 +255,32 @@ Roadmap::Ended Roadmap::sweep(const std::vector<PlaceId>& places_in_use, const s
   for (auto table = seconds_to_.begin(); table != seconds_to_.end();)
     table = kept.count(table->first) > 0 ? std::next(table) : seconds_to_.erase(table);
 
-  return std::exchange(ended_, {});
+  free_ended();
+  return told_.back();
+}
+
+/// What ended is named by no closure any more. What an old sweep told of is free from now on: nobody
+/// names it any more, whatever was late.
+void Roadmap::free_ended() {
+  const auto place_ended = [&](PlaceId id) { return !places_[id]; };
+  const auto motion_ended = [&](MotionId id) { return !motions_[id]; };
+  const auto drop = [](auto& ids, const auto& ended) {
+    ids.erase(std::remove_if(ids.begin(), ids.end(), ended), ids.end());
+  };
+  for (auto& closure : closures_) {
+    for (Ids* ids : {&closure.second.closed, &closure.second.made}) {
+      drop(ids->places, place_ended);
+      drop(ids->motions, motion_ended);
+    }
+  }
+
+  told_.push_back(std::exchange(ended_, {}));
+  if (told_.size() <= kSweepsKept) return;
+
+  const Ended& oldest = told_.front();
+  free_.places.insert(free_.places.end(), oldest.places.begin(), oldest.places.end());
+  free_.motions.insert(free_.motions.end(), oldest.motions.begin(), oldest.motions.end());
+  told_.pop_front();
 }
 
 }  // namespace aisle::global_planner::traffic

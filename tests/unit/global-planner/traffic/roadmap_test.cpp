@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <set>
@@ -193,6 +194,72 @@ TEST(TemporaryMotion, HasAMotionBackAndJoinsWhatIsLeftAlone) {
 
   roadmap.sweep({b}, {});
   EXPECT_GE(roadmap.place(b).leaving.size(), 3U);
+}
+
+TEST(TemporaryMotion, OfAnEqualPathIsTheSame) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  Roadmap& roadmap = made.roadmap;
+  const PlaceId a = roadmap.temporary_place(made.kind, {5.2, 4.3, 0.0});
+  const PlaceId b = roadmap.temporary_place(made.kind, {6.3, 4.8, 0.0});
+  const MotionId id = roadmap.temporary_motion(a, b, {{5.2, 4.3}, {5.8, 4.4}, {6.3, 4.8}});
+  const std::size_t motions = roadmap.motions();
+  EXPECT_EQ(roadmap.temporary_motion(a, b, {{5.2, 4.3}, {5.805, 4.4}, {6.3, 4.8}}), id);
+  EXPECT_EQ(roadmap.motions(), motions);
+  EXPECT_NE(roadmap.temporary_motion(a, b, {{5.2, 4.3}, {5.9, 4.4}, {6.3, 4.8}}), id);
+}
+
+TEST(TemporaryMotion, EndsWhenNotInUseThoughItsPlacesStay) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  Roadmap& roadmap = made.roadmap;
+  const PlaceId a = roadmap.temporary_place(made.kind, {5.2, 4.3, 0.0});
+  const PlaceId b = roadmap.temporary_place(made.kind, {6.3, 4.8, 0.0});
+  const MotionId used = roadmap.temporary_motion(a, b, {{5.2, 4.3}, {6.3, 4.8}});
+  const MotionId unused = roadmap.temporary_motion(a, b, {{5.2, 4.3}, {5.9, 4.4}, {6.3, 4.8}});
+
+  roadmap.sweep({a, b}, {used});
+  EXPECT_FALSE(roadmap.motion(used).path_in_map.empty());
+  const auto& leaving = roadmap.place(b).leaving;
+  EXPECT_TRUE(std::any_of(leaving.begin(), leaving.end(), [&](MotionId m) { return roadmap.motion(m).to == a; }));
+  roadmap.sweep({a, b}, {});
+  EXPECT_TRUE(roadmap.motion(used).path_in_map.empty());
+  EXPECT_TRUE(roadmap.motion(unused).path_in_map.empty());
+  EXPECT_FALSE(roadmap.place(a).leaving.empty());
+}
+
+TEST(TemporaryPlace, IdsAreUsedAgainTenSweepsLater) {
+  const FloorMap floor = room();
+  auto made = made_for(floor);
+  Roadmap& roadmap = made.roadmap;
+  std::mt19937 random(3);
+  std::size_t most_places = 0;
+  std::size_t most_motions = 0;
+
+  for (int round = 0; round < 200; ++round) {
+    const double x = 1.0 + 0.01 * static_cast<double>(random() % 1000);
+    const PlaceId id = roadmap.temporary_place(made.kind, {x, 4.3, 0.0});
+    ASSERT_NE(id, kNoId);
+    ASSERT_NEAR(roadmap.place(id).base_in_map.x, x, 0.011);
+    for (const MotionId motion : roadmap.place(id).leaving) ASSERT_EQ(roadmap.motion(motion).from, id);
+
+    roadmap.close("box", Shape({{{x, 4.3}, {x, 4.3}, 0.2}}));
+    if (round % 2 == 0) roadmap.open("box");
+    const auto told = roadmap.sweep({}, {});
+    for (const PlaceId ended : told.places) ASSERT_TRUE(roadmap.place(ended).standing.empty());
+    if (round == 40) {
+      most_places = roadmap.places();
+      most_motions = roadmap.motions();
+    }
+  }
+
+  EXPECT_LT(roadmap.places(), most_places + 100);
+  EXPECT_LT(roadmap.motions(), most_motions + 1'000);
+  roadmap.open("box");
+  roadmap.sweep({}, {});
+  for (const PlaceId id : lattice(roadmap)) ASSERT_FALSE(roadmap.place(id).is_closed);
+  for (MotionId id = 0; id < roadmap.motions(); ++id)
+    ASSERT_TRUE(!roadmap.motion(id).is_closed || roadmap.motion(id).path_in_map.empty());
 }
 
 TEST(Closures, CloseWhatMeetsThemUntilTheyEnd) {
