@@ -172,6 +172,19 @@ TEST(JointPlan, AVehicleDrivesItsOwnWayWhereThatIsNoLater) {
   EXPECT_TRUE(drive_home(world, 60.0)) << who_waits(world);
 }
 
+TEST(JointPlan, ATemporaryMotionHoldsTheFloorOfThePlacesAtItsEnds) {
+  PlanWorld world(kHall);
+  const PlaceId from = world.near({1.0, 1.0});
+  const PlaceId to = world.near({1.0, 3.0});
+  const geometry::Point2 begin = world.roadmap().place(from).base_in_map.position();
+  const geometry::Point2 near_end = world.roadmap().place(to).base_in_map.position() + geometry::Point2{0.008, 0.0};
+
+  const Motion& motion = world.roadmap().motion(world.roadmap().temporary_motion(from, to, {begin, near_end}));
+
+  EXPECT_EQ(motion.path_in_map.front(), begin);
+  EXPECT_EQ(motion.path_in_map.back(), world.roadmap().place(to).base_in_map.position());
+}
+
 TEST(JointPlan, WhatASweepEndedIsForgotten) {
   PlanWorld world(kHall);
   const PlaceId start = world.near({1.0, 1.0});
