@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/config/yaml_reader.hpp"
+#include "common/fleet/any_vehicle.hpp"
 #include "common/scenario/data_path.hpp"
 #include "common/scenario/scenario.hpp"
 
@@ -21,6 +22,7 @@ constexpr double kFarthestM = 1.0e5;
 constexpr double kLongestS = 86400.0;
 constexpr std::size_t kMostVehicles = 100;
 constexpr std::size_t kMostGoals = 1000;
+constexpr std::size_t kMostTasks = 1000;
 
 /// 1 to 60 letters, digits, '-', '_' and '.'.
 bool is_id(const std::string& id) {
@@ -124,6 +126,35 @@ struct MissionEntry {
     if (r.has("goals") && (rows.empty() || rows.size() > kMostGoals)) r.reject("goals", "takes 1 to 1000 goals");
     for (const std::vector<double>& row : rows) value.goals_in_map.push_back(pose_of(r, "goals", row));
     where = r.where("vehicle");
+  }
+};
+
+/// From "pick" to "drop", each [x, y] or [x, y, yaw].
+struct TaskEntry {
+  Task value;
+
+  void describe(YamlReader& r) {
+    geometry::Pose2 pick;
+    geometry::Pose2 drop;
+    r.require({"pick", "drop"}).field("heading_matters", value.heading_matters);
+    read_pose(r, "pick", pick);
+    read_pose(r, "drop", drop);
+    value.stops_in_map = {pick, drop};
+  }
+};
+
+/// "name" and "at", [x, y] or [x, y, yaw].
+struct PlaceEntry {
+  NamedPlace value;
+
+  void describe(YamlReader& r) {
+    std::vector<double> numbers;
+    read_id(r, "name", value.name);
+    r.field("at", numbers, -kFarthestM, kFarthestM).require({"at"});
+    if (!r.has("at")) return;
+
+    value.pose_in_map = pose_of(r, "at", numbers);
+    value.has_yaw = numbers.size() == 3;
   }
 };
 
@@ -231,11 +262,37 @@ struct ScenarioFile {
 
     read_list<VehicleEntry>(r, "vehicles", value.vehicles);
     missions = read_list<MissionEntry>(r, "missions", value.missions);
+    tell_tasks(r);
+    read_list<PlaceEntry>(r, "places", value.places);
     read_list<MoverEntry>(r, "movers", value.movers);
     recordings = read_list<RecordingEntry>(r, "recordings", value.recordings);
     read_list<BlockEntry>(r, "blocks", value.blocks);
     read_list<MapEditEntry>(r, "map_edits", value.map_edits);
     check(r);
+  }
+
+  /// Each goal of a mission for any vehicle is a task.
+  void tell_tasks(YamlReader& r) {
+    std::vector<Mission> missions_of_one;
+    for (const Mission& mission : value.missions) {
+      if (mission.vehicle != fleet::kAnyVehicle) {
+        missions_of_one.push_back(mission);
+        continue;
+      }
+
+      for (int loop = 0; loop < mission.loops; ++loop) {
+        for (const geometry::Pose2& goal : mission.goals_in_map)
+          value.tasks.push_back({{goal}, mission.heading_matters});
+        if (value.tasks.size() > kMostTasks) r.reject("missions", "for any vehicle have more than 1000 goals in all");
+      }
+    }
+
+    value.missions = std::move(missions_of_one);
+
+    std::vector<Task> tasks;
+    read_list<TaskEntry>(r, "tasks", tasks);
+    value.tasks.insert(value.tasks.end(), tasks.begin(), tasks.end());
+    if (value.tasks.size() > kMostTasks) r.reject("tasks", "takes at most 1000 tasks");
   }
 
   /// Numbers of things, and ids that are unique among all of them.
@@ -249,6 +306,8 @@ struct ScenarioFile {
     };
 
     for (const VehicleSetup& vehicle : value.vehicles) take("vehicles", vehicle.id);
+    if (ids.count(fleet::kAnyVehicle) > 0) r.reject("vehicles", "'any' is every vehicle; give this one another id");
+    for (const NamedPlace& place : value.places) take("places", place.name);
     check_missions();
     for (const Mover& mover : value.movers) take("movers", mover.id);
     for (const Block& block : value.blocks) take("blocks", block.id);
@@ -262,6 +321,7 @@ struct ScenarioFile {
     std::set<std::string> with_mission;
     for (const MissionEntry& mission : missions) {
       const std::string& id = mission.value.vehicle;
+      if (id == fleet::kAnyVehicle) continue;
       if (known.count(id) == 0) throw config::BadInput(mission.where + ": no vehicle '" + id + "' in vehicles");
       if (!with_mission.insert(id).second)
         throw config::BadInput(mission.where + ": '" + id + "' has a mission already; list its goals in one");
@@ -273,6 +333,13 @@ struct ScenarioFile {
 
 kinematics::Model VehicleSetup::kinematic_model() const {
   return find_model(model).value_or(kinematics::Model::kDifferential);
+}
+
+int Scenario::goal_count() const {
+  std::size_t sum = 0;
+  for (const Mission& mission : missions) sum += mission.goals_in_map.size() * static_cast<std::size_t>(mission.loops);
+  for (const Task& task : tasks) sum += task.stops_in_map.size();
+  return static_cast<int>(sum);
 }
 
 /// Paths are resolved when everything else is known to be right.

@@ -41,6 +41,19 @@ struct Mission {
   int loops{1};
 };
 
+/// Work for whichever vehicle serves it soonest: one goal, or a pick and a drop by the same vehicle.
+struct Task {
+  std::vector<geometry::Pose2> stops_in_map;  // one or two, in their order
+  bool heading_matters{false};
+};
+
+/// A pose with a name, for people: "@dock".
+struct NamedPlace {
+  std::string name;
+  geometry::Pose2 pose_in_map;
+  bool has_yaw{false};
+};
+
 /// A person that walks along waypoints at a constant speed, to and fro or once.
 struct Mover {
   std::string id;
@@ -95,6 +108,11 @@ struct Scenario {
   double duration_s{300.0};        // the referee gives up then
   double start_jitter_m{0.0};      // starts, movers' speeds and phases vary by seed
   double person_clearance_m{0.0};  // the referee fails a run in which a vehicle and a person come nearer
+  std::vector<Task> tasks;         // first the goals of missions for "any" vehicle, then the file's tasks
+  std::vector<NamedPlace> places;
+
+  /// Goals of missions (loops counted) and stops of tasks.
+  int goal_count() const;
 };
 
 /// Reads the file strictly and checks it as a whole: ids are unique, missions name vehicles. @throws

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "services/dispatcher/core/dispatcher.hpp"
+#include "services/dispatcher/core/task_pool.hpp"
 
 namespace aisle::dispatcher {
 
-/// What the state file keeps, so that the missions go on after the process was killed.
+/// What the state file keeps, so that missions and tasks go on after the process was killed.
 struct DispatcherMemory {
   Memory missions;
+  std::vector<TaskProgress> tasks;
   std::vector<std::string> edits_done;
   std::optional<std::int64_t> started_at_ns;  // second zero of the scenario
 };

@@ -10,6 +10,7 @@
 #include "common/service/shell.hpp"
 #include "services/dispatcher/core/dispatcher.hpp"
 #include "services/dispatcher/core/edit_schedule.hpp"
+#include "services/dispatcher/core/task_pool.hpp"
 #include "services/dispatcher/dispatcher_memory.hpp"
 
 namespace aisle::dispatcher {
@@ -43,10 +44,13 @@ class DispatcherService {
   /// Registers what is read with the shell.
   void listen();
 
+  /// A goal of a person or of another program: one for any vehicle is a task, a cancelled one ends mission or task.
+  void take(const fleet::Goal& goal);
+
   /// Logs the answer to one of this process's map edits; answers to others are ignored.
   void take(const fleet::MapEditResult& result);
 
-  /// One step of the dispatcher; writes its orders and the map edits that are due.
+  /// One step of missions and tasks; writes its orders and the map edits that are due.
   void tick();
 
   /// Writes an order as a goal, and logs it.
@@ -67,6 +71,7 @@ class DispatcherService {
 
   scenario::ScenarioClock clock_;
   Dispatcher dispatcher_;
+  TaskPool tasks_;
   EditSchedule edits_;
   std::string map_id_;
   std::string kept_text_;  // of the state file

@@ -221,7 +221,8 @@ Strings allowed_rooms(const std::string& file) {
   if (begins_with(file, "common/config/")) return {};
   if (begins_with(file, "common/process/")) return {"common/time/", "common/config/"};
   if (begins_with(file, "common/scenario/"))
-    return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/", "common/config/"};
+    return {"common/geometry/", "common/grid/",  "common/kinematics/",
+            "common/time/",     "common/fleet/", "common/config/"};
   if (begins_with(file, "common/bus/")) return {"common/config/", "common/time/"};
   if (begins_with(file, "common/wire/"))
     return {"common/geometry/", "common/grid/", "common/kinematics/", "common/time/", "common/fleet/"};

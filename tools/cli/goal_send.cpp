@@ -6,8 +6,13 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "common/config/nearest_name.hpp"
+#include "common/config/reader.hpp"
+#include "common/fleet/any_vehicle.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/scenario/scenario.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/coordinates.hpp"
 #include "tools/cli/goal_talk.hpp"
@@ -22,6 +27,7 @@ struct SendOptions {
   std::string agv_id;
   std::string pose;
   std::string goal_id;
+  std::string scenario;  // with the places that "@dock" names
   bool wait{false};
   double timeout_s{0.0};
   double tolerance_m{0.25};
@@ -31,9 +37,26 @@ struct SendOptions {
 constexpr Seconds kUntilPlanned{10.0};
 constexpr Seconds kUntilArrived{600.0};
 
+/// "@dock" is looked up in the scenario's places. @throws config::BadInput
+TypedPose pose_of(const SendOptions& options) {
+  if (options.pose.empty() || options.pose.front() != '@') return parse_pose("goal", options.pose);
+  if (options.scenario.empty())
+    throw config::BadInput("goal: " + options.pose + " is a place of a scenario: name its file with --scenario");
+
+  std::vector<std::string> names;
+  for (const scenario::NamedPlace& place : scenario::read_scenario(options.scenario).places) {
+    if ("@" + place.name == options.pose) return {place.pose_in_map, place.has_yaw};
+    names.push_back("@" + place.name);
+  }
+
+  const std::string nearest = config::nearest_name(options.pose, names);
+  throw config::BadInput("goal: no place " + options.pose + " in " + options.scenario +
+                         (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+}
+
 /// A goal without a yaw is reached with every heading.
 fleet::Goal make_goal(const SendOptions& options) {
-  const TypedPose typed = parse_pose("goal", options.pose);
+  const TypedPose typed = pose_of(options);
   fleet::Goal goal;
 
   goal.agv_id = options.agv_id;
@@ -90,6 +113,14 @@ int report_sent(const Cli& cli, const fleet::Goal& goal, const std::string& resu
 
 /// Tells a planner that is not there from one that does not answer.
 int report_no_answer(const Cli& cli, const GoalTalk& talk, const fleet::Goal& goal, double waited_s) {
+  if (goal.agv_id == fleet::kAnyVehicle) {
+    return report_sent(cli, goal, "no_answer",
+                       fmt::format("no vehicle was given the goal within {:g} s: is aisle-dispatcher running? It gives "
+                                   "the goal when a vehicle is free",
+                                   waited_s),
+                       process::kEnvironment);
+  }
+
   const bool nobody = !talk.is_read_by_anybody();
   return report_sent(
       cli, goal, "no_answer",
@@ -102,7 +133,7 @@ int report_no_answer(const Cli& cli, const GoalTalk& talk, const fleet::Goal& go
 /// Shows the vehicle's progress until it arrives, fails or gets another goal, or until `limit`.
 int follow(const Cli& cli, GoalTalk& talk, const fleet::Goal& goal, Seconds limit) {
   const std::string goal_id = goal.id;
-  const std::string agv_id = goal.agv_id;
+  const std::string& agv_id = talk.agv_id();
   const auto is_over = [](fleet::Phase phase) {
     return phase == fleet::Phase::kArrived || phase == fleet::Phase::kFailed;
   };
@@ -145,7 +176,7 @@ int follow(const Cli& cli, GoalTalk& talk, const fleet::Goal& goal, Seconds limi
 
 /// Says the goal until there is a plan for it; with --wait follows the vehicle then.
 int send(const Cli& cli, const SendOptions& options) {
-  const fleet::Goal goal = make_goal(options);
+  fleet::Goal goal = make_goal(options);
   const std::string goal_id = goal.id;
   GoalTalk talk(cli, options.agv_id);
 
@@ -157,14 +188,15 @@ int send(const Cli& cli, const SendOptions& options) {
   if (!talk.say_until(goal, until_planned, is_planned)) return report_no_answer(cli, talk, goal, until_planned.count());
 
   const fleet::Plan plan = *talk.plan();
+  goal.agv_id = plan.agv_id;
   if (!plan.is_found()) {
     const std::string outcome = word_of(name(plan.outcome));
-    return report_sent(cli, goal, outcome, options.agv_id + " cannot go there: " + outcome + ": " + plan.detail,
+    return report_sent(cli, goal, outcome, goal.agv_id + " cannot go there: " + outcome + ": " + plan.detail,
                        process::kNegative);
   }
 
   const std::string text =
-      fmt::format("{} goes {:.1f} m to {}, goal {}", options.agv_id, plan.length_m, options.pose, goal_id);
+      fmt::format("{} goes {:.1f} m to {}, goal {}", goal.agv_id, plan.length_m, options.pose, goal_id);
   if (!options.wait) return report_sent(cli, goal, "planned", text, process::kDone, plan.length_m);
 
   if (!cli.json) std::printf("%s\n", printable(text).c_str());
@@ -178,12 +210,13 @@ int send(const Cli& cli, const SendOptions& options) {
 void add_goal_send(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<SendOptions>();
   Verb(parent, cli, "send", "send a vehicle to a pose; exit code 1 when it cannot get there")
-      .argument("agv", options->agv_id, "vehicle, e.g. agv-1")
-      .argument("pose", options->pose, "X,Y or X,Y,YAW in metres and radians, map frame")
+      .argument("agv", options->agv_id, "vehicle, e.g. agv-1; any: the dispatcher chooses one")
+      .argument("pose", options->pose, "X,Y or X,Y,YAW in metres and radians, map frame; @NAME with --scenario")
       .flag("--wait", options->wait, "wait until it arrived, with a line of progress")
       .option("--timeout", options->timeout_s, 0.0, 1e6, "give up after so many seconds; 0: 10, with --wait 600")
       .option("--tolerance", options->tolerance_m, 0.01, 10.0, "how near is there, in metres")
       .option("--yaw-tolerance", options->yaw_tolerance_rad, 0.01, 3.15, "in radians, when a yaw is given")
+      .option("--scenario", options->scenario, "file whose places @NAME means")
       .option("--id", options->goal_id, "id of the goal; one is made when not given")
       .runs([&cli, options] { return send(cli, *options); });
 }

@@ -6,6 +6,7 @@
 
 #include "common/config/nearest_name.hpp"
 #include "common/config/reader.hpp"
+#include "common/fleet/any_vehicle.hpp"
 #include "common/service/hear.hpp"
 
 namespace aisle::cli {
@@ -20,6 +21,7 @@ constexpr std::chrono::milliseconds kSayAgainAfter{500};
 GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
     : cli_(cli),
       agv_id_(agv_id),
+      is_for_any_(agv_id == fleet::kAnyVehicle),
       bus_(join(cli, "aisle-goal")),
       writer_(bus_->writer<topics::Goal>()),
       stamper_(*bus_, "aisle", static_cast<std::uint64_t>(bus_->wall_clock_ns()) / 1000) {
@@ -30,13 +32,13 @@ GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
       *bus_, {[this](const fleet::VehicleState& state, const Sender&) { vehicles_.insert(state.agv_id); }, {}, {}});
 
   service::hear<topics::NavigationStatus>(*bus_, {[this](const fleet::NavigationStatus& status, const Sender&) {
-                                                    if (status.agv_id == agv_id_) navigation_ = status;
+                                                    if (is_meant(status.agv_id, status.goal_id)) navigation_ = status;
                                                   },
                                                   {},
                                                   {}});
 
   service::hear<topics::Plan>(*bus_, {[this](const fleet::Plan& plan, const Sender&) {
-                                        if (plan.agv_id == agv_id_) plan_ = plan;
+                                        if (is_meant(plan.agv_id, plan.goal_id)) plan_ = plan;
                                       },
                                       {},
                                       {}});
@@ -48,9 +50,16 @@ GoalTalk::GoalTalk(const Cli& cli, const std::string& agv_id)
                                       {}});
 }
 
+/// Whichever vehicle is given the goal is the one from then on, also when the goal is taken from it and given again.
+bool GoalTalk::is_meant(const std::string& agv_id, const std::string& goal_id) {
+  if (is_for_any_ && !said_goal_id_.empty() && goal_id == said_goal_id_) agv_id_ = agv_id;
+  return agv_id == agv_id_;
+}
+
 /// A mistyped id is told with the ids that are there.
 void GoalTalk::require_vehicle() {
-  if (run_until(*bus_, kUntilVehiclesAreSeen, [this] { return vehicles_.count(agv_id_) > 0; })) return;
+  const auto is_there = [this] { return is_for_any_ ? !vehicles_.empty() : vehicles_.count(agv_id_) > 0; };
+  if (run_until(*bus_, kUntilVehiclesAreSeen, is_there)) return;
 
   if (vehicles_.empty()) {
     throw config::BadEnvironment("no vehicle seen in " + place_of(cli_.settings) +
@@ -69,6 +78,8 @@ void GoalTalk::require_vehicle() {
 
 /// A goal that was sent before its reader was there is heard the next time.
 bool GoalTalk::say_until(const fleet::Goal& goal, Seconds limit, const std::function<bool()>& done) {
+  said_goal_id_ = goal.id;
+
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!is_interrupted()) {
     auto sample = wire::encode(goal);

@@ -22,8 +22,8 @@ class GoalTalk {
   /// Joins the site. @throws config::BadEnvironment
   GoalTalk(const Cli& cli, const std::string& agv_id);
 
-  /// Waits until the vehicle is seen. @throws config::BadInput with the vehicles that are seen instead,
-  /// config::BadEnvironment when there are none
+  /// Waits until the vehicle is seen; for any vehicle, until one is. @throws config::BadInput with the vehicles that
+  /// are seen instead, config::BadEnvironment when there are none
   void require_vehicle();
 
   /// Runs the loop as run_until() does, and writes `goal` at once and every 500 ms meanwhile.
@@ -32,6 +32,7 @@ class GoalTalk {
   /// The same without saying anything.
   bool listen_until(Seconds limit, const std::function<bool()>& done) { return run_until(*bus_, limit, done); }
 
+  /// Of a goal for any vehicle: "any" until a vehicle was given it.
   const std::string& agv_id() const { return agv_id_; }
 
   /// The newest that was heard of this vehicle; the same for navigation() and goal().
@@ -43,8 +44,13 @@ class GoalTalk {
   bool is_read_by_anybody() const { return writer_.matched_readers() > 1; }
 
  private:
+  /// Is this a word of the vehicle that this is about? A goal for any vehicle tells which vehicle that is.
+  bool is_meant(const std::string& agv_id, const std::string& goal_id);
+
   const Cli& cli_;
   std::string agv_id_;
+  bool is_for_any_;
+  std::string said_goal_id_;
   std::unique_ptr<bus::Bus> bus_;
   bus::Writer<topics::Goal> writer_;
   service::OriginStamper stamper_;

@@ -47,6 +47,7 @@ referee::Expectation expectation_of(const scenario::Scenario& scenario) {
     expectation.goals_of[mission.vehicle] += static_cast<int>(mission.goals_in_map.size()) * mission.loops;
   }
 
+  expectation.goals_of_any = scenario.goal_count() - expectation.goals();
   return expectation;
 }
 

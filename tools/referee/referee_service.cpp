@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "common/fleet/any_vehicle.hpp"
+
 namespace aisle::referee {
 namespace {
 
@@ -155,7 +157,10 @@ void RefereeService::take(const fleet::Plan& plan, const Sender& from) {
   judge_.plan_arrived(news);
 }
 
+/// A goal for any vehicle counts when a vehicle is given it.
 void RefereeService::take(const fleet::Goal& goal, const Sender& from) {
+  if (goal.agv_id == fleet::kAnyVehicle) return;
+
   GoalRecord record;
   record.agv_id = goal.agv_id;
   record.goal_id = goal.id;

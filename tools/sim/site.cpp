@@ -57,6 +57,7 @@ referee::Expectation expectation_of(const scenario::Scenario& scenario) {
   referee::Expectation expectation;
   for (const scenario::Mission& mission : scenario.missions)
     expectation.goals_of[mission.vehicle] += static_cast<int>(mission.goals_in_map.size()) * mission.loops;
+  expectation.goals_of_any = scenario.goal_count() - expectation.goals();
   return expectation;
 }
 
@@ -343,7 +344,7 @@ class Site {
   }
 
   void fill_result(const referee::RunReport& report, Result& result) const {
-    result.goals_assigned = report.goals_expected;
+    result.goals_assigned = report.goals_expected - report.count(referee::GoalOutcome::kCancelled);
     result.goals_reached = report.count(referee::GoalOutcome::kReached);
     result.contacts = static_cast<int>(report.contacts.size());
     result.contacts_moving_vehicle = report.contacts_moving_vehicle();

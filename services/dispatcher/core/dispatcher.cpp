@@ -222,6 +222,15 @@ std::vector<std::string> Dispatcher::missing() const {
   return ids;
 }
 
+std::set<std::string> Dispatcher::engaged() const {
+  std::set<std::string> ids;
+  for (const auto& [id, book] : books_) {
+    if (book.stage != Stage::kEnded) ids.insert(id);
+  }
+
+  return ids;
+}
+
 Memory Dispatcher::memory() const {
   Memory memory;
   for (const auto& [id, book] : books_) memory[id] = book.progress;

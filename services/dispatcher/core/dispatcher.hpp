@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct Settings {
   int attempts{4};                 // then the vehicle goes on to its next goal
   double greet_s{2.0};             // a vehicle may take so long to tell what it was doing before it gets its first goal
   double repeat_s{3.0};            // a goal is given again to a vehicle that has nothing to do
+  double silent_s{5.0};            // without a vehicle's word; then its task is given to another one
+  double patience_s{20.0};         // a task waits so long for a busy vehicle while another one is free
 
   template <class Reader>
   void describe(Reader& r) {
@@ -30,7 +33,9 @@ struct Settings {
         .field("retry_s", retry_s, 0.1, 3600.0)
         .field("attempts", attempts, 1, 1000)
         .field("greet_s", greet_s, 0.0, 60.0)
-        .field("repeat_s", repeat_s, 0.1, 3600.0);
+        .field("repeat_s", repeat_s, 0.1, 3600.0)
+        .field("silent_s", silent_s, 0.5, 3600.0)
+        .field("patience_s", patience_s, 0.0, 3600.0);
   }
 };
 
@@ -41,6 +46,7 @@ struct Order {
   geometry::Pose2 goal_in_map;
   double position_tolerance_m{0.0};
   double yaw_tolerance_rad{0.0};  // 0: any heading
+  bool is_cancelled{false};       // the vehicle shall drop this goal
 };
 
 /// What a vehicle tells about its goal.
@@ -54,7 +60,7 @@ struct Status {
 
 /// What was decided, for the log.
 struct Event {
-  enum class Kind { kReached, kFailed, kRetried, kCancelled, kMissionDone, kResumed };
+  enum class Kind { kReached, kFailed, kRetried, kCancelled, kMissionDone, kResumed, kGiven, kTakenBack };
 
   Kind kind;
   std::string agv_id;
@@ -112,6 +118,9 @@ class Dispatcher {
 
   /// Vehicles with a mission that were not heard yet.
   std::vector<std::string> missing() const;
+
+  /// Vehicles whose mission has not ended.
+  std::set<std::string> engaged() const;
 
   /// What a new process needs to go on from here.
   Memory memory() const;

@@ -24,6 +24,7 @@
 #include "common/service/origin_stamper.hpp"
 #include "common/service/versions.hpp"
 #include "common/wire/map.hpp"
+#include "common/wire/traffic.hpp"
 #include "tests/support/child_process.hpp"
 #include "tests/support/places.hpp"
 
@@ -301,6 +302,27 @@ TEST_F(CliSite, FleetShowsVehiclesAndServices) {
   EXPECT_EQ(snapshot["vehicles"][0]["online"], true);
 }
 
+TEST_F(CliSite, TrafficTellsWhichVehicleWaitsForWhichAndDrawsIt) {
+  play_vehicles();
+  play_map();
+  bus::Writer<topics::TrafficStatus> traffic = bus_.writer<topics::TrafficStatus>();
+  bus_.every(milliseconds(100), [&] {
+    fleet::TrafficStatus status;
+    status.source_id = "global-planner-1";
+    status.waiting = {{"agv-1", "agv-2", "the lane is taken", 3.0}};
+    traffic.write(wire::encode(status));
+  });
+  const std::string file =
+      (std::filesystem::temp_directory_path() / ("aisle-traffic-" + std::to_string(getpid()) + ".svg")).string();
+  const Outcome text = run({"traffic", "--once", "--wait", "20", "--svg", file});
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, AllOf(HasSubstr("leader global-planner-1"), HasSubstr("agv-1    agv-2      3.0")));
+  EXPECT_GT(std::filesystem::file_size(file), 1000U);
+  std::filesystem::remove(file);
+  const json snapshot = json::parse(run({"traffic", "--json", "--wait", "20"}).out);
+  EXPECT_EQ(snapshot["waiting"][0]["waits_for"], "agv-2");
+}
+
 TEST_F(CliSite, GoalSendReportsThePlan) {
   play_vehicles();
   play_planners();
@@ -546,6 +568,7 @@ TEST(CliInput, WithoutASiteEndsWithExitCode3) {
   const std::vector<std::string> nowhere{"--domain", "69", "--interface", "127.0.0.1"};
   for (std::vector<std::string> arguments : {std::vector<std::string>{"goal", "send", "agv-1", "1,2"},
                                              {"map", "info", "--timeout", "1"},
+                                             {"traffic", "--wait", "1"},
                                              {"map", "block", "--disc", "1,2,3", "--timeout", "1"}}) {
     arguments.insert(arguments.end(), nowhere.begin(), nowhere.end());
     const Outcome outcome = run_alone(arguments);
@@ -558,7 +581,7 @@ TEST(CliInput, EveryVerbHasHelpAndJson) {
   const std::vector<std::vector<std::string>> verbs{
       {"topic", "list"},  {"topic", "info"}, {"topic", "echo"},  {"topic", "hz"}, {"topic", "bw"},
       {"fleet"},          {"goal", "send"},  {"goal", "cancel"}, {"map", "info"}, {"map", "block"},
-      {"map", "unblock"}, {"map", "save"},   {"doctor"},         {"health"}};
+      {"map", "unblock"}, {"map", "save"},   {"doctor"},         {"health"},      {"traffic"}};
   for (std::vector<std::string> verb : verbs) {
     verb.push_back("--help");
     const Outcome outcome = run_alone(verb);

@@ -22,6 +22,7 @@ using simulation_test::run_until;
 using simulation_test::site;
 
 constexpr int kDomain = 119;
+constexpr int kTaskDomain = 227;
 
 ServiceConfig two_goals() {
   ServiceConfig config;
@@ -56,9 +57,12 @@ class Fleet {
         vehicles_(bus.writer<topics::VehicleInfo>()),
         statuses_(bus.writer<topics::NavigationStatus>()),
         results_(bus.writer<topics::MapEditResult>()),
-        infos_(bus.writer<topics::MapInfo>()) {
+        infos_(bus.writer<topics::MapInfo>()),
+        states_(bus.writer<topics::VehicleState>()),
+        sent_goals_(bus.writer<topics::Goal>()) {
     bus.on<topics::Goal>([this](const aisle::Goal& sample, const bus::SampleInfo& info) {
-      if (info.kind == bus::SampleKind::kData) goals.push_back(sample.goal_id().to_string());
+      if (info.kind != bus::SampleKind::kData || sample.agv_id().to_string() == "any") return;
+      goals.push_back(sample.goal_id().to_string());
     });
     bus.on<topics::MapEdit>([this](const aisle::MapEdit& sample, const bus::SampleInfo& info) {
       if (info.kind == bus::SampleKind::kData) edits.push_back(sample.edit_id().to_string());
@@ -74,6 +78,18 @@ class Fleet {
     status.goal_id(goal_id);
     status.phase(phase);
     statuses_.write(status);
+  }
+  /// agv-1 stands at the origin.
+  void stand() {
+    aisle::VehicleState state;
+    state.agv_id(std::string("agv-1"));
+    state.by(origin());
+    states_.write(state);
+  }
+  void send_any(const std::string& goal_id) {
+    aisle::Goal goal = wire::encode(fleet::Goal{"any", goal_id, {1.0, 1.0, 0.0}, 0.25, 0.0, false});
+    goal.by(origin());
+    sent_goals_.write(goal);
   }
   void show_map() {
     grid::MapSummary summary;
@@ -109,6 +125,8 @@ class Fleet {
   bus::Writer<topics::NavigationStatus> statuses_;
   bus::Writer<topics::MapEditResult> results_;
   bus::Writer<topics::MapInfo> infos_;
+  bus::Writer<topics::VehicleState> states_;
+  bus::Writer<topics::Goal> sent_goals_;
 };
 
 TEST(DispatcherService, GivesOneGoalAfterTheOtherAndCountsThem) {
@@ -160,6 +178,35 @@ TEST(DispatcherService, ARestartGoesOnWithTheOpenGoal) {
     ASSERT_TRUE(run_until({&fleet.bus, &again.bus}, [&] { return !fleet.goals.empty(); }));
     EXPECT_EQ(fleet.goals.front(), "agv-1/1") << "with memory: " << with_memory;
   }
+}
+
+/// A goal that a person sent is written nowhere else, so that a restart must remember it.
+TEST(DispatcherService, AGoalForAnyVehicleIsGivenToOneAlsoAfterARestart) {
+  const Folder folder("dispatcher-tasks");
+  ServiceConfig config = two_goals();
+  config.scenario.missions.clear();
+  config.state_file = folder.path() / "dispatcher.state";
+  Fleet fleet(kTaskDomain);
+  fleet.bus.every(50ms, [&] {
+    fleet.stand();
+    if (fleet.goals.empty()) fleet.say("", NavigationPhase::PHASE_WAITING);
+  });
+  fleet.bus.every(200ms, [&] { fleet.send_any("aisle-7"); });
+  {
+    DispatcherProcess dispatcher(kTaskDomain, 5, config);
+    ASSERT_TRUE(run_until({&fleet.bus, &dispatcher.bus}, [&] { return fleet.got("aisle-7"); }));
+    EXPECT_EQ(dispatcher.health.counters["missions_done"], 0u);
+  }
+  const std::optional<DispatcherMemory> memory = recall(config.state_file, "yard");
+  ASSERT_TRUE(memory);
+  ASSERT_EQ(memory->tasks.size(), 1u);
+  EXPECT_EQ(memory->tasks[0].stage, TaskProgress::Stage::kGiven);
+  EXPECT_EQ(memory->tasks[0].task.stops.at(0).goal_in_map.x, 1.0);
+  DispatcherProcess again(kTaskDomain, 6, config);
+  ASSERT_TRUE(run_until({&fleet.bus, &again.bus}, [&] {
+    fleet.say("aisle-7", NavigationPhase::PHASE_ARRIVED);
+    return again.health.counters["missions_done"] == 1 && again.health.counters["goals_reached"] == 1;
+  }));
 }
 
 }  // namespace

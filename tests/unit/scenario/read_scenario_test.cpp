@@ -95,6 +95,35 @@ map_edits:
   EXPECT_DOUBLE_EQ(s.map_edits[0].high_in_map.y, 3.0);
 }
 
+TEST_F(ReadScenario, ReadsWorkForAnyVehicle) {
+  const Scenario s = read(kOneVehicle + R"(
+missions:
+  - {vehicle: any, goals: [[1, 1], [2, 2]], loops: 2, heading_matters: true}
+tasks:
+  - {pick: [3, 3], drop: [4, 4, 1.5]}
+places:
+  - {name: dock, at: [5, 6, 0.5]}
+)");
+  EXPECT_TRUE(s.missions.empty());
+  ASSERT_EQ(s.tasks.size(), 5u);
+  EXPECT_EQ(s.tasks[3].stops_in_map.size(), 1u);
+  EXPECT_TRUE(s.tasks[3].heading_matters);
+  EXPECT_DOUBLE_EQ(s.tasks[3].stops_in_map[0].x, 2.0);
+  ASSERT_EQ(s.tasks[4].stops_in_map.size(), 2u);
+  EXPECT_DOUBLE_EQ(s.tasks[4].stops_in_map[1].yaw, 1.5);
+  EXPECT_EQ(s.goal_count(), 6);
+  ASSERT_EQ(s.places.size(), 1u);
+  EXPECT_EQ(s.places[0].name, "dock");
+  EXPECT_TRUE(s.places[0].has_yaw);
+}
+
+TEST_F(ReadScenario, RefusesTasksThatAreNone) {
+  EXPECT_THAT(refusal(kOneVehicle + "tasks: [{pick: [1, 1]}]\n"), HasSubstr("drop"));
+  EXPECT_THAT(refusal(kOneVehicle + "places: [{name: p, at: [1, 1]}, {name: p, at: [2, 2]}]\n"),
+              HasSubstr("'p' names two things"));
+  EXPECT_THAT(refusal("map: room.txt\nvehicles: [{id: any, start: [1, 2]}]\n"), HasSubstr("'any' is every vehicle"));
+}
+
 TEST_F(ReadScenario, NamesItselfAfterTheFile) { EXPECT_EQ(read(kOneVehicle).name, "x"); }
 
 TEST_F(ReadScenario, FindsDataBesideTheTree) {

@@ -122,9 +122,21 @@ TEST_P(Deployed, GoalsLieInTheFree) {
   }
 }
 
+/// Any vehicle may be given a task.
+TEST_P(Deployed, StopsOfTasksLieInTheFree) {
+  for (const Task& task : scenario_.tasks) {
+    for (const geometry::Pose2& stop : task.stops_in_map) {
+      for (const Vehicle& v : scenario_.vehicles) {
+        EXPECT_GE(room_m(stop.position()), v.radius_m + kMarginM + 0.1) << stop.x << ", " << stop.y;
+        EXPECT_TRUE(connected(v.start_in_map.position(), stop.position(), v.radius_m + kMarginM, {}));
+      }
+    }
+  }
+}
+
 /// A vehicle without a mission stands where it starts.
 TEST_P(Deployed, VehiclesParkWhereNobodyElseGoes) {
-  ASSERT_FALSE(scenario_.missions.empty());
+  ASSERT_FALSE(scenario_.missions.empty() && scenario_.tasks.empty());
   std::map<std::string, geometry::Point2> parking;
   for (const Vehicle& v : scenario_.vehicles) parking[v.id] = v.start_in_map.position();
   for (const Mission& mission : scenario_.missions) parking[mission.vehicle] = mission.goals_in_map.back().position();

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -164,6 +166,44 @@ TEST(Site, AGoalInAWallFailsWithItsReason) {
   for (const referee::GoalRecord& goal : outcome.report.goals)
     told = told || (goal.agv_id == "agv-1" && goal.reason.find("clearance") != std::string::npos);
   EXPECT_TRUE(told);
+}
+
+/// Two vehicles without missions in a hall, and twenty tasks from its left to its right.
+sim::Setup hall_with_twenty_tasks() {
+  sim::Setup setup;
+  setup.grid = sim::hall(10.0, 8.0, 0.1);
+  setup.scenario.name = "tasks";
+  setup.scenario.duration_s = 400.0;
+  sim::add_vehicle(setup, 1, {5.0, 2.0, 0.0}, {});
+  sim::add_vehicle(setup, 2, {5.0, 6.0, 3.1}, {});
+  setup.scenario.missions.clear();
+  for (int i = 0; i < 20; ++i) {
+    const double y_m = 1.5 + 1.2 * (i * 3 % 5);
+    setup.scenario.tasks.push_back({{{2.5, y_m, 0.0}, {7.0, 8.0 - y_m, 0.0}}, false});
+  }
+  return setup;
+}
+
+TEST(Site, TasksWithoutAVehicleAreAllServedPickBeforeDrop) {
+  const Outcome outcome = drive(hall_with_twenty_tasks());
+  EXPECT_EQ(outcome.result.goals_reached, 40);
+  EXPECT_EQ(outcome.report.goals_missed(), 0);
+  EXPECT_EQ(outcome.report.contacts_moving_vehicle(), 0);
+  EXPECT_EQ(outcome.report.ended_because, "all missions are over");
+
+  std::map<std::string, const referee::GoalRecord*> goals;
+  std::set<std::string> carriers;
+  for (const referee::GoalRecord& goal : outcome.report.goals) goals[goal.goal_id] = &goal;
+  for (int i = 0; i < 20; ++i) {
+    const std::string task = "task-" + std::to_string(i);
+    ASSERT_EQ(goals.count(task + "/pick") + goals.count(task + "/drop"), 2u) << task;
+    const referee::GoalRecord& pick = *goals[task + "/pick"];
+    const referee::GoalRecord& drop = *goals[task + "/drop"];
+    EXPECT_LT(pick.decided_s, drop.decided_s) << task;
+    EXPECT_EQ(pick.agv_id, drop.agv_id) << task;
+    carriers.insert(pick.agv_id);
+  }
+  EXPECT_EQ(carriers.size(), 2u);
 }
 
 TEST(Site, AVehicleWithGoalsToComeIsNotDone) {

@@ -10,7 +10,7 @@ constexpr double kMilli = 1e3;
 }  // namespace
 
 int Expectation::goals() const {
-  int sum = 0;
+  int sum = goals_of_any;
   for (const auto& [agv_id, goals] : goals_of) sum += goals;
   return sum;
 }
@@ -177,9 +177,23 @@ void Judge::health_arrived(const HealthNews& health) {
 
 void Judge::advance(double until_s) { contacts_.advance(until_s); }
 
+/// A goal taken from a vehicle is cancelled there, and counts where it is given again.
+bool Judge::are_tasks_over(double now_s) const {
+  int over = 0;
+  for (const GoalRecord& goal : goals_.all()) {
+    const bool is_open = goal.outcome == GoalOutcome::kOpen;
+    const bool is_given_up = is_open && goal.failing_since_s >= 0.0 && now_s - goal.failing_since_s >= kGiveUp_s;
+    if (is_open && !is_given_up) return false;
+    if (goal.outcome != GoalOutcome::kCancelled) ++over;
+  }
+
+  return over >= expectation_.goals();
+}
+
 /// Vehicles that were never seen stand still for all we know.
 bool Judge::is_over(double now_s) const {
-  if (expectation_.goals_of.empty()) return false;
+  if (expectation_.goals() == 0) return false;
+  if (expectation_.goals_of_any > 0 && !are_tasks_over(now_s)) return false;
 
   for (const auto& [agv_id, expected] : expectation_.goals_of) {
     const GoalRecord* open = goals_.open_goal(agv_id);

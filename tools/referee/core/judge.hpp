@@ -55,6 +55,7 @@ struct HealthNews {
 /// goes on until it is stopped.
 struct Expectation {
   std::map<std::string, int> goals_of;  // by vehicle
+  int goals_of_any{0};                  // of tasks: whichever vehicle is given them
 
   int goals() const;
 };
@@ -122,6 +123,9 @@ class Judge {
   };
 
   VehicleBook& vehicle(const std::string& agv_id);
+
+  /// As many goals were decided as are expected, and none is open that may still be reached.
+  bool are_tasks_over(double now_s) const;
 
   /// Keeps a person's or a block's way, for the picture.
   void trace_body(const BodySample& sample);
