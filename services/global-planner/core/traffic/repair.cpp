@@ -13,8 +13,6 @@ namespace {
 
 using geometry::Point2;
 
-constexpr std::uint16_t kForGood = 1000;  // more than things that may stand there
-
 constexpr double kWindow = 4.0;  // pitches around an edit within which the floor is flooded
 
 bool is_path_free(const grid::ClearanceField& clearance, const std::vector<Point2>& path, double need_m) {

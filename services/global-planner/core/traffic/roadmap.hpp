@@ -147,6 +147,9 @@ class Roadmap {
     Ids made;
   };
 
+  /// A place or motion that so many things close was taken away by an edit.
+  static constexpr std::uint16_t kForGood = 1000;
+
   /// Which floor is looked at, and what is made there.
   struct Work {
     const grid::ClearanceField& clearance;

@@ -47,7 +47,10 @@ PlaceId Roadmap::place_at(KindId kind, const geometry::Pose2& base_in_map) const
     const Place& place = *places_[id];
     if (place.kind != kind || distance(at, place.base_in_map.position()) > kSamePlaceM) return;
     if (place.has_heading && std::abs(geometry::wrap(place.base_in_map.yaw - base_in_map.yaw)) > kSamePlaceM) return;
-    found = std::min(found, id);
+
+    // An edit took it away, and another brought the floor back: then it is a new one.
+    const bool is_obsolete = place_closed_by_[id] >= kForGood && clearance_->clearance_m(at) >= nets_[kind].spec.need_m;
+    if (!is_obsolete) found = std::min(found, id);
   });
   return found;
 }
@@ -170,7 +173,7 @@ MotionId Roadmap::motion_along(const Motion& wanted) const {
 
   for (const MotionId id : places_[wanted.from]->leaving) {
     const Motion& known = *motions_[id];
-    if (known.to == wanted.to &&
+    if (known.to == wanted.to && motion_closed_by_[id] < kForGood &&
         std::equal(known.path_in_map.begin(), known.path_in_map.end(), wanted.path_in_map.begin(),
                    wanted.path_in_map.end(), same_point) &&
         std::equal(known.headings_rad.begin(), known.headings_rad.end(), wanted.headings_rad.begin(),

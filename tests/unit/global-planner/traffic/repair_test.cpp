@@ -79,6 +79,21 @@ TEST(Repair, AVehicleInsideMayLeaveUntilThePlaceIsSwept) {
   EXPECT_TRUE(roadmap.place(inside).standing.empty());
 }
 
+TEST(Repair, WhereTheFloorCameBackIsANewPlace) {
+  FloorMap floor = room();
+  auto made = made_for(floor);
+  Roadmap& roadmap = made.roadmap;
+  const PlaceId before = roadmap.nearest(made.kind, {6.1, 4.0, 0.0});
+  const geometry::Pose2 there = roadmap.place(before).base_in_map;
+
+  edit(floor, roadmap, {5.0, 3.0}, {7.0, 5.0}, grid::Occupancy::kOccupied);
+  edit(floor, roadmap, {5.0, 3.0}, {7.0, 5.0}, grid::Occupancy::kFree);
+  const PlaceId after = roadmap.temporary_place(made.kind, there);
+  ASSERT_NE(after, kNoId);
+  EXPECT_NE(after, before);
+  EXPECT_FALSE(roadmap.place(after).is_closed);
+}
+
 TEST(Repair, ChangesNothingFarAway) {
   FloorMap floor = all_floors()[2];  // the demo warehouse
   auto made = made_for(floor);
