@@ -90,6 +90,9 @@ void RefereeService::listen_to_simulation() {
 void RefereeService::listen_to_fleet() {
   shell_.inbox<topics::Plan>([this](const fleet::Plan& plan, const Sender& from) { take(plan, from); });
 
+  shell_.inbox<topics::Grant>(
+      [this](const fleet::Grant& grant) { judge_.grant_arrived(grant.agv_id, grant.plan_id, grant.limit_m); });
+
   shell_.inbox<topics::VelocityCommand>([this](const fleet::VelocityCommand& command, const Sender& from) {
     judge_.command_arrived(
         {command.agv_id, from.by.stamp_ns, command.scan_stamp_ns, command.control_ms, arrived_s(from)});
@@ -149,6 +152,7 @@ void RefereeService::take(const fleet::Plan& plan, const Sender& from) {
 
   news.found = plan.is_found();
   news.waypoints_in_map = plan.waypoints_in_map;
+  news.has_steps = !plan.step_ends_m.empty();
 
   news.planning_ms = plan.planning_ms;
   news.stamp_ns = from.by.stamp_ns;
@@ -188,6 +192,7 @@ void RefereeService::take(const fleet::NavigationStatus& status, const Sender& f
   const bool waits = status.phase == Phase::kBlocked || status.phase == Phase::kHeld ||
                      (status.phase == Phase::kWaiting && status.reason != fleet::Reason::kNoGoal);
   judge_.navigation_arrived(news, waits);
+  judge_.plan_named(status.agv_id, status.plan_id, news.t_s);
 }
 
 void RefereeService::take(const fleet::MapEdit& edit, const Sender& from) {

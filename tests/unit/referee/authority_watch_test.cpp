@@ -65,6 +65,7 @@ TEST(AuthorityWatch, GivesHalfASecondToTakeANewPlan) {
   AuthorityWatch watch;
   watch.plan_arrived("agv-1", 5, true, 0.0);
   watch.plan_arrived("agv-1", 6, true, 10.0);
+  watch.plan_named("agv-1", 6, 10.0);
   watch.vehicle_reported(obeying(10.49, 1, 1, 5));
   EXPECT_TRUE(watch.violations().empty());
   watch.vehicle_reported(obeying(10.51, 1, 2, 5, 0.0));  // it stands: nothing is driven by the old plan
@@ -78,13 +79,31 @@ TEST(AuthorityWatch, DoesNotStartTheGraceAnewWhenThePlanIsSentAgain) {
   AuthorityWatch watch;
   watch.plan_arrived("agv-1", 6, true, 10.0);
   watch.plan_arrived("agv-1", 6, true, 10.4);
+  watch.plan_named("agv-1", 6, 10.0);
+  watch.plan_named("agv-1", 6, 10.5);
   watch.vehicle_reported(obeying(10.6, 1, 1, 5));
+  EXPECT_EQ(watch.violations().size(), 1u);
+}
+
+/// A planner that is cut off goes on by what it has; once its status names the new plan, it has half a second.
+TEST(AuthorityWatch, DoesNotBlameAVehicleThatCannotHaveHeardOfTheNewestPlan) {
+  AuthorityWatch watch;
+  watch.plan_arrived("agv-1", 5, true, 0.0);
+  watch.plan_named("agv-1", 5, 0.1);
+  watch.plan_arrived("agv-1", 6, true, 10.0);
+  watch.vehicle_reported(obeying(13.0, 1, 1, 5));
+  EXPECT_TRUE(watch.violations().empty());
+  watch.plan_named("agv-1", 6, 13.0);
+  watch.vehicle_reported(obeying(13.4, 1, 2, 5));
+  EXPECT_TRUE(watch.violations().empty());
+  watch.vehicle_reported(obeying(13.6, 1, 3, 5));
   EXPECT_EQ(watch.violations().size(), 1u);
 }
 
 TEST(AuthorityWatch, DoesNotBlameAVehicleThatBrakesByItself) {
   AuthorityWatch watch;
   watch.plan_arrived("agv-1", 6, true, 10.0);
+  watch.plan_named("agv-1", 6, 10.0);
   VehicleReport report = obeying(11.0, 1, 1, 5);
   report.holds = true;
   watch.vehicle_reported(report);

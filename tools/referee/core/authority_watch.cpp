@@ -16,6 +16,8 @@ const char* name_of(Kind kind) {
       return "epoch_went_back";
     case Kind::kSequenceWentBack:
       return "sequence_went_back";
+    case Kind::kBeyondGrant:
+      return "beyond_grant";
     case Kind::kStalePlan:
       break;
   }
@@ -29,6 +31,12 @@ void AuthorityWatch::plan_arrived(const std::string& agv_id, std::uint64_t plan_
   vehicle.plan_seen = true;
   vehicle.plan_id = plan_id;
   vehicle.plan_drivable = drivable;
+}
+
+void AuthorityWatch::plan_named(const std::string& agv_id, std::uint64_t plan_id, double t_s) {
+  Followed& vehicle = vehicles_[agv_id];
+  if (vehicle.named_plan_id != plan_id) vehicle.named_since_s = t_s;
+  vehicle.named_plan_id = plan_id;
 }
 
 /// Another boot id: the vehicle restarted, and its history with it.
@@ -84,8 +92,10 @@ void AuthorityWatch::check_plan(Followed& vehicle, const VehicleReport& report) 
   bool violated = false;
   if (moves && planless) {
     violated = report.t_s - vehicle.without_plan_since_s > kBrakingGrace_s;
-  } else if (moves && vehicle.plan_seen && report.command_plan_id != vehicle.plan_id) {
-    violated = report.t_s - vehicle.plan_since_s > (vehicle.plan_drivable ? kGrace_s : kBrakingGrace_s);
+  } else if (moves && vehicle.plan_seen && report.command_plan_id != vehicle.plan_id &&
+             vehicle.named_plan_id == vehicle.plan_id) {
+    const double heard_s = std::max(vehicle.plan_since_s, vehicle.named_since_s);
+    violated = report.t_s - heard_s > (vehicle.plan_drivable ? kGrace_s : kBrakingGrace_s);
   }
 
   judge(vehicle, report, Kind::kStalePlan, violated,

@@ -25,7 +25,7 @@ struct VehicleReport {
 
 /// A vehicle followed a command that it should have refused.
 struct AuthorityViolation {
-  enum class Kind { kForeignVehicle, kEpochWentBack, kSequenceWentBack, kStalePlan };
+  enum class Kind { kForeignVehicle, kEpochWentBack, kSequenceWentBack, kStalePlan, kBeyondGrant };
 
   Kind kind;
   std::string agv_id;
@@ -38,8 +38,9 @@ struct AuthorityViolation {
 ///   - a command for another vehicle;
 ///   - an epoch lower than one followed before;
 ///   - an older command of the same sender than one followed before;
-///   - driving by a plan that was replaced more than kGrace_s ago, or kBrakingGrace_s where the newest plan is a
-///   refusal or the command belongs to no plan (the vehicle may brake).
+///   - driving by a plan although its own status has named the newest one for more than kGrace_s, or kBrakingGrace_s
+///   where that is a refusal; or by no plan for that long (the vehicle may brake). A vehicle that cannot have heard of
+///   the newest plan may go on by the one before: how far, GrantWatch knows.
 ///
 /// A vehicle that holds follows no command. Each kind is reported once until it ends. A vehicle that
 /// restarts begins anew.
@@ -47,6 +48,9 @@ class AuthorityWatch {
  public:
   /// `plan_id` is the newest for this vehicle; `drivable`: a path was found.
   void plan_arrived(const std::string& agv_id, std::uint64_t plan_id, bool drivable, double t_s);
+
+  /// The vehicle's own status names the plan.
+  void plan_named(const std::string& agv_id, std::uint64_t plan_id, double t_s);
 
   /// Reports of one vehicle in the order of their arrival.
   void vehicle_reported(const VehicleReport& report);
@@ -72,6 +76,8 @@ class AuthorityWatch {
     std::uint64_t plan_id{0};
     bool plan_drivable{false};
     double plan_since_s{0.0};
+    std::uint64_t named_plan_id{0};
+    double named_since_s{0.0};
     double without_plan_since_s{-1.0};
     std::map<AuthorityViolation::Kind, bool> going_on;
   };

@@ -40,6 +40,8 @@ void Judge::body_seen(const BodySample& sample) {
     book.row.truth_gap_ms_max = std::max(book.row.truth_gap_ms_max, (sample.t_s - book.last_truth_s) * kMilli);
   }
 
+  grants_.vehicle_seen(sample.id, sample.base_in_map.position(), sample.t_s);
+
   book.last_truth_s = sample.t_s;
   book.truth_boot = sample.boot_id;
 
@@ -65,6 +67,7 @@ void Judge::body_gone(const std::string& id) { contacts_.gone(id); }
 
 void Judge::vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands) {
   authority_.vehicle_reported(report);
+  grants_.vehicle_reported(report);
   VehicleBook& book = vehicle(report.agv_id);
   book.row.refused_commands = std::max(book.row.refused_commands, refused_commands);
   book.holds = report.holds;
@@ -74,6 +77,7 @@ void Judge::vehicle_reported(const VehicleReport& report, std::uint64_t refused_
 /// knows.
 void Judge::plan_arrived(const PlanNews& plan) {
   authority_.plan_arrived(plan.agv_id, plan.plan_id, plan.found, plan.t_s);
+  grants_.plan_arrived(plan.agv_id, plan.plan_id, plan.waypoints_in_map, plan.has_steps);
 
   VehicleBook& book = vehicle(plan.agv_id);
   const bool is_new = !book.has_plan || book.plan_id != plan.plan_id;
@@ -113,6 +117,14 @@ void Judge::command_arrived(const CommandNews& command) {
 }
 
 void Judge::goal_arrived(const GoalRecord& goal, bool cancelled) { goals_.assigned(goal, cancelled); }
+
+void Judge::grant_arrived(const std::string& agv_id, std::uint64_t plan_id, double limit_m) {
+  grants_.grant_arrived(agv_id, plan_id, limit_m);
+}
+
+void Judge::plan_named(const std::string& agv_id, std::uint64_t plan_id, double t_s) {
+  authority_.plan_named(agv_id, plan_id, t_s);
+}
 
 void Judge::navigation_arrived(const GoalNews& news, bool waits) {
   VehicleBook& book = vehicle(news.agv_id);
@@ -222,6 +234,9 @@ RunReport Judge::finish(double t_s) {
   report.contacts = contacts_.contacts();
   report.clearances = contacts_.clearances();
   report.violations = authority_.violations();
+  report.violations.insert(report.violations.end(), grants_.violations().begin(), grants_.violations().end());
+  std::stable_sort(report.violations.begin(), report.violations.end(),
+                   [](const AuthorityViolation& a, const AuthorityViolation& b) { return a.t_s < b.t_s; });
 
   for (const auto& [agv_id, book] : vehicles_) report.vehicles.emplace(agv_id, book.row);
   report.bodies = bodies_;

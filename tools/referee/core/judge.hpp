@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/referee/core/grant_watch.hpp"
 #include "tools/referee/core/run_report.hpp"
 
 namespace aisle::referee {
@@ -19,6 +20,7 @@ struct PlanNews {
   bool found{false};
   std::string outcome;  // "no path: ...", for the report
   std::vector<geometry::Point2> waypoints_in_map;
+  bool has_steps{false};  // its way is granted step by step
   double planning_ms{0.0};
   std::int64_t stamp_ns{0};  // when it was written
   double t_s{0.0};           // when it arrived
@@ -74,6 +76,10 @@ class Judge {
   /// What the vehicles and the services say, each at its arrival.
   void vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands);
   void plan_arrived(const PlanNews& plan);
+  void grant_arrived(const std::string& agv_id, std::uint64_t plan_id, double limit_m);
+
+  /// The vehicle's status names the plan.
+  void plan_named(const std::string& agv_id, std::uint64_t plan_id, double t_s);
   void command_arrived(const CommandNews& command);
   void goal_arrived(const GoalRecord& goal, bool cancelled);
   void navigation_arrived(const GoalNews& news, bool waits);
@@ -89,7 +95,7 @@ class Judge {
   bool is_over(double now_s) const;
   const ContactWatch& contacts() const { return contacts_; }
   const GoalBook& goals() const { return goals_; }
-  std::size_t violations() const { return authority_.violations().size(); }
+  std::size_t violations() const { return authority_.violations().size() + grants_.violations().size(); }
   int vehicles_seen() const { return static_cast<int>(vehicles_.size()); }
 
   /// Closes the books. Scenario's name, seed and the like are the caller's.
@@ -135,6 +141,7 @@ class Judge {
 
   ContactWatch contacts_;
   AuthorityWatch authority_;
+  GrantWatch grants_;
   GoalBook goals_;
   Expectation expectation_;
   std::map<std::string, VehicleBook> vehicles_;
