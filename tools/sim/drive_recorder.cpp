@@ -110,7 +110,7 @@ bool DriveRecorder::is_on_own_way(const VehicleEntry& vehicle) {
 
 /// A vehicle is excused whose reason lies outside the fleet: something in its way, a person that holds it, no map or
 /// tracker, no word from itself.
-Doing DriveRecorder::doing(const VehicleEntry& vehicle, time::Stamp now) {
+Doing DriveRecorder::doing(VehicleEntry& vehicle, time::Stamp now) {
   Doing doing;
   if (!vehicle.goal || vehicle.goal->is_cancelled || !vehicle.navigation) return doing;
 
@@ -118,10 +118,11 @@ Doing DriveRecorder::doing(const VehicleEntry& vehicle, time::Stamp now) {
   using fleet::Reason;
   const fleet::NavigationStatus& says = *vehicle.navigation;
   const bool is_silent = now - vehicle.navigation_arrived > time::from_seconds(kSilentS);
-  const bool has_ended =
-      says.goal_id == vehicle.goal->id && (says.phase == Phase::kArrived || says.phase == Phase::kFailed);
+  const bool has_ended = says.phase == Phase::kArrived || says.phase == Phase::kFailed;
+  if (has_ended && !says.goal_id.empty()) vehicle.ended_goal = says.goal_id;
 
-  doing.has_open_goal = !has_ended;
+  // A vehicle that is moved out of the way names no goal then.
+  doing.has_open_goal = vehicle.ended_goal != vehicle.goal->id;
   doing.is_moving = vehicle.is_moving;
   doing.is_excused = is_silent || vehicle.is_held || says.reason == Reason::kObstacle ||
                      says.reason == Reason::kNoMap || says.reason == Reason::kNoState ||
@@ -129,8 +130,14 @@ Doing DriveRecorder::doing(const VehicleEntry& vehicle, time::Stamp now) {
                      says.reason == Reason::kStaleTracker;
 
   doing.waits_for = vehicle.grant.waits_for;
-  doing.reason = std::string(name(says.phase)) + ", " + name(says.reason);
-  if (!vehicle.grant.reason.empty()) doing.reason += ", " + vehicle.grant.reason;
+
+  // A vehicle that is about to go on says nothing of why it stood.
+  const bool goes_on = says.phase == Phase::kDriving || says.phase == Phase::kTurning || says.phase == Phase::kAvoiding;
+  if (!goes_on || doing.is_moving) {
+    vehicle.stands_because = std::string(name(says.phase)) + ", " + name(says.reason);
+    if (!vehicle.grant.reason.empty()) vehicle.stands_because += ", " + vehicle.grant.reason;
+  }
+  doing.reason = vehicle.stands_because;
 
   return doing;
 }
@@ -139,7 +146,7 @@ void DriveRecorder::look(time::Stamp now) {
   const bool has_no_leader = leader_heard_ && now - *leader_heard_ > time::from_seconds(kLeaderlessS);
 
   std::map<std::string, Doing> fleet;
-  for (const auto& [agv_id, vehicle] : vehicles_) {
+  for (auto& [agv_id, vehicle] : vehicles_) {
     fleet[agv_id] = doing(vehicle, now);
     if (has_no_leader) fleet[agv_id].is_excused = true;
   }

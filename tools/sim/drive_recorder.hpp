@@ -42,15 +42,17 @@ class DriveRecorder {
     bool is_moving{false};  // or turns
     bool is_held{false};    // by a person
     std::optional<fleet::Goal> goal;
+    std::string ended_goal;  // that it said to have reached, or failed at, last
     std::optional<fleet::NavigationStatus> navigation;
     time::Stamp navigation_arrived{};
+    std::string stands_because;  // its words while it stood last
     fleet::Grant grant;
     fleet::Plan plan;
     std::optional<geometry::Point2> place_in_map;  // true
   };
 
   /// For the watch on stand-offs.
-  static Doing doing(const VehicleEntry& vehicle, time::Stamp now);
+  static Doing doing(VehicleEntry& vehicle, time::Stamp now);
 
   /// Is the step that it is on one of its own way, as all of a plan without steps?
   static bool is_on_own_way(const VehicleEntry& vehicle);
