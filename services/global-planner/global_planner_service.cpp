@@ -16,6 +16,7 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kTurn{20};
 constexpr milliseconds kAssert{50};  // four times within a lease of 200 ms
+constexpr milliseconds kBeat{100};   // between two statuses of the traffic
 constexpr std::uint32_t kMostEpochs = 2'000'000;
 constexpr const char* kPlanEpoch = "plan_epoch";  // counter in service_health: of the plans that a service follows
 
@@ -47,10 +48,13 @@ GlobalPlannerService::GlobalPlannerService(service::Shell& shell, const ServiceC
       fleet_(config.fleet, make_planner(config.planner, config.parameters)),
       leadership_(config.standby, shell.boot_id()),
       plans_(shell.outbox<topics::Plan>()),
+      grants_(shell.outbox<topics::Grant>()),
+      statuses_(shell.outbox<topics::TrafficStatus>()),
       work_soon_(shell.soon([this] { work(); })) {
   listen();
   shell.every(kTurn, work_soon_);
   shell.every(kAssert, [this] { keep_lead(); });
+  shell.every(kBeat, [this] { publish_status(); });
 
   shell.report([this](service::Health& health) { report(health); });
 }
@@ -58,13 +62,10 @@ GlobalPlannerService::GlobalPlannerService(service::Shell& shell, const ServiceC
 void GlobalPlannerService::listen() {
   // Vehicles are kept when they leave the bus, as they still stand where they were, and goals outlive the program that
   // gave them. Only tracks and plans end.
-  shell_.inbox<topics::VehicleInfo>([this](const fleet::Vehicle& vehicle) {
-    fleet_.set_vehicle(vehicle.id, shape_of(vehicle.footprint, vehicle.limits));
-  });
+  shell_.inbox<topics::VehicleInfo>([this](const fleet::Vehicle& vehicle) { fleet_.set_vehicle(vehicle); });
 
-  shell_.inbox<topics::VehicleState>([this](const fleet::VehicleState& state) {
-    fleet_.set_pose(state.agv_id, state.motion.base_in_map, shell_.now());
-  });
+  shell_.inbox<topics::VehicleState>(
+      [this](const fleet::VehicleState& state) { fleet_.set_state(state, shell_.now()); });
 
   shell_.inbox<topics::Goal>([this](const fleet::Goal& goal) {
     fleet_.set_goal(goal);
@@ -77,15 +78,17 @@ void GlobalPlannerService::listen() {
   shell_
       .inbox<topics::Track>([this](const fleet::Track& track) {
         if (track.is_static) {
-          fleet_.set_static_track(track.id, {track.position_in_map, track.radius_m});
+          fleet_.set_static_track(track.id, {track.position_in_map, track.radius_m}, shell_.now());
         } else {
-          fleet_.drop_track(track.id);
+          fleet_.drop_track(track.id, shell_.now());
         }
       })
-      .on_gone([this](std::uint64_t track_id, service::End) { fleet_.drop_track(track_id); });
+      .on_gone([this](std::uint64_t track_id, service::End) { fleet_.drop_track(track_id, shell_.now()); });
+
+  shell_.inbox<topics::Coverage>([this](const fleet::CoverageTile& tile) { fleet_.set_coverage(tile, shell_.now()); });
 
   heard_plans_ =
-      shell_.inbox<topics::Plan>([this](const fleet::Plan& plan, const service::Sender& from) { hear(plan, from.by); });
+      shell_.inbox<topics::Plan>([this](const fleet::Plan&, const service::Sender& from) { hear_planner(from.by); });
 
   heard_plans_.on_gone([this](const std::string&, service::End) {
     if (!leads()) leadership_.lose_leader();
@@ -103,7 +106,7 @@ void GlobalPlannerService::hear(const fleet::ServiceHealth& health, const fleet:
   leadership_.hear_of(static_cast<std::uint32_t>(std::min<std::uint64_t>(epoch->second, kMostEpochs)));
 }
 
-void GlobalPlannerService::hear(const fleet::Plan& plan, const fleet::Origin& by) {
+void GlobalPlannerService::hear_planner(const fleet::Origin& by) {
   if (by.boot_id == shell_.boot_id()) return;  // our own
 
   shell_.count("heard_plans");
@@ -111,8 +114,6 @@ void GlobalPlannerService::hear(const fleet::Plan& plan, const fleet::Origin& by
 
   keep_lead();
   if (leads()) return;
-
-  fleet_.adopt(plan);
 
   const std::string leader = by.source_id + ", epoch " + std::to_string(by.epoch);
   if (leader != std::exchange(followed_, leader)) shell_.log().info("follows {}", leader);
@@ -126,17 +127,19 @@ void GlobalPlannerService::keep_lead() {
   // The first turn as the leader claims the topic under the new epoch; each later one says that it is alive.
   if (leads()) {
     if (changed) {
-      plans_.claim(leadership_.epoch(), ownership_strength(leadership_.epoch(), config_.strength));
-      fleet_.take_over();
+      const int strength = ownership_strength(leadership_.epoch(), config_.strength);
+      plans_.claim(leadership_.epoch(), strength);
+      grants_.claim(leadership_.epoch(), strength);
+      statuses_.claim(leadership_.epoch(), strength);
+      fleet_.take_over(now);
       shell_.log().info("leads, epoch {}", leadership_.epoch());
       work_soon_();
     }
 
-    plans_.assert_liveliness();
-
-    asserted_ = now;
+    assert_liveliness();
   } else if (changed) {
     plans_.release();
+    grants_.release();
     shell_.log().info("stands by{}", was_leading ? ": another planner leads with a higher epoch" : "");
   }
 }
@@ -144,23 +147,43 @@ void GlobalPlannerService::keep_lead() {
 void GlobalPlannerService::work() {
   if (!leads()) return;
 
-  // One vehicle's turn.
   const time::Stamp begun = shell_.now();
-  std::optional<Plan> plan = fleet_.step(begun, [&] { return is_too_late(begun); });
+  FleetOrders orders = fleet_.step(begun, [&] { return is_too_late(begun); });
   for (const std::string& event : fleet_.take_events()) shell_.log().info("{}", event);
 
-  if (!plan) return rest_after_searches();
+  const double took_ms = 1e3 * time::seconds(shell_.now() - begun);
+  slices_.add(took_ms);
 
-  // Publish its plan, and come back at once for the next vehicle.
-  plan->planner = config_.planner;
-  plan->planning_ms = 1e3 * time::seconds(shell_.now() - begun);
+  for (Plan& plan : orders.plans) {
+    plan.planner = config_.planner;
+    plan.planning_ms = took_ms;
 
-  plans_.write(*plan);
+    plans_.write(plan);
+    shell_.count(plan.is_found() ? "plans_published" : "plans_without_path");
+    if (plan.trigger != PlanTrigger::kNewGoal) shell_.count("plans_replaced_or_checked");
+  }
+
+  for (const fleet::Grant& grant : orders.grants) grants_.write(grant);
+  if (!orders.empty()) asserted_ = shell_.now();
+
+  if (fleet_.is_busy()) return work_soon_();
+  rest_after_searches();
+}
+
+void GlobalPlannerService::publish_status() {
+  if (!leads()) return;
+
+  fleet::TrafficStatus status = fleet_.status(shell_.now());
+  status.source_id = shell_.instance_id();
+  status.beat = ++beat_;
+  status.slice_ms_p99 = slices_.p99_ms();
+  statuses_.write(status);
+}
+
+void GlobalPlannerService::assert_liveliness() {
+  plans_.assert_liveliness();
+  grants_.assert_liveliness();
   asserted_ = shell_.now();
-  shell_.count(plan->is_found() ? "plans_published" : "plans_without_path");
-  if (plan->trigger != PlanTrigger::kNewGoal) shell_.count("plans_replaced_or_checked");
-
-  work_soon_();
 }
 
 void GlobalPlannerService::rest_after_searches() {
@@ -172,8 +195,7 @@ void GlobalPlannerService::rest_after_searches() {
 bool GlobalPlannerService::is_too_late(time::Stamp begun) {
   const time::Stamp now = shell_.now();
   if (now - asserted_ >= kAssert) {  // a long search is no silence
-    plans_.assert_liveliness();
-    asserted_ = now;
+    assert_liveliness();
   }
 
   return now - begun > time::from_seconds(config_.longest_search_s);

@@ -7,8 +7,9 @@
 
 #include "common/fleet/leadership.hpp"
 #include "common/service/shell.hpp"
-#include "services/global-planner/core/fleet_planner.hpp"
 #include "services/global-planner/core/parameters.hpp"
+#include "services/global-planner/core/slice_times.hpp"
+#include "services/global-planner/core/traffic_planner.hpp"
 
 namespace aisle::global_planner {
 
@@ -31,9 +32,11 @@ struct ServiceConfig {
   }
 };
 
-/// Plans for all vehicles, as the leader or as a standby that follows the leader's plans and takes over when the leader
-/// is gone. Makes at most one plan a turn of the loop, so that samples are handled in between. The `plan` writer exists
+/// Plans for all vehicles and grants them road, as the leader, or as a standby that takes over when the leader is gone.
+/// Works one slice a turn of the loop, so that samples are handled in between. The writers of `plan` and `grant` exist
 /// only while this planner leads.
+///
+/// A planner that takes over knows nothing of what the former one granted: it hears it from the vehicles' statuses.
 class GlobalPlannerService {
  public:
   /// @throws config::BadInput for an unknown planner, std::invalid_argument for parameters that it has not
@@ -45,8 +48,8 @@ class GlobalPlannerService {
   /// Registers what is read with the shell.
   void listen();
 
-  /// A plan of another planner: its epoch decides who leads, and a standby adopts the plan.
-  void hear(const fleet::Plan& plan, const fleet::Origin& by);
+  /// A plan or a status of another planner: its epoch decides who leads.
+  void hear_planner(const fleet::Origin& by);
 
   /// Epochs that other services have heard of, so that a restarted planner begins above them.
   void hear(const fleet::ServiceHealth& health, const fleet::Origin& by);
@@ -57,8 +60,14 @@ class GlobalPlannerService {
   /// Leads or stands by, as the leadership says, and claims or releases the topic when that changes.
   void keep_lead();
 
-  /// Attends to one vehicle, and publishes what comes of it.
+  /// Works for one slice, and publishes what comes of it.
   void work();
+
+  /// The leader's word that it lives, and what it says of the traffic.
+  void publish_status();
+
+  /// Of the writers of plans and grants.
+  void assert_liveliness();
 
   /// No plan is asked for: the memory of searches, some bytes a cell of the map, is given back.
   void rest_after_searches();
@@ -72,12 +81,16 @@ class GlobalPlannerService {
   service::Shell& shell_;
   ServiceConfig config_;
   service::MapClient& map_;
-  FleetPlanner fleet_;
+  TrafficPlanner fleet_;
 
   fleet::Leadership leadership_;
   service::Inbox<topics::Plan> heard_plans_;
-  service::Outbox<topics::Plan> plans_;  // open while this planner leads
-  std::string followed_;                 // the leader whose plans were heard last
+  service::Outbox<topics::Plan> plans_;  // open while this planner leads, as is `grant`
+  service::Outbox<topics::Grant> grants_;
+  service::Outbox<topics::TrafficStatus> statuses_;
+  std::uint64_t beat_{0};
+  SliceTimes slices_;
+  std::string followed_;  // the leader whose plans were heard last
   time::Stamp asserted_{};
   std::uint64_t searches_before_rest_{0};
   std::function<void()> work_soon_;

@@ -19,11 +19,10 @@ using geometry::Point2;
 using time::from_seconds;
 using time::Stamp;
 
-constexpr std::size_t kLongestDetail = 256;  // as in the IDL
-constexpr double kChecked_cells = 0.12;      // a plan is checked for so much less: see ClearanceField between cells
-constexpr double kOffPath_m = 0.3;           // farther from its plan a blocked vehicle gets one from where it stands
-constexpr double kStandsWithin_m = 0.05;
-constexpr std::size_t kMost = 1024;           // vehicles, static tracks
+constexpr std::size_t kLongestDetail = 256;   // as in the IDL
+constexpr double kChecked_cells = 0.12;       // a plan is checked for so much less: see ClearanceField between cells
+constexpr double kSmallest_m = 0.05;          // a disc smaller than this is not worth a detour
+constexpr std::size_t kMost = 1024;           // vehicles
 constexpr std::size_t kMostWaypoints = 4096;  // as in the IDL
 
 std::string shortened(std::string text) {
@@ -104,16 +103,7 @@ void FleetPlanner::set_vehicle(const std::string& agv_id, const VehicleShape& sh
 }
 
 void FleetPlanner::set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, Stamp now) {
-  VehicleEntry* const known = vehicle(agv_id);
-  if (known == nullptr) return;
-  VehicleEntry& v = *known;
-
-  if (!v.pose.seen() || geometry::distance(v.stands_at, base_in_map.position()) > kStandsWithin_m) {
-    v.stands_at = base_in_map.position();
-    v.stands_since = now;
-  }
-
-  v.pose.set(base_in_map, now);
+  if (VehicleEntry* const v = vehicle(agv_id)) v->pose.set(base_in_map, now);
 }
 
 void FleetPlanner::set_goal(const Goal& goal) {
@@ -127,52 +117,22 @@ void FleetPlanner::set_goal(const Goal& goal) {
   v.wait_s = 0.0;
 }
 
-void FleetPlanner::set_navigation(const NavigationStatus& navigation, Stamp now) {
-  VehicleEntry* const known = vehicle(navigation.agv_id);
-  if (known == nullptr) return;
-  VehicleEntry& v = *known;
-
-  v.navigation = navigation;
-  v.navigation_arrived = now;
-  if (navigation.phase != Phase::kBlocked || navigation.reason != Reason::kObstacle) return;
-  const Disc disc{navigation.blocked_at_in_map, navigation.blocked_radius_m > 0.0 ? navigation.blocked_radius_m : 0.3};
-
-  // A block that was reported near here before is the same one.
-  const auto same = std::find_if(v.reports.begin(), v.reports.end(), [&](const Report& report) {
-    return geometry::distance(report.disc.center_in_map, disc.center_in_map) < 0.3;
-  });
-
-  if (same != v.reports.end()) {
-    *same = {disc, now};
-  } else {
-    if (v.reports.size() >= 16) v.reports.erase(v.reports.begin());
-    v.reports.push_back({disc, now});
-  }
+void FleetPlanner::set_navigation(const NavigationStatus& navigation) {
+  if (VehicleEntry* const v = vehicle(navigation.agv_id)) v->navigation = navigation;
 }
 
 void FleetPlanner::forget_vehicle(const std::string& agv_id) { vehicles_.erase(agv_id); }
 
-void FleetPlanner::adopt(const Plan& plan) {
-  VehicleEntry* const known = vehicle(plan.agv_id);
-  if (known == nullptr) return;
-  VehicleEntry& v = *known;
-
-  v.plan = plan;
-  v.planned_for = {
-      plan.agv_id,        plan.goal_id, plan.goal_in_map, plan.position_tolerance_m, plan.yaw_tolerance_rad,
-      plan.is_cancelled()};
-  v.leads_to_nearest = false;  // not said: a plan to another place than the goal is none for that goal
-  v.is_adopted = true;
-
-  v.progress = PathProgress(plan.waypoints_in_map);
-}
-
 void FleetPlanner::take_over() {
-  for (auto& [id, v] : vehicles_) v.is_adopted = v.plan.has_value();
+  for (auto& [id, v] : vehicles_) {
+    v.is_taken_over = v.goal.has_value();
+    v.plan.reset();
+  }
 }
 
-void FleetPlanner::set_static_track(std::uint64_t track_id, const Disc& disc) {
-  if (static_tracks_.size() < kMost || static_tracks_.count(track_id) > 0) static_tracks_[track_id] = disc;
+const Plan* FleetPlanner::plan_of(const std::string& agv_id) const {
+  const auto known = vehicles_.find(agv_id);
+  return known != vehicles_.end() && known->second.plan ? &*known->second.plan : nullptr;
 }
 
 FleetPlanner::VehicleEntry* FleetPlanner::vehicle(const std::string& agv_id) {
@@ -212,18 +172,17 @@ std::optional<Plan> FleetPlanner::attend(VehicleEntry& v, Stamp now, const OutOf
   if (!v.plan && is_arrived(v.navigation, v.goal)) return {};  // reached in a former life of this planner
 
   if (!v.plan || v.planned_for != *v.goal)
-    return publish(v, plan_anew(v, PlanTrigger::kNewGoal, now, out_of_time), now);
+    return publish(v, plan_anew(v, v.is_taken_over ? PlanTrigger::kTakeover : PlanTrigger::kNewGoal, out_of_time), now);
 
   v.progress.advance(pose->position());
-  if (v.is_adopted || v.plan->map_revision != map_revision_ || v.plan->map_id != map_id_)
-    return check_map(v, now, out_of_time);
+  if (v.plan->map_revision != map_revision_ || v.plan->map_id != map_id_) return check_map(v, now, out_of_time);
 
-  if (is_arrived(v.navigation, v.goal)) return {};
-  return v.plan->outcome == PlanOutcome::kFound ? check_obstacles(v, now, out_of_time) : retry(v, now, out_of_time);
+  if (v.plan->is_found() || is_arrived(v.navigation, v.goal)) return {};
+  return retry(v, now, out_of_time);
 }
 
 std::optional<Plan> FleetPlanner::cancel(VehicleEntry& v) {
-  if (v.plan && v.planned_for == *v.goal && !v.is_adopted) return {};
+  if (v.plan && v.planned_for == *v.goal) return {};
 
   Plan plan = blank_plan(v);
   plan.outcome = PlanOutcome::kCancelled;
@@ -235,61 +194,22 @@ std::optional<Plan> FleetPlanner::cancel(VehicleEntry& v) {
 std::optional<Plan> FleetPlanner::check_map(VehicleEntry& v, Stamp now, const OutOfTime& out_of_time) {
   const bool is_kept = is_arrived(v.navigation, v.goal) ||
                        (v.plan->outcome == PlanOutcome::kFound && !v.leads_to_nearest && is_rest_free(v));
-  if (!is_kept)
-    return publish(v, plan_anew(v, v.is_adopted ? PlanTrigger::kTakeover : PlanTrigger::kMapChanged, now, out_of_time),
-                   now);
+  if (!is_kept) return publish(v, plan_anew(v, PlanTrigger::kMapChanged, out_of_time), now);
 
   v.plan->map_id = map_id_;
   v.plan->map_revision = map_revision_;
-
-  if (v.is_adopted) {
-    v.is_adopted = false;
-    v.plan->id = next_plan_id_++;
-    v.plan->trigger = PlanTrigger::kTakeover;
-  }
 
   return v.plan;
 }
 
 std::optional<Plan> FleetPlanner::retry(VehicleEntry& v, Stamp now, const OutOfTime& out_of_time) {
   if (now < v.next_attempt) return {};
-  Plan plan = plan_anew(v, v.plan->trigger, now, out_of_time);
+  Plan plan = plan_anew(v, v.plan->trigger, out_of_time);
   if (plan.outcome != v.plan->outcome) return publish(v, std::move(plan), now);
 
   put_off(v, now);
 
   return {};
-}
-
-std::optional<Plan> FleetPlanner::check_obstacles(VehicleEntry& v, Stamp now, const OutOfTime& out_of_time) {
-  if (now < v.next_attempt) return {};
-  const std::vector<Obstacle> around = obstacles_for(v, now);
-  const Obstacle* on_the_way = first_on_the_way(v, around);
-  const bool is_off_path =
-      v.progress.off_path_m() > kOffPath_m || (v.navigation && v.navigation->reason == Reason::kOffPath);
-
-  const bool is_stuck = is_blocked_on_its_plan(v, now) && is_off_path;
-
-  if (on_the_way == nullptr && !is_stuck) return {};
-
-  const PlannedPath found = search(v, around, out_of_time);
-  if (found.outcome != Outcome::kFound) {
-    if (v.wait_s == 0.0) {
-      events_.push_back(fmt::format("{}: no way around {}; plan {} is kept", v.id,
-                                    on_the_way ? on_the_way->name : "what blocks it", v.plan->id));
-    }
-
-    put_off(v, now);
-    return {};
-  }
-
-  Plan plan = blank_plan(v);
-  plan.trigger = on_the_way != nullptr ? on_the_way->trigger : PlanTrigger::kVehicleBlocked;
-  plan.waypoints_in_map = found.waypoints_in_map;
-  plan.length_m = found.length_m;
-  if (on_the_way != nullptr) plan.detail = shortened("around " + on_the_way->name);
-
-  return publish(v, std::move(plan), now);
 }
 
 /// A plan for the vehicle's goal, checked against the newest map, without a way yet.
@@ -307,20 +227,11 @@ Plan FleetPlanner::blank_plan(const VehicleEntry& v) const {
   return plan;
 }
 
-Plan FleetPlanner::plan_anew(const VehicleEntry& v, PlanTrigger trigger, Stamp now, const OutOfTime& out_of_time) {
+Plan FleetPlanner::plan_anew(const VehicleEntry& v, PlanTrigger trigger, const OutOfTime& out_of_time) {
   Plan plan = blank_plan(v);
   plan.trigger = trigger;
 
-  // Around everything; without what the map does not show; to the nearest point.
-  const std::vector<Obstacle> around = obstacles_for(v, now);
-  PlannedPath found = search(v, around, out_of_time);
-
-  if (found.outcome != Outcome::kFound && !around.empty()) {
-    found = search(v, {}, out_of_time);
-    if (found.outcome == Outcome::kFound)
-      plan.detail = shortened("no way around " + around.front().name + (around.size() > 1 ? " and others" : ""));
-  }
-
+  PlannedPath found = search(v, v.pose.any()->position(), v.goal->pose_in_map.position(), out_of_time);
   if (found.outcome != Outcome::kFound) plan.detail = shortened(why(v, found.outcome, out_of_time));
 
   if (settings_.to_nearest && (found.outcome == Outcome::kNoPath || found.outcome == Outcome::kGoalBlocked)) {
@@ -347,7 +258,7 @@ std::optional<Plan> FleetPlanner::publish(VehicleEntry& v, Plan plan, Stamp now)
   v.leads_to_nearest = plan.goal_in_map.position() != v.goal->pose_in_map.position();
   v.progress = PathProgress(plan.waypoints_in_map);
 
-  v.is_adopted = false;
+  v.is_taken_over = false;
   v.wait_s = 0.0;
   v.next_attempt = now + from_seconds(settings_.replan_s);
 
@@ -379,13 +290,10 @@ Problem FleetPlanner::problem_of(const VehicleEntry& v, Point2 start_in_map, Poi
   return problem;
 }
 
-PlannedPath FleetPlanner::search(const VehicleEntry& v, const std::vector<Obstacle>& around,
+PlannedPath FleetPlanner::search(const VehicleEntry& v, Point2 start_in_map, Point2 goal_in_map,
                                  const OutOfTime& out_of_time) {
   ++searches_;
-  std::vector<Disc> discs;
-  for (const Obstacle& obstacle : around) discs.push_back(obstacle.disc);
-  const StampedDiscs stamped(*grid_, clearance_, discs);
-  const Problem problem = problem_of(v, v.pose.any()->position(), v.goal->pose_in_map.position());
+  const Problem problem = problem_of(v, start_in_map, goal_in_map);
   const bool steers = is_steered(v);
   if (!steers && is_known_unreachable(problem)) return {};
   PlannedPath plan = (steers ? *steered_ : *planner_).plan(problem, out_of_time);
@@ -396,6 +304,26 @@ PlannedPath FleetPlanner::search(const VehicleEntry& v, const std::vector<Obstac
   if (plan.waypoints_in_map.size() > kMostWaypoints) return {};
 
   return plan;
+}
+
+/// What stands near an end is made smaller, so that the ends stay free: the traffic says whether they may be entered.
+std::vector<Point2> FleetPlanner::own_way(const std::string& agv_id, Point2 from_in_map, Point2 to_in_map,
+                                          const std::vector<Disc>& standing, const OutOfTime& out_of_time) {
+  const auto known = vehicles_.find(agv_id);
+  if (known == vehicles_.end() || !known->second.radius_m || !known->second.goal || map_revision_ == 0) return {};
+  const VehicleEntry& v = known->second;
+
+  const double slack_m = 1.5 * clearance_.geometry().resolution_m;  // stamping a disc into cells makes it larger
+  std::vector<Disc> discs;
+  for (Disc disc : standing) {
+    const double nearest_end_m = std::min(geometry::distance(from_in_map, disc.center_in_map),
+                                          geometry::distance(to_in_map, disc.center_in_map));
+    disc.radius_m = std::min(disc.radius_m, nearest_end_m - *v.radius_m - slack_m);
+    if (disc.radius_m >= kSmallest_m && is_in_map(clearance_.geometry(), disc.center_in_map)) discs.push_back(disc);
+  }
+
+  const StampedDiscs stamped(*grid_, clearance_, discs);
+  return search(v, from_in_map, to_in_map, out_of_time).waypoints_in_map;
 }
 
 /// The parts of the map are only made to explain the first goal without a way after an edit; for the next ones they

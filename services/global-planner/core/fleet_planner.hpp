@@ -24,17 +24,15 @@ namespace aisle::global_planner {
 /// correct what it drives.
 VehicleShape shape_of(const geometry::Footprint& footprint, const kinematics::Limits& limits);
 
-/// Decides when each vehicle of a fleet needs a plan, and makes it. Reads no clock and knows no DDS: each call says
-/// what time it is.
+/// The own way of each vehicle to its goal, by the map alone and by the planner chosen for it, or why there is none.
+/// What stands on the floor and is in no map, and other vehicles, are the traffic's affair: see TrafficPlanner. Reads
+/// no clock and knows no DDS: each call says what time it is.
 ///
-///   new goal ──────────────► plan ──► kept ◄──────────────────┐ not blocked: same plan, new revision
-///   map changed ─► is what remains of the plan blocked? ──────┤
-///   static track, parked vehicle, blocked report on the way ──┴ blocked ─► new plan around it; none: keep the old one
+///   new goal ───► plan ──► kept ◄─────────────────────────────┐ not blocked: same plan, new revision
+///   map changed ─► is what remains of the plan blocked? ──────┴ blocked ─► new plan
 ///   no path ─► tried again, ever less often, and when the map changes
 ///
-/// At most 1024 vehicles and 1024 static tracks are kept; further ones are ignored.
-/// Obstacles that the map does not show (static tracks, parked or silent vehicles, a vehicle's own reports) never make
-/// a goal unreachable: where there is no way around them, the plan leads through, and the local planner waits in front.
+/// At most 1024 vehicles are kept; further ones are ignored.
 class FleetPlanner {
  public:
   FleetPlanner(const FleetSettings& settings, std::unique_ptr<Planner> planner);
@@ -54,30 +52,35 @@ class FleetPlanner {
     set_vehicle(agv_id, VehicleShape{radius_m, radius_m, 0.0, {}});
   }
 
-  /// Where a vehicle is, in map; how long it has stood there is kept.
+  /// Where a vehicle is, in map.
   void set_pose(const std::string& agv_id, const geometry::Pose2& base_in_map, time::Stamp now);
 
   /// The newest goal of a vehicle; the same goal again changes nothing.
   void set_goal(const Goal& goal);
 
-  /// What a vehicle says about its way: reports of blocks are remembered, `arrived` ends the goal.
-  void set_navigation(const NavigationStatus& navigation, time::Stamp now);
+  /// What a vehicle says about its way: `arrived` ends the goal.
+  void set_navigation(const NavigationStatus& navigation);
 
   /// Drops all that is known of a vehicle.
   void forget_vehicle(const std::string& agv_id);
 
-  /// A static obstacle that the tracker sees; it stays until dropped.
-  void set_static_track(std::uint64_t track_id, const Disc& disc);
-  void drop_track(std::uint64_t track_id) { static_tracks_.erase(track_id); }
-
-  /// Takes over a plan that another planner published: it is checked and published again as ours, waypoints unchanged.
-  void adopt(const Plan& plan);
-
-  /// All plans that stand, also those of this planner, are checked and published again.
+  /// All plans are made anew: another planner led until now.
   void take_over();
 
   /// The next plan to publish, after working for at most one vehicle; call it again until there is none.
   std::optional<Plan> step(time::Stamp now, const OutOfTime& out_of_time);
+
+  /// The vehicle's own way between two points of the map, around `standing` where that is possible; empty: none.
+  /// @pre the vehicle and the map are known
+  std::vector<geometry::Point2> own_way(const std::string& agv_id, geometry::Point2 from_in_map,
+                                        geometry::Point2 to_in_map, const std::vector<Disc>& standing,
+                                        const OutOfTime& out_of_time);
+
+  /// The newest plan of the vehicle; null: none.
+  const Plan* plan_of(const std::string& agv_id) const;
+
+  /// The map with distances to walls; valid until the next set_map() or set_vehicle().
+  const grid::ClearanceField& clearance() const { return clearance_; }
 
   /// Nothing will be asked for some time: the search's memory is given back until then.
   void rest() {
@@ -98,12 +101,6 @@ class FleetPlanner {
   std::uint64_t searches() const { return searches_; }
 
  private:
-  /// A place at which a vehicle says that something blocks its way.
-  struct Report {
-    Disc disc;
-    time::Stamp newest;
-  };
-
   /// All that is known of one vehicle.
   struct VehicleEntry {
     std::string id;
@@ -111,28 +108,17 @@ class FleetPlanner {
     VehicleShape shape;
 
     time::Latest<geometry::Pose2> pose;
-    geometry::Point2 stands_at;  // anchor: left when it moves 5 cm away
-    time::Stamp stands_since{};
     std::optional<Goal> goal;
     std::optional<NavigationStatus> navigation;
 
-    time::Stamp navigation_arrived{};
-    std::vector<Report> reports;
     std::optional<Plan> plan;
     Goal planned_for;              // the goal that the plan was made for
     bool leads_to_nearest{false};  // it cannot be reached: the plan ends at the nearest point that can
-    bool is_adopted{false};
+    bool is_taken_over{false};     // made under another leader
     PathProgress progress;
 
     time::Stamp next_attempt{};
     double wait_s{0.0};  // doubles while attempts do not help
-  };
-
-  /// What a plan must lead around: the disc, what kind of change it makes, and its name for messages.
-  struct Obstacle {
-    Disc disc;
-    PlanTrigger trigger;
-    std::string name;
   };
 
   /// One vehicle's turn: the first thing that is due for it.
@@ -147,14 +133,11 @@ class FleetPlanner {
   /// Another search for a goal that had no path.
   std::optional<Plan> retry(VehicleEntry& vehicle, time::Stamp now, const OutOfTime& out_of_time);
 
-  /// A plan around what stands on the way, if there is one.
-  std::optional<Plan> check_obstacles(VehicleEntry& vehicle, time::Stamp now, const OutOfTime& out_of_time);
-
   /// A plan for the vehicle's goal that has no way yet.
   Plan blank_plan(const VehicleEntry& vehicle) const;
 
-  /// Searches with obstacles, without them, and to the nearest point, until one is found.
-  Plan plan_anew(const VehicleEntry& vehicle, PlanTrigger trigger, time::Stamp now, const OutOfTime& out_of_time);
+  /// Searches to the goal, and where that is asked for to the nearest point.
+  Plan plan_anew(const VehicleEntry& vehicle, PlanTrigger trigger, const OutOfTime& out_of_time);
 
   /// Numbers the plan, remembers and returns it.
   std::optional<Plan> publish(VehicleEntry& vehicle, Plan plan, time::Stamp now);
@@ -168,8 +151,9 @@ class FleetPlanner {
   /// Do start and goal lie in different parts of the map, as far as the parts are known?
   bool is_known_unreachable(const Problem& problem) const;
 
-  /// Searches with the discs of `around` stamped into the clearance field.
-  PlannedPath search(const VehicleEntry& vehicle, const std::vector<Obstacle>& around, const OutOfTime& out_of_time);
+  PlannedPath search(const VehicleEntry& vehicle, geometry::Point2 start_in_map, geometry::Point2 goal_in_map,
+                     const OutOfTime& out_of_time);
+
   /// Is it planned for by the planner that knows steering?
   bool is_steered(const VehicleEntry& vehicle) const {
     return vehicle.shape.turning_radius_m > 0.0 && !settings_.as_printed;
@@ -181,16 +165,6 @@ class FleetPlanner {
 
   /// Why there is no plan, for people.
   std::string why(const VehicleEntry& vehicle, Outcome outcome, const OutOfTime& out_of_time);
-
-  /// What stands in this vehicle's way and is in no map.
-  std::vector<Obstacle> obstacles_for(const VehicleEntry& vehicle, time::Stamp now) const;
-
-  /// Does it stand where it will stay: silent, without a goal, arrived, held or failed?
-  const Obstacle* first_on_the_way(const VehicleEntry& vehicle, const std::vector<Obstacle>& obstacles) const;
-  bool is_parked(const VehicleEntry& vehicle, time::Stamp now) const;
-
-  /// Does the vehicle say, of the plan that it has, that it is blocked?
-  bool is_blocked_on_its_plan(const VehicleEntry& vehicle, time::Stamp now) const;
 
   /// The clearance field anew, up to reach_m_.
   void rebuild_clearance();
@@ -212,7 +186,6 @@ class FleetPlanner {
   ConnectedParts parts_;  // of the map, for the radius last asked for
   double reach_m_{2.0};   // the clearance field's cap; grows with the largest vehicle
   std::map<std::string, VehicleEntry> vehicles_;
-  std::map<std::uint64_t, Disc> static_tracks_;
   std::uint64_t next_plan_id_{1};
   std::uint64_t searches_{0};
   std::string last_attended_;  // vehicles take turns

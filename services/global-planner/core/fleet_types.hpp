@@ -18,10 +18,7 @@ struct FleetSettings {
   double tight_range_m{1.5};   // around a start or goal too near to something for the margin
   double replan_s{1.0};        // least time between two plans for one vehicle and goal, doubled while they do not help
   double longest_wait_s{8.0};  // between attempts that do not help
-  double report_life_s{10.0};  // a reported block is forgotten this long after the last report
-  double state_life_s{1.0};    // a vehicle silent for longer is not planned for, and is an obstacle to others
-  double parked_after_s{2.0};  // a vehicle that has nothing to do and stands this long is an obstacle to others
-  double look_ahead_m{15.0};   // obstacles farther along a plan do not change it yet
+  double state_life_s{1.0};    // a vehicle silent for longer is not planned for
   double preferred_clearance_m{
       0.0};  // for the planner `clear`: nearer to obstacles a metre costs more; 0: twice radius and margin
   double safe_distance_m{0.3};  // for the planners `qu` and `yu`: between the vehicle and obstacles, beside their lines
@@ -34,10 +31,7 @@ struct FleetSettings {
         .field("tight_range_m", tight_range_m, 0.0, 10.0)
         .field("replan_s", replan_s, 0.5, 60.0)
         .field("longest_wait_s", longest_wait_s, 0.5, 600.0)
-        .field("report_life_s", report_life_s, 0.0, 600.0)
         .field("state_life_s", state_life_s, 0.1, 60.0)
-        .field("parked_after_s", parked_after_s, 0.0, 600.0)
-        .field("look_ahead_m", look_ahead_m, 1.0, 1000.0)
         .field("preferred_clearance_m", preferred_clearance_m, 0.0, 10.0)
         .field("safe_distance_m", safe_distance_m, 0.0, 10.0)
         .field("to_nearest", to_nearest);

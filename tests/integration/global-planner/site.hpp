@@ -34,7 +34,8 @@ inline bus::Settings site(int domain, const std::string& name) {
   return settings;
 }
 
-/// Everything else of a site: a hall of 20 x 10 m with two doors, and vehicles that say every 50 ms where they stand.
+/// Everything else of a site: a hall of 20 x 10 m with two doors, and vehicles that say every 50 ms where they stand,
+/// and which grant they obey. They never drive.
 class Site {
  public:
   explicit Site(int domain)
@@ -45,6 +46,7 @@ class Site {
         vehicles_(bus.writer<topics::VehicleInfo>()),
         states_(bus.writer<topics::VehicleState>()),
         goals_(bus.writer<topics::Goal>()),
+        navigations_(bus.writer<topics::NavigationStatus>()),
         healths_(bus.writer<topics::ServiceHealth>()) {
     block(100, 0, 101, 99);
     block(100, 40, 101, 60, grid::Occupancy::kFree);
@@ -52,6 +54,10 @@ class Site {
     bus.on<topics::Plan>([this](const aisle::Plan& sample, const SampleInfo& info) {
       if (info.kind != SampleKind::kData) return;
       plans.push_back(sample);
+    });
+    bus.on<topics::Grant>([this](const aisle::Grant& sample, const SampleInfo& info) {
+      if (info.kind != SampleKind::kData) return;
+      grants[sample.agv_id().to_string()] = sample;
     });
     bus.every(50ms, [this] { publish_states(); });
   }
@@ -130,6 +136,7 @@ class Site {
   grid::OccupancyGrid grid;
   std::uint64_t revision{0};
   std::vector<aisle::Plan> plans;
+  std::map<std::string, aisle::Grant> grants;  // the newest of each vehicle
 
  private:
   void stamp(aisle::Origin& by) { by = origin_.next(); }
@@ -140,7 +147,22 @@ class Site {
       stamp(state.by());
       state.base_in_map(wire::encode(pose));
       states_.write(state);
+      publish_navigation(id);
     }
+  }
+
+  /// It stands before its first step, and gives back at once what it is asked for.
+  void publish_navigation(const std::string& id) {
+    aisle::NavigationStatus status;
+    status.agv_id(id);
+    stamp(status.by());
+    const auto grant = grants.find(id);
+    if (grant != grants.end()) {
+      status.plan_id(grant->second.plan_id());
+      status.grant_number(grant->second.number());
+      status.traffic_epoch(grant->second.by().epoch());
+    }
+    navigations_.write(status);
   }
 
   service::OriginStamper origin_{bus, "site", 1};
@@ -149,6 +171,7 @@ class Site {
   bus::Writer<topics::VehicleInfo> vehicles_;
   bus::Writer<topics::VehicleState> states_;
   bus::Writer<topics::Goal> goals_;
+  bus::Writer<topics::NavigationStatus> navigations_;
   bus::Writer<topics::ServiceHealth> healths_;
   std::map<std::string, geometry::Pose2> poses_;
 };

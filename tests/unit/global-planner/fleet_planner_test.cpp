@@ -90,17 +90,6 @@ class Fleet : public testing::Test {
     }
     return least_m;
   }
-  void blocked(const Plan& plan, Point2 at, Reason reason = Reason::kObstacle, double radius_m = 0.3) {
-    NavigationStatus status;
-    status.agv_id = plan.agv_id;
-    status.goal_id = plan.goal_id;
-    status.plan_id = plan.id;
-    status.phase = Phase::kBlocked;
-    status.reason = reason;
-    status.blocked_at_in_map = at;
-    status.blocked_radius_m = radius_m;
-    planner_.set_navigation(status, now_);
-  }
 
   grid::OccupancyGrid grid_;
   FleetPlanner planner_;
@@ -288,38 +277,42 @@ TEST_F(Fleet, SkipsAGoalThatWasReachedBeforeItStarted) {
   arrived.goal_id = "goal-1";
   arrived.plan_id = 4;
   arrived.phase = Phase::kArrived;
-  planner_.set_navigation(arrived, now_);
+  planner_.set_navigation(arrived);
   planner_.set_goal({"agv-1", "goal-1", kGoal, 0.1, 0.0, false});
   EXPECT_TRUE(plans_within(5.0).empty());
   planner_.set_goal({"agv-1", "goal-2", kStart, 0.1, 0.0, false});
   EXPECT_TRUE(step());
 }
 
-TEST_F(Fleet, GoesAroundAStaticTrackOnTheWayOnce) {
+TEST_F(Fleet, TakesAnOwnWayAroundWhatStandsThereWhereThereIsOne) {
   arrive("agv-1", kStart);
-  const Plan before = first_plan();
-  planner_.set_static_track(7, {{6.0, 5.0}, 0.4});
-  const std::vector<Plan> plans = plans_within(30.0);
-  ASSERT_EQ(plans.size(), 1U);
-  EXPECT_EQ(plans[0].trigger, PlanTrigger::kTrack);
-  EXPECT_EQ(plans[0].detail, "around track 7");
-  EXPECT_GE(distance_to(plans[0], {6.0, 5.0}), 0.4 + kRadius_m);
-  EXPECT_TRUE(is_drivable_now(plans[0]));
-  planner_.drop_track(7);
-  EXPECT_TRUE(plans_within(30.0).empty()) << "went back";
+  first_plan();
+  const auto way_around = [&](const Disc& disc) {
+    Plan plan;
+    plan.waypoints_in_map = planner_.own_way("agv-1", kStart.position(), kGoal.position(), {disc}, nullptr);
+    return plan;
+  };
+
+  const Plan beside = way_around({{6.0, 5.0}, 0.4});
+  ASSERT_GT(beside.waypoints_in_map.size(), 2U);
+  EXPECT_GE(distance_to(beside, {6.0, 5.0}), 0.4 + kRadius_m);
+  EXPECT_TRUE(is_drivable_now(beside));
+
+  const Plan other_door = way_around({{10.1, 5.0}, 0.9});
+  EXPECT_GT(distance_to(other_door, {10.1, 5.0}), 2.0);
+  EXPECT_FALSE(way_around({{19.0, 5.0}, 0.4}).waypoints_in_map.empty()) << "what stands on the goal is the traffic's";
+  EXPECT_TRUE(planner_.own_way("agv-9", kStart.position(), kGoal.position(), {}, nullptr).empty());
 }
 
-// The papers' planner is asked once: what the map does not show is the dynamic window's.
-TEST_F(Fleet, AsPrintedPlansByTheMapAloneAndOnce) {
-  FleetSettings settings;
-  settings.as_printed = true;
-  planner_ = FleetPlanner(settings, find_variant("direct")->make());
-  publish_map();
+TEST_F(Fleet, PlansAnewAfterATakeover) {
   arrive("agv-1", kStart);
-  planner_.set_static_track(7, {{6.0, 5.0}, 0.4});
-  EXPECT_LT(distance_to(first_plan(), {6.0, 5.0}), kRadius_m);
-  planner_.set_static_track(8, {{8.0, 5.0}, 0.4});
-  EXPECT_TRUE(plans_within(30.0).empty());
+  const Plan before = first_plan();
+  planner_.take_over();
+  const auto after = step();
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->trigger, PlanTrigger::kTakeover);
+  EXPECT_EQ(after->waypoints_in_map, before.waypoints_in_map);
+  EXPECT_FALSE(step());
 }
 
 TEST_F(Fleet, AsPrintedASteeredVehicleGetsThePathOfTheChosenPlanner) {
@@ -336,157 +329,6 @@ TEST_F(Fleet, AsPrintedASteeredVehicleGetsThePathOfTheChosenPlanner) {
   const Point2 leg = printed.waypoints_in_map.at(1) - printed.waypoints_in_map.at(0);
   EXPECT_LT(std::abs(std::atan2(leg.y, leg.x)), 0.5) << "towards the door, whatever the heading";
   EXPECT_GT(plan_of(false).length_m, printed.length_m + 0.3) << "turns about first";
-}
-
-TEST_F(Fleet, PlansThroughThePlaceAgainOnceTheStaticTrackIsGone) {
-  arrive("agv-1", kStart);
-  planner_.set_static_track(7, {{6.0, 5.0}, 0.4});
-  const Plan around = first_plan();
-  EXPECT_GE(distance_to(around, {6.0, 5.0}), 0.4 + kRadius_m);
-  planner_.drop_track(7);
-  planner_.set_goal({"agv-1", "goal-2", kGoal, 0.1, 0.0, false});
-  const std::vector<Plan> plans = plans_within(5.0);
-  ASSERT_EQ(plans.size(), 1U);
-  EXPECT_LT(distance_to(plans[0], {6.0, 5.0}), 0.4 + kRadius_m);
-}
-
-TEST_F(Fleet, LeavesAPlanAloneThatAStaticTrackDoesNotTouch) {
-  arrive("agv-1", kStart);
-  first_plan();
-  planner_.set_static_track(7, {{6.0, 6.0}, 0.4});
-  EXPECT_TRUE(plans_within(10.0).empty());
-}
-
-TEST_F(Fleet, TakesTheOtherDoorWhenThisOneIsShutByAnObstacle) {
-  arrive("agv-1", kStart);
-  first_plan();
-  planner_.set_static_track(7, {{10.1, 5.0}, 0.9});
-  const std::vector<Plan> plans = plans_within(10.0);
-  ASSERT_EQ(plans.size(), 1U);
-  EXPECT_GT(plans[0].length_m, 19.0);
-  EXPECT_TRUE(is_drivable_now(plans[0]));
-}
-
-TEST_F(Fleet, KeepsThePlanAndSaysSoWhenThereIsNoWayAround) {
-  arrive("agv-1", kStart);
-  block(10.0, 8.0, 10.2, 9.8);
-  publish_map();
-  first_plan();
-  planner_.take_events();
-  planner_.set_static_track(7, {{10.1, 5.0}, 0.9});
-  const std::uint64_t searches_before = planner_.searches();
-  EXPECT_TRUE(plans_within(30.0).empty());
-  EXPECT_LE(planner_.searches() - searches_before, 8U) << "tries must become rare while they do not help";
-  const std::vector<std::string> events = planner_.take_events();
-  ASSERT_EQ(events.size(), 1U);
-  EXPECT_EQ(events[0], "agv-1: no way around track 7; plan 1 is kept");
-}
-
-TEST_F(Fleet, PlansThroughWhatItCannotGoAround) {
-  arrive("agv-1", kStart);
-  block(10.0, 8.0, 10.2, 9.8);
-  publish_map();
-  planner_.set_static_track(7, {{10.1, 5.0}, 0.9});
-  const Plan plan = first_plan();
-  EXPECT_EQ(plan.outcome, PlanOutcome::kFound);
-  EXPECT_EQ(plan.detail, "no way around track 7");
-}
-
-TEST_F(Fleet, GoesAroundAReportedBlockAndForgetsIt) {
-  arrive("agv-1", kStart);
-  const Plan before = first_plan();
-  wait(2.0);
-  blocked(before, {4.0, 5.0});
-  const auto around = step();
-  ASSERT_TRUE(around);
-  EXPECT_EQ(around->trigger, PlanTrigger::kVehicleBlocked);
-  EXPECT_GE(distance_to(*around, {4.0, 5.0}), 0.3 + kRadius_m);
-  wait(11.0);
-  const Plan later = first_plan({"agv-1", "goal-2", kGoal, 0.1, 0.0, false});
-  EXPECT_LT(distance_to(later, {4.0, 5.0}), 0.1);
-}
-
-TEST_F(Fleet, DoesNotFlapWhileAVehicleSaysBlockedAgainAndAgain) {
-  arrive("agv-1", kStart);
-  block(10.0, 8.0, 10.2, 9.8);
-  publish_map();
-  const Plan plan = first_plan();
-  std::size_t replans = 0;
-  for (int i = 0; i < 300; ++i) {
-    blocked(plan, {10.1, 5.0}, Reason::kObstacle, 0.9);
-    replans += plans_within(0.1).size();
-  }
-  EXPECT_EQ(replans, 0U);
-}
-
-TEST_F(Fleet, GoesAroundAVehicleThatBlocksForThisPlanOnly) {
-  arrive("agv-1", kStart);
-  arrive("agv-2", {5.0, 5.0, 0.0});
-  first_plan({"agv-2", "other", {1.0, 8.0, 0.0}, 0.1, 0.0, false});
-  const Plan before = first_plan();
-  EXPECT_LT(distance_to(before, {5.0, 5.0}), 0.2) << "a vehicle on its way is no obstacle";
-  wait(1.5);
-  blocked(before, {4.7, 5.0}, Reason::kVehicle);
-  const auto around = step();
-  ASSERT_TRUE(around);
-  EXPECT_EQ(around->trigger, PlanTrigger::kVehicleBlocked);
-  EXPECT_EQ(around->detail, "around agv-2");
-  EXPECT_GE(distance_to(*around, {5.0, 5.0}), 2.0 * kRadius_m);
-  const Plan later = first_plan({"agv-1", "goal-2", kGoal, 0.1, 0.0, false});
-  EXPECT_LT(distance_to(later, {5.0, 5.0}), 0.2);
-}
-
-TEST_F(Fleet, GoesAroundAParkedVehicle) {
-  arrive("agv-1", kStart);
-  arrive("agv-2", {5.0, 5.0, 0.0});
-  wait(3.0);
-  const Plan plan = first_plan();
-  EXPECT_GE(distance_to(plan, {5.0, 5.0}), 2.0 * kRadius_m);
-}
-
-TEST_F(Fleet, GoesAroundAVehicleThatWentSilent) {
-  arrive("agv-1", kStart);
-  arrive("agv-2", {5.0, 5.0, 0.0});
-  first_plan({"agv-2", "other", kGoal, 0.1, 0.0, false});
-  poses_.erase("agv-2");
-  wait(3.0);
-  EXPECT_GE(distance_to(first_plan(), {5.0, 5.0}), 2.0 * kRadius_m);
-}
-
-TEST_F(Fleet, PlansToAGoalThatAParkedVehicleStandsOn) {
-  arrive("agv-1", kStart);
-  arrive("agv-2", {18.9, 5.1, 0.0});
-  wait(3.0);
-  EXPECT_EQ(first_plan().outcome, PlanOutcome::kFound);
-  EXPECT_TRUE(plans_within(10.0).empty());
-}
-
-TEST_F(Fleet, PlansFromWhereABlockedVehicleStrayedTo) {
-  arrive("agv-1", kStart);
-  const Plan before = first_plan();
-  move("agv-1", {2.0, 6.5, 0.0});
-  wait(2.0);
-  blocked(before, {}, Reason::kOffPath);
-  const auto after = step();
-  ASSERT_TRUE(after);
-  EXPECT_EQ(after->waypoints_in_map.front(), (Point2{2.0, 6.5}));
-}
-
-TEST_F(Fleet, AdoptsTheFormerPlannersPlans) {
-  arrive("agv-1", kStart);
-  const Plan theirs = first_plan();
-  FleetPlanner standby(FleetSettings{}, find_variant("direct")->make());
-  standby.set_map("site", 5, grid_, {0, 0}, {199, 99});
-  standby.set_vehicle("agv-1", kRadius_m);
-  standby.set_pose("agv-1", kStart, now_);
-  standby.set_goal({"agv-1", "goal-1", kGoal, 0.1, 0.0, false});
-  standby.adopt(theirs);
-  const auto ours = standby.step(now_, nullptr);
-  ASSERT_TRUE(ours);
-  EXPECT_EQ(ours->trigger, PlanTrigger::kTakeover);
-  EXPECT_EQ(ours->waypoints_in_map, theirs.waypoints_in_map);
-  EXPECT_EQ(ours->map_revision, 5U);
-  EXPECT_FALSE(standby.step(now_, nullptr));
 }
 
 TEST_F(Fleet, ServesEveryVehicleInTurn) {

@@ -1,0 +1,372 @@
+#include "services/global-planner/core/traffic_planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace aisle::global_planner {
+namespace {
+
+using geometry::Point2;
+using time::from_seconds;
+using time::Stamp;
+
+constexpr double kTubeM = 0.10;         // of a vehicle that turns on the spot
+constexpr double kTubeSteeredM = 0.12;  // of one that does not: its far corner swings
+constexpr double kHearAllS = 3.0;       // after it began to lead, a planner waits so long for the words of all vehicles
+constexpr double kSameDiscM = 0.1;      // a track that moved or grew less is where it was
+
+traffic::Kind kind_of(const fleet::Vehicle& vehicle, const FleetSettings& settings) {
+  traffic::Kind kind;
+  kind.footprint = vehicle.footprint;
+  kind.limits = vehicle.limits;
+  kind.limits.max_reverse_mps = 0.0;  // local planners drive no plan backwards
+  kind.turning_radius_m = shape_of(vehicle.footprint, vehicle.limits).turning_radius_m;
+  kind.tube_m = kind.turns_on_the_spot() ? kTubeM : kTubeSteeredM;
+  kind.wall_margin_m = settings.margin_m;
+
+  return kind;
+}
+
+traffic::Shape shape_of(const Disc& disc) {
+  return traffic::Shape({traffic::Capsule{disc.center_in_map, disc.center_in_map, disc.radius_m}});
+}
+
+std::string track_name(std::uint64_t track_id) { return "track " + std::to_string(track_id); }
+
+double length_m(const std::vector<Point2>& way) {
+  double sum_m = 0.0;
+  for (std::size_t i = 1; i < way.size(); ++i) sum_m += geometry::distance(way[i - 1], way[i]);
+  return sum_m;
+}
+
+}  // namespace
+
+TrafficPlanner::TrafficPlanner(const FleetSettings& settings, std::unique_ptr<Planner> planner)
+    : settings_(settings), goals_(settings, std::move(planner)), coordinator_(new_coordinator()) {}
+
+std::unique_ptr<traffic::Coordinator> TrafficPlanner::new_coordinator() {
+  auto coordinator = std::make_unique<traffic::Coordinator>(
+      traffic::Coordinator::Settings{}, [this](const std::string& agv_id, Point2 from_in_map, Point2 to_in_map) {
+        return own_way(agv_id, from_in_map, to_in_map);
+      });
+
+  if (map_revision_ > 0) coordinator->set_map(goals_.clearance(), {0, 0}, map_high_);
+  for (const auto& [agv_id, entry] : vehicles_) coordinator->set_vehicle(agv_id, entry.kind);
+  for (const auto& [id, standing] : standing_) coordinator->set_standing(track_name(id), shape_of(standing.disc), 0.0);
+
+  return coordinator;
+}
+
+void TrafficPlanner::set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid,
+                             grid::Cell low, grid::Cell high) {
+  goals_.set_map(map_id, revision, grid, low, high);
+  const bool is_first = map_revision_ == 0 || map_id != map_id_;
+
+  map_id_ = map_id;
+  map_revision_ = revision;
+  map_high_ = {grid.geometry().width - 1, grid.geometry().height - 1};
+  if (settings_.as_printed) return;
+
+  coordinator_->set_map(goals_.clearance(), is_first ? grid::Cell{0, 0} : low, is_first ? map_high_ : high);
+}
+
+void TrafficPlanner::set_vehicle(const fleet::Vehicle& vehicle) {
+  goals_.set_vehicle(vehicle.id, shape_of(vehicle.footprint, vehicle.limits));
+
+  Entry& entry = vehicles_[vehicle.id];
+  entry.kind = kind_of(vehicle, settings_);
+  coordinator_->set_vehicle(vehicle.id, entry.kind);
+}
+
+void TrafficPlanner::set_state(const fleet::VehicleState& state, Stamp now) {
+  goals_.set_pose(state.agv_id, state.motion.base_in_map, now);
+
+  const auto known = vehicles_.find(state.agv_id);
+  if (known != vehicles_.end()) known->second.state.set(state, now);
+}
+
+void TrafficPlanner::set_navigation(const NavigationStatus& navigation, Stamp now) {
+  goals_.set_navigation(navigation);
+
+  const auto known = vehicles_.find(navigation.agv_id);
+  if (known == vehicles_.end() || settings_.as_printed) return;
+
+  Entry& entry = known->second;
+  entry.navigation = navigation;
+  entry.navigation_arrived = now;
+  tell_coordinator(entry, navigation.agv_id, now);
+
+  const bool is_there = navigation.phase == Phase::kArrived && navigation.goal_id == entry.planned_goal;
+  if (is_there && !entry.planned_goal.empty()) {
+    entry.reached_goal = std::exchange(entry.planned_goal, {});
+    coordinator_->set_goal(navigation.agv_id, "", std::nullopt, time::seconds(now));
+  }
+}
+
+/// A status without a pose, or with one that is long gone, says nothing of where the vehicle is.
+void TrafficPlanner::tell_coordinator(Entry& entry, const std::string& agv_id, Stamp now) {
+  const fleet::VehicleState* state = entry.state.fresh(now, from_seconds(settings_.state_life_s));
+  if (state == nullptr || !entry.navigation) return;
+
+  const NavigationStatus& says = *entry.navigation;
+  traffic::Report report;
+  report.agv_id = agv_id;
+  report.base_in_map = state->motion.base_in_map;
+  report.speed_mps = std::hypot(state->motion.twist.linear_mps, state->motion.twist.sideways_mps);
+
+  report.plan_id = says.plan_id;
+  report.step_done = says.step_done;
+  report.limit_step = says.limit_step;
+  report.grant_number = says.grant_number;
+  report.stray_m = says.stray_m;
+
+  report.is_held = state->hold == fleet::Hold::kPerson;
+  report.is_blocked = says.phase == Phase::kBlocked && says.reason == Reason::kObstacle;
+  report.blocked_at_in_map = says.blocked_at_in_map;
+  report.blocked_radius_m = says.blocked_radius_m;
+  for (const fleet::HeldPose& held : says.held) report.held.push_back({held.base_in_map, held.step});
+
+  entry.is_heard = true;
+  coordinator_->hear(report, time::seconds(now));
+}
+
+void TrafficPlanner::take_in_the_unheard(Stamp now) {
+  for (auto& [agv_id, entry] : vehicles_) {
+    if (entry.is_heard || !entry.state.seen()) continue;
+
+    traffic::Report report;
+    report.agv_id = agv_id;
+    report.base_in_map = entry.state.any()->motion.base_in_map;
+    entry.is_heard = true;
+    coordinator_->hear(report, time::seconds(now));
+  }
+}
+
+void TrafficPlanner::set_static_track(std::uint64_t track_id, const Disc& disc, Stamp now) {
+  constexpr std::size_t kMostTracks = 1024;
+  const auto known = standing_.find(track_id);
+  if (known == standing_.end() && standing_.size() >= kMostTracks) return;
+
+  if (known != standing_.end()) {
+    known->second.lost.reset();
+    const Disc& before = known->second.disc;
+    if (geometry::distance(before.center_in_map, disc.center_in_map) < kSameDiscM &&
+        std::abs(before.radius_m - disc.radius_m) < kSameDiscM)
+      return;
+  }
+
+  if (known == standing_.end())
+    events_.push_back(fmt::format("track {} stands at ({:.2f}, {:.2f}), radius {:.2f} m", track_id,
+                                  disc.center_in_map.x, disc.center_in_map.y, disc.radius_m));
+  standing_[track_id] = {disc, std::nullopt};
+  coordinator_->set_standing(track_name(track_id), shape_of(disc), time::seconds(now));
+}
+
+void TrafficPlanner::drop_track(std::uint64_t track_id, Stamp now) {
+  const auto known = standing_.find(track_id);
+  if (known != standing_.end() && !known->second.lost) known->second.lost = now;
+}
+
+void TrafficPlanner::open_what_was_seen(Stamp now) {
+  for (auto it = standing_.begin(); it != standing_.end();) {
+    const std::optional<Stamp>& lost = it->second.lost;
+    const std::optional<Stamp> seen = lost ? seen_.seen(it->second.disc.center_in_map) : std::nullopt;
+    const bool is_over = lost && ((seen && *seen > *lost) || now - *lost > from_seconds(kLongestUnseenS));
+    if (!is_over) {
+      ++it;
+      continue;
+    }
+
+    coordinator_->set_standing(track_name(it->first), {}, time::seconds(now));
+    events_.push_back(fmt::format("track {} is gone", it->first));
+    it = standing_.erase(it);
+  }
+}
+
+void TrafficPlanner::take_over(Stamp now) {
+  goals_.take_over();
+  is_taken_over_ = began_.has_value() || is_taken_over_;
+  began_ = now;
+
+  for (auto& [agv_id, entry] : vehicles_) {
+    entry.is_heard = false;
+    entry.plan.reset();
+    entry.planned_goal.clear();
+    entry.grant = {};
+  }
+
+  coordinator_ = new_coordinator();
+}
+
+FleetOrders TrafficPlanner::step(Stamp now, const OutOfTime& out_of_time) {
+  FleetOrders orders;
+  out_of_time_ = out_of_time;
+  if (!began_) began_ = now;
+
+  std::optional<Plan> own = goals_.step(now, out_of_time);
+  std::vector<std::string> own_events = goals_.take_events();
+  is_busy_ = own.has_value();
+
+  if (settings_.as_printed) {
+    if (own) orders.plans.push_back(std::move(*own));
+    events_.insert(events_.end(), own_events.begin(), own_events.end());
+    return orders;
+  }
+
+  if (own) take_own_plan(std::move(*own), now, orders);
+
+  // Whoever was not heard may still have road from another leader.
+  const bool are_all_heard =
+      std::all_of(vehicles_.begin(), vehicles_.end(), [](const auto& vehicle) { return vehicle.second.is_heard; });
+  if (!are_all_heard) {
+    if (now - *began_ < from_seconds(kHearAllS)) return orders;
+    take_in_the_unheard(now);
+  }
+
+  open_what_was_seen(now);
+  const traffic::Orders joint = coordinator_->step(time::seconds(now));
+  is_busy_ = is_busy_ || coordinator_->is_busy();
+
+  for (const traffic::Way& way : joint.ways) take_way(way, orders);
+  refresh(orders);
+  for (const traffic::GrantedRoad& road : joint.grants) take_grant(road, now, orders);
+  events_.insert(events_.end(), joint.events.begin(), joint.events.end());
+
+  return orders;
+}
+
+void TrafficPlanner::take_own_plan(Plan plan, Stamp now, FleetOrders& orders) {
+  Entry& entry = vehicles_[plan.agv_id];
+  if (plan.goal_id == entry.reached_goal && !plan.is_cancelled()) return;  // looked at again, as the map changed
+
+  if (plan.is_found()) {
+    entry.planned_goal = plan.goal_id;
+    coordinator_->set_goal(plan.agv_id, plan.goal_id, plan.goal_in_map, time::seconds(now));
+    return;
+  }
+
+  entry.planned_goal.clear();
+  coordinator_->set_goal(plan.agv_id, "", std::nullopt, time::seconds(now));
+
+  plan.id = coordinator_->take_plan_id(plan.agv_id);
+  events_.push_back(fmt::format("{}: plan {} to {} ({}): {}: {}", plan.agv_id, plan.id, plan.goal_id,
+                                name(plan.trigger), name(plan.outcome), plan.detail));
+  entry.plan = plan;
+  orders.plans.push_back(std::move(plan));
+}
+
+void TrafficPlanner::take_way(const traffic::Way& way, FleetOrders& orders) {
+  Entry& entry = vehicles_[way.agv_id];
+  const Plan* own = goals_.plan_of(way.agv_id);
+  const bool has_goal = own != nullptr && own->is_found() && !way.goal_id.empty() && own->goal_id == way.goal_id;
+
+  Plan plan;
+  plan.agv_id = way.agv_id;
+  plan.id = way.plan_id;
+  plan.goal_id = way.goal_id;
+  plan.map_id = map_id_;
+  plan.map_revision = map_revision_;
+
+  const bool is_new_goal = !entry.plan || entry.plan->goal_id != way.goal_id;
+  plan.trigger = is_new_goal && is_taken_over_               ? PlanTrigger::kTakeover
+                 : is_new_goal                               ? PlanTrigger::kNewGoal
+                 : entry.plan->map_revision != map_revision_ ? PlanTrigger::kMapChanged
+                                                             : PlanTrigger::kVehicleBlocked;
+  if (has_goal) {
+    plan.detail = own->detail;
+    plan.goal_in_map = own->goal_in_map;
+    plan.position_tolerance_m = own->position_tolerance_m;
+    plan.yaw_tolerance_rad = own->yaw_tolerance_rad;
+  } else {
+    const Point2 end = way.waypoints_in_map.back();
+    plan.goal_in_map = {end.x, end.y, 0.0};
+  }
+
+  plan.waypoints_in_map = way.waypoints_in_map;
+  plan.length_m = length_m(way.waypoints_in_map);
+  plan.first_step = way.first_step;
+  plan.step_ends_m = way.step_ends_m;
+  plan.headings_rad = way.headings_rad;
+  plan.own_steps = way.own_steps;
+  plan.tube_m = tube_m(entry);
+
+  events_.push_back(fmt::format("{}: plan {} to {} ({}): {:.2f} m, {} steps, {}", plan.agv_id, plan.id,
+                                plan.goal_id.empty() ? "a place of rest" : plan.goal_id, name(plan.trigger),
+                                plan.length_m, plan.step_ends_m.size(), way.own_or_roadmap));
+  entry.plan = plan;
+  orders.plans.push_back(std::move(plan));
+}
+
+void TrafficPlanner::refresh(FleetOrders& orders) {
+  for (auto& [agv_id, entry] : vehicles_) {
+    if (!entry.plan || !entry.plan->is_found()) continue;
+
+    Plan& plan = *entry.plan;
+    const double tube = tube_m(entry);
+    if (plan.map_revision == map_revision_ && plan.tube_m == tube) continue;
+
+    // Its goal is looked at first: it may have become one that cannot be reached.
+    const Plan* own = goals_.plan_of(agv_id);
+    if (own != nullptr && own->is_found() && own->map_revision != map_revision_) continue;
+
+    plan.map_id = map_id_;
+    plan.map_revision = map_revision_;
+    plan.tube_m = tube;
+    orders.plans.push_back(plan);
+  }
+}
+
+void TrafficPlanner::take_grant(const traffic::GrantedRoad& road, Stamp now, FleetOrders& orders) {
+  Entry& entry = vehicles_[road.agv_id];
+  const bool has_waited = !entry.grant.reason.empty() && entry.grant.limit_step == road.limit_step;
+
+  fleet::Grant grant;
+  grant.agv_id = road.agv_id;
+  grant.number = road.number;
+  grant.plan_id = road.plan_id;
+  grant.limit_m = road.limit_m;
+  grant.limit_step = road.limit_step;
+  grant.gives_back = road.gives_back;
+  grant.waits_for = road.waits_for;
+  grant.reason = road.reason;
+
+  if (!has_waited) entry.waits_since = now;
+  entry.grant = grant;
+  orders.grants.push_back(std::move(grant));
+}
+
+double TrafficPlanner::tube_m(const Entry& entry) const { return vehicles_.size() > 1 ? entry.kind.tube_m : 0.0; }
+
+std::vector<Point2> TrafficPlanner::own_way(const std::string& agv_id, Point2 from_in_map, Point2 to_in_map) {
+  std::vector<Disc> standing;
+  for (const auto& [id, thing] : standing_) standing.push_back(thing.disc);
+
+  return goals_.own_way(agv_id, from_in_map, to_in_map, standing, out_of_time_);
+}
+
+fleet::TrafficStatus TrafficPlanner::status(Stamp now) const {
+  fleet::TrafficStatus status;
+  status.vehicles = static_cast<std::uint32_t>(vehicles_.size());
+  status.refused = coordinator_->refused();
+  status.circles = coordinator_->circles();
+
+  for (const auto& [agv_id, entry] : vehicles_) {
+    const bool has_goal = !entry.planned_goal.empty();
+    if (has_goal) ++status.with_goal;
+
+    const bool is_silent = entry.navigation && now - entry.navigation_arrived > from_seconds(2.0);
+    if (is_silent && entry.state.seen())
+      status.silent.push_back({agv_id, entry.state.any()->motion.base_in_map.position()});
+
+    if (!has_goal || entry.grant.reason.empty()) continue;
+    status.waiting.push_back({agv_id, entry.grant.waits_for.empty() ? "" : entry.grant.waits_for.front(),
+                              entry.grant.reason, time::seconds(now - entry.waits_since)});
+  }
+
+  return status;
+}
+
+}  // namespace aisle::global_planner

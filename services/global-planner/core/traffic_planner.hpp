@@ -1,0 +1,151 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/fleet/coverage.hpp"
+#include "common/fleet/grant.hpp"
+#include "common/fleet/traffic_status.hpp"
+#include "common/fleet/vehicle.hpp"
+#include "common/fleet/vehicle_state.hpp"
+#include "services/global-planner/core/fleet_planner.hpp"
+#include "services/global-planner/core/seen_floor.hpp"
+#include "services/global-planner/core/traffic/coordinator.hpp"
+
+namespace aisle::global_planner {
+
+/// What the fleet is to be told: only what changed.
+struct FleetOrders {
+  std::vector<Plan> plans;
+  std::vector<fleet::Grant> grants;
+
+  bool empty() const { return plans.empty() && grants.empty(); }
+};
+
+/// The plans and grants of the whole fleet, from what its vehicles, the map and the tracker say. Each goal is looked at
+/// alone first (FleetPlanner: can it be reached, and by which way of the vehicle's own planner), then all together
+/// (traffic::Coordinator: who drives where, in which order, and how far).
+///
+///   goals ─► FleetPlanner ─┬─ no way, cancelled ─────────────────────────► plan that says so
+///                          └─ way ─► Coordinator ◄─ states, statuses, tracks
+///                                        └─► plans with steps, grants
+///
+/// With FleetSettings::as_printed there is no traffic: the ways of the FleetPlanner are the plans.
+/// Reads no clock and knows no DDS: each call says what time it is.
+class TrafficPlanner {
+ public:
+  TrafficPlanner(const FleetSettings& settings, std::unique_ptr<Planner> planner);
+  TrafficPlanner(const TrafficPlanner&) = delete;
+  TrafficPlanner& operator=(const TrafficPlanner&) = delete;
+
+  /// See FleetPlanner::set_map.
+  void set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low,
+               grid::Cell high);
+
+  void set_vehicle(const fleet::Vehicle& vehicle);
+  void set_state(const fleet::VehicleState& state, time::Stamp now);
+  void set_goal(const Goal& goal) { goals_.set_goal(goal); }
+  void set_navigation(const NavigationStatus& navigation, time::Stamp now);
+
+  /// A static obstacle that the tracker sees. Where it stood stays closed after drop_track() until somebody has seen
+  /// the spot since, for kLongestUnseenS at most.
+  void set_static_track(std::uint64_t track_id, const Disc& disc, time::Stamp now);
+  void drop_track(std::uint64_t track_id, time::Stamp now);
+  void set_coverage(const fleet::CoverageTile& tile, time::Stamp now) { seen_.set(tile, now); }
+
+  /// Another planner led until now: what vehicles may still drive is learned from their own words, and all plans are
+  /// made anew.
+  void take_over(time::Stamp now);
+
+  /// Works for one slice; to be called again at once while is_busy().
+  FleetOrders step(time::Stamp now, const OutOfTime& out_of_time);
+  bool is_busy() const { return is_busy_; }
+
+  /// `source_id`, `beat` and `slice_ms_p99` are left to the caller.
+  fleet::TrafficStatus status(time::Stamp now) const;
+
+  /// What happened since the last call, one line each.
+  std::vector<std::string> take_events() { return std::exchange(events_, {}); }
+
+  /// What keeps a vehicle with a goal from being planned for; empty: nothing.
+  std::string waits_for(time::Stamp now) const { return goals_.waits_for(now); }
+
+  /// See FleetPlanner.
+  std::uint64_t searches() const { return goals_.searches(); }
+  void rest() { goals_.rest(); }
+
+  static constexpr double kLongestUnseenS = 120.0;
+
+ private:
+  /// All that is kept of one vehicle.
+  struct Entry {
+    traffic::Kind kind;
+    time::Latest<fleet::VehicleState> state;
+    std::optional<NavigationStatus> navigation;
+    time::Stamp navigation_arrived{};
+    bool is_heard{false};  // by the coordinator that is
+
+    std::string planned_goal;  // of the newest plan with a way
+    std::string reached_goal;  // by its own word; it may have been moved out of the way since
+    std::optional<Plan> plan;  // as it was told last
+    fleet::Grant grant;        // the same
+    time::Stamp waits_since{};
+  };
+
+  /// Something that stands on the floor, as the coordinator knows it.
+  struct Standing {
+    Disc disc;
+    std::optional<time::Stamp> lost;  // the tracker lost it then
+  };
+
+  /// A coordinator that knows nothing yet but settings, map and vehicles.
+  std::unique_ptr<traffic::Coordinator> new_coordinator();
+
+  /// What the vehicle's newest words come to for the coordinator.
+  void tell_coordinator(Entry& entry, const std::string& agv_id, time::Stamp now);
+
+  /// A vehicle that was never heard and is seen to stand there takes part as one that stands.
+  void take_in_the_unheard(time::Stamp now);
+
+  /// A plan for one goal by the map alone: a goal for the traffic, or a plan that says why there is none.
+  void take_own_plan(Plan plan, time::Stamp now, FleetOrders& orders);
+
+  void take_way(const traffic::Way& way, FleetOrders& orders);
+  void take_grant(const traffic::GrantedRoad& road, time::Stamp now, FleetOrders& orders);
+
+  /// Plans that go on under a new revision of the map, or with a tube of another width, are told anew.
+  void refresh(FleetOrders& orders);
+
+  /// Ends closures whose spot was seen free.
+  void open_what_was_seen(time::Stamp now);
+
+  /// Width of the tube beside the vehicle's outline: alone on the floor it needs none.
+  double tube_m(const Entry& entry) const;
+
+  std::vector<geometry::Point2> own_way(const std::string& agv_id, geometry::Point2 from_in_map,
+                                        geometry::Point2 to_in_map);
+
+  FleetSettings settings_;
+  FleetPlanner goals_;
+  SeenFloor seen_;
+
+  std::string map_id_;
+  std::uint64_t map_revision_{0};  // 0: no map yet
+  grid::Cell map_high_{};
+  std::map<std::string, Entry> vehicles_;
+  std::map<std::uint64_t, Standing> standing_;
+  std::optional<time::Stamp> began_;  // to lead
+  bool is_taken_over_{false};
+  bool is_busy_{false};
+  OutOfTime out_of_time_;  // of the newest step
+  std::vector<std::string> events_;
+
+  std::unique_ptr<traffic::Coordinator> coordinator_;  // made from the members above
+};
+
+}  // namespace aisle::global_planner

@@ -1,0 +1,296 @@
+// Plans and grants for a fleet, with invented times and vehicles that say what they should.
+#include "services/global-planner/core/traffic_planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "services/global-planner/core/variant.hpp"
+
+namespace aisle::global_planner {
+namespace {
+
+using geometry::Point2;
+using geometry::Pose2;
+using time::from_seconds;
+
+constexpr double kRadiusM = 0.3;
+
+/// A hall of 20 x 10 m at 0.1 m a cell with two doors in a wall at x = 10: one at y = 5, one at y = 9.
+class TrafficFleet : public testing::Test {
+ protected:
+  explicit TrafficFleet(const FleetSettings& settings = {})
+      : grid_(grid::Geometry{200, 100, 0.1, {}}), planner_(settings, find_variant("direct")->make()) {
+    block(10.0, 0.0, 10.2, 10.0);
+    block(10.0, 4.0, 10.2, 6.0, grid::Occupancy::kFree);
+    block(10.0, 8.0, 10.2, 9.8, grid::Occupancy::kFree);
+    publish_map();
+  }
+
+  void block(double x0, double y0, double x1, double y1, grid::Occupancy fill = grid::Occupancy::kOccupied) {
+    const grid::Cell low = grid_.geometry().cell_at({x0 + 1e-6, y0 + 1e-6});
+    const grid::Cell high = grid_.geometry().cell_at({x1 - 1e-6, y1 - 1e-6});
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) grid_.set({x, y}, fill);
+    }
+  }
+  void publish_map() { planner_.set_map("site", ++revision_, grid_, {0, 0}, {199, 99}); }
+
+  /// A vehicle that is there and says that it stands, without a goal.
+  void arrive(const std::string& id, const Pose2& pose) {
+    fleet::Vehicle vehicle;
+    vehicle.id = id;
+    vehicle.footprint = geometry::disc(kRadiusM);
+    planner_.set_vehicle(vehicle);
+    poses_[id] = pose;
+    says_[id].agv_id = id;
+    run(0.1);
+  }
+
+  void send_goal(const std::string& id, const std::string& goal, const Pose2& pose, bool is_cancelled = false) {
+    planner_.set_goal({id, goal, pose, 0.1, 0.0, is_cancelled});
+  }
+
+  /// Time goes on; vehicles speak ten times a second, and the planner works whenever it may.
+  void run(double seconds) {
+    for (double left_s = seconds; left_s > 1e-9; left_s -= 0.1) {
+      now_ += from_seconds(0.1);
+      for (auto& [id, status] : says_) {
+        fleet::VehicleState state;
+        state.agv_id = id;
+        state.motion.base_in_map = poses_[id];
+        planner_.set_state(state, now_);
+        planner_.set_navigation(status, now_);
+      }
+      do {
+        const FleetOrders orders = planner_.step(now_, nullptr);
+        for (const Plan& plan : orders.plans) plans_[plan.agv_id].push_back(plan);
+        for (const fleet::Grant& grant : orders.grants) grants_[grant.agv_id] = grant;
+      } while (planner_.is_busy());
+    }
+  }
+
+  const Plan& newest_plan(const std::string& id) { return plans_.at(id).back(); }
+
+  /// The vehicle is at the end of what it was granted, and says so.
+  void drive_to_limit(const std::string& id) {
+    const Plan& plan = newest_plan(id);
+    const fleet::Grant& grant = grants_.at(id);
+    fleet::NavigationStatus& status = says_[id];
+    status.goal_id = plan.goal_id;
+    status.plan_id = plan.id;
+    status.step_done = status.limit_step = grant.limit_step;
+    status.grant_number = grant.number;
+
+    double left_m = grant.limit_m;
+    for (std::size_t i = 1; i < plan.waypoints_in_map.size(); ++i) {
+      const Point2 from = plan.waypoints_in_map[i - 1], to = plan.waypoints_in_map[i];
+      const double leg_m = geometry::distance(from, to);
+      const Point2 at = leg_m > 0.0 ? from + std::min(1.0, left_m / leg_m) * (to - from) : to;
+      poses_[id] = {at.x, at.y, 0.0};
+      left_m -= leg_m;
+      if (left_m <= 1e-9) break;
+    }
+  }
+
+  bool is_near_its_way(const std::string& id, Point2 place, double nearest_m) {
+    const std::vector<Point2>& way = newest_plan(id).waypoints_in_map;
+    for (std::size_t i = 1; i < way.size(); ++i)
+      if (geometry::distance_to_segment(place, way[i - 1], way[i]) < nearest_m) return true;
+    return false;
+  }
+
+  grid::OccupancyGrid grid_;
+  TrafficPlanner planner_;
+  std::uint64_t revision_{0};
+  time::Stamp now_{from_seconds(100.0)};
+  std::map<std::string, Pose2> poses_;
+  std::map<std::string, fleet::NavigationStatus> says_;
+  std::map<std::string, std::vector<Plan>> plans_;
+  std::map<std::string, fleet::Grant> grants_;  // the newest
+};
+
+TEST_F(TrafficFleet, AloneAVehicleIsGrantedItsOwnWayToTheEndAndAnyFloorBesideIt) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  send_goal("agv-1", "goal-1", {19.0, 5.0, 0.0});
+  run(0.2);
+
+  const Plan& plan = newest_plan("agv-1");
+  EXPECT_TRUE(plan.is_found());
+  EXPECT_EQ(plan.trigger, PlanTrigger::kNewGoal);
+  EXPECT_EQ(plan.goal_id, "goal-1");
+  EXPECT_EQ(plan.goal_in_map.x, 19.0);
+  EXPECT_EQ(plan.map_revision, 1U);
+  EXPECT_NEAR(plan.length_m, 18.0, 0.01);
+  EXPECT_EQ(plan.tube_m, 0.0);
+  ASSERT_FALSE(plan.step_ends_m.empty());
+  EXPECT_EQ(std::count(plan.own_steps.begin(), plan.own_steps.end(), 1),
+            static_cast<std::ptrdiff_t>(plan.step_ends_m.size()));
+
+  const fleet::Grant& grant = grants_.at("agv-1");
+  EXPECT_EQ(grant.plan_id, plan.id);
+  EXPECT_EQ(grant.limit_step, plan.first_step + plan.step_ends_m.size());
+  EXPECT_NEAR(grant.limit_m, 18.0, 0.01);
+}
+
+TEST_F(TrafficFleet, NamesWhatIsWrongWithAGoalAndGrantsNothing) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  send_goal("agv-1", "a", {10.1, 2.0, 0.0});
+  run(0.2);
+  EXPECT_EQ(newest_plan("agv-1").outcome, PlanOutcome::kGoalBlocked);
+  EXPECT_NE(newest_plan("agv-1").detail.find("the goal (10.10, 2.00) has 0.00 m of clearance"), std::string::npos);
+  EXPECT_TRUE(newest_plan("agv-1").step_ends_m.empty());
+  const std::uint64_t refused = newest_plan("agv-1").id;
+
+  send_goal("agv-1", "b", {30.0, 2.0, 0.0});
+  run(0.2);
+  EXPECT_EQ(newest_plan("agv-1").outcome, PlanOutcome::kOutOfMap);
+  EXPECT_EQ(planner_.status(now_).with_goal, 0U);
+
+  send_goal("agv-1", "c", {5.0, 5.0, 0.0});
+  run(0.2);
+  EXPECT_TRUE(newest_plan("agv-1").is_found());
+  EXPECT_GT(newest_plan("agv-1").id, refused);
+  EXPECT_EQ(grants_.at("agv-1").plan_id, newest_plan("agv-1").id);
+}
+
+TEST_F(TrafficFleet, SaysThatAGoalIsCancelledAndPlansForTheNext) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  send_goal("agv-1", "goal-1", {19.0, 5.0, 0.0});
+  run(0.2);
+  send_goal("agv-1", "goal-1", {19.0, 5.0, 0.0}, true);
+  run(0.2);
+  EXPECT_EQ(newest_plan("agv-1").outcome, PlanOutcome::kCancelled);
+  EXPECT_EQ(newest_plan("agv-1").goal_id, "goal-1");
+
+  send_goal("agv-1", "goal-2", {19.0, 5.0, 0.0});
+  run(1.5);
+  EXPECT_TRUE(newest_plan("agv-1").is_found());
+  EXPECT_EQ(newest_plan("agv-1").goal_id, "goal-2");
+}
+
+TEST_F(TrafficFleet, AmongOthersAVehicleKeepsToItsTube) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  send_goal("agv-1", "goal-1", {9.0, 5.0, 0.0});
+  run(0.2);
+  const std::uint64_t plan = newest_plan("agv-1").id;
+  arrive("agv-2", {1.0, 1.0, 0.0});
+  run(0.5);
+  EXPECT_EQ(newest_plan("agv-1").id, plan);
+  EXPECT_EQ(newest_plan("agv-1").tube_m, 0.10);
+}
+
+TEST_F(TrafficFleet, AnEditElsewhereKeepsThePlanUnderTheNewRevision) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  send_goal("agv-1", "goal-1", {19.0, 5.0, 0.0});
+  run(0.2);
+  const Plan before = newest_plan("agv-1");
+  block(2.0, 1.0, 3.0, 2.0);
+  publish_map();
+  run(0.2);
+  EXPECT_EQ(newest_plan("agv-1").id, before.id);
+  EXPECT_EQ(newest_plan("agv-1").waypoints_in_map, before.waypoints_in_map);
+  EXPECT_EQ(newest_plan("agv-1").map_revision, 2U);
+}
+
+TEST_F(TrafficFleet, SaysThatAnEditLeavesNoWay) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  send_goal("agv-1", "goal-1", {19.0, 5.0, 0.0});
+  run(0.2);
+  block(10.0, 0.0, 10.2, 10.0);
+  publish_map();
+  run(0.5);
+  EXPECT_EQ(newest_plan("agv-1").outcome, PlanOutcome::kNoPath);
+  EXPECT_NE(newest_plan("agv-1").detail.find("no way from"), std::string::npos);
+}
+
+TEST_F(TrafficFleet, GoesAroundAStaticTrackUntilTheSpotWasSeenFree) {
+  const Disc box{{6.0, 5.0}, 0.4};
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  planner_.set_static_track(7, box, now_);
+  send_goal("agv-1", "goal-1", {9.0, 5.0, 0.0});
+  run(0.5);
+  EXPECT_FALSE(is_near_its_way("agv-1", box.center_in_map, box.radius_m + kRadiusM));
+
+  // Forgotten is not gone.
+  planner_.drop_track(7, now_);
+  run(2.0);
+  const auto plan_to = [&](const std::string& goal, const Pose2& pose) {
+    send_goal("agv-1", goal, pose);
+    run(1.5);
+    drive_to_limit("agv-1");
+    says_["agv-1"].phase = Phase::kArrived;
+    run(0.3);
+  };
+  plan_to("goal-2", {9.0, 5.0, 0.0});
+  EXPECT_FALSE(is_near_its_way("agv-1", box.center_in_map, box.radius_m + kRadiusM));
+
+  fleet::CoverageTile tile;
+  tile.cell_m = 1.0;
+  tile.width_cells = tile.height_cells = 20;
+  tile.ages.assign(400, 0);
+  run(1.0);
+  planner_.set_coverage(tile, now_);
+  run(0.2);
+  plan_to("goal-3", {1.0, 5.0, 0.0});
+  EXPECT_TRUE(is_near_its_way("agv-1", box.center_in_map, 0.1));
+}
+
+TEST_F(TrafficFleet, AnIdleVehicleInTheWayIsMovedWithoutAGoal) {
+  block(0.0, 6.0, 10.0, 6.2);
+  block(0.0, 3.8, 10.0, 4.0);
+  publish_map();
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  arrive("agv-2", {10.1, 5.0, 0.0});  // in the door
+  send_goal("agv-1", "goal-1", {15.0, 5.0, 0.0});
+  run(3.0);
+  ASSERT_EQ(plans_.count("agv-2"), 1U);
+  EXPECT_EQ(newest_plan("agv-2").goal_id, "");
+  EXPECT_TRUE(newest_plan("agv-2").is_found());
+  EXPECT_EQ(newest_plan("agv-2").goal_in_map.position(), newest_plan("agv-2").waypoints_in_map.back());
+}
+
+TEST_F(TrafficFleet, ALeaderThatTookOverGrantsNothingUntilItHeardAllVehiclesOrWaited) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  arrive("agv-2", {1.0, 1.0, 0.0});
+  send_goal("agv-1", "goal-1", {5.0, 5.0, 0.0});
+  run(0.5);
+  plans_.clear();
+  grants_.clear();
+  planner_.take_over(now_);
+  says_.erase("agv-2");
+  run(2.5);
+  EXPECT_TRUE(grants_.empty());
+  run(1.0);
+  ASSERT_EQ(grants_.count("agv-1"), 1U);
+  EXPECT_EQ(newest_plan("agv-1").trigger, PlanTrigger::kTakeover);
+}
+
+FleetSettings as_printed() {
+  FleetSettings settings;
+  settings.as_printed = true;
+  return settings;
+}
+
+class PrintedFleet : public TrafficFleet {
+ protected:
+  PrintedFleet() : TrafficFleet(as_printed()) {}
+};
+
+TEST_F(PrintedFleet, HasPlansWithoutStepsAndNoGrants) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  planner_.set_static_track(7, {{6.0, 5.0}, 0.4}, now_);
+  send_goal("agv-1", "goal-1", {19.0, 5.0, 0.0});
+  run(5.0);
+  ASSERT_EQ(plans_.at("agv-1").size(), 1U);
+  EXPECT_TRUE(newest_plan("agv-1").step_ends_m.empty());
+  EXPECT_TRUE(is_near_its_way("agv-1", {6.0, 5.0}, 0.1)) << "by the map alone";
+  EXPECT_TRUE(grants_.empty());
+}
+
+}  // namespace
+}  // namespace aisle::global_planner
