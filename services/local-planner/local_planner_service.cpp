@@ -44,9 +44,10 @@ LocalPlannerService::LocalPlannerService(service::Shell& shell, const ServiceCon
   shell.inbox<topics::VehicleInfo>([this](const fleet::Vehicle& vehicle) { take(vehicle); });
   shell.inbox<topics::VehicleState>(
       [this](const fleet::VehicleState& state, const Sender& from) { take(state, from.arrived); });
-  shell.inbox<topics::NavigationStatus>(
-      [this](const fleet::NavigationStatus& status, const Sender& from) { take(status, from.arrived); });
   shell.inbox<topics::Plan>([this](const fleet::Plan& plan, const Sender& from) { take(plan, from.by); });
+  shell.inbox<topics::Grant>([this](const fleet::Grant& grant, const Sender& from) { take(grant, from.by); });
+  shell.inbox<topics::TrafficStatus>(
+      [this](const fleet::TrafficStatus& status, const Sender& from) { take(status, from.by); });
 
   shell
       .inbox<topics::Track>([this](const fleet::Track& track, const Sender& from) {
@@ -93,18 +94,9 @@ void LocalPlannerService::take(const fleet::VehicleState& state, time::Stamp arr
   entry.state_arrived = arrived;
 }
 
-void LocalPlannerService::take(const fleet::NavigationStatus& status, time::Stamp arrived) {
-  if (status.agv_id == agv_id_) return;
-
-  Peer& entry = peer(status.agv_id);
-  entry.phase = status.phase;
-  entry.reason = status.reason;
-  entry.intent = status.intent;
-  entry.intent_arrived = arrived;
-}
-
 void LocalPlannerService::take_own(const fleet::VehicleState& state, time::Stamp arrived) {
   inputs_.state.set(state.motion, arrived);
+  inputs_.is_held_by_person = state.hold == fleet::Hold::kPerson;
 
   if (!epoch_) {
     epoch_ = state.accepted_epoch + 1;
@@ -127,8 +119,9 @@ void LocalPlannerService::take(const fleet::Plan& plan, const fleet::Origin& by)
 
   const fleet::PlanVerdict verdict = plan_authority_.judge(by.epoch, by.boot_id, by.sequence_number);
   if (verdict == fleet::PlanVerdict::kAccepted) {
-    inputs_.plan = plan;
-    inputs_.plan->position_tolerance_m = std::max(kLeastTolerance_m, plan.position_tolerance_m);
+    fleet::Plan taken = plan;
+    taken.position_tolerance_m = std::max(kLeastTolerance_m, plan.position_tolerance_m);
+    orders_.take(taken, by.epoch);
     return;
   }
 
@@ -136,6 +129,21 @@ void LocalPlannerService::take(const fleet::Plan& plan, const fleet::Origin& by)
   shell_.warn(std::string("plan ") + name(verdict),
               fmt::format("plan refused: {} (plan {} of {}, epoch {}; newest epoch heard {})", name(verdict), plan.id,
                           by.source_id, by.epoch, plan_authority_.epoch()));
+}
+
+void LocalPlannerService::take(const fleet::Grant& grant, const fleet::Origin& by) {
+  plan_authority_.hear(by.epoch);
+  if (grant.agv_id != agv_id_) return;
+  if (!orders_.take(grant, by.epoch)) shell_.count("refused_grant_old");
+}
+
+void LocalPlannerService::take(const fleet::TrafficStatus& status, const fleet::Origin& by) {
+  if (by.epoch < orders_.epoch()) return;
+  if (by.epoch > orders_.epoch()) heard_beat_ = 0;
+
+  orders_.hear(by.epoch);
+  plan_authority_.hear(by.epoch);
+  heard_beat_ = std::max(heard_beat_, status.beat);
 }
 
 void LocalPlannerService::take_status(const fleet::TrackingStatus& status, const std::string& source,
@@ -163,6 +171,8 @@ void LocalPlannerService::take_status(const fleet::TrackingStatus& status, const
 }
 
 void LocalPlannerService::cycle() {
+  inputs_.plan = orders_.plan();
+  inputs_.grant = orders_.grant();
   inputs_.tracks.clear();
   for (const auto& [id, entry] : tracks_) inputs_.tracks.push_back(entry.seen);
 
@@ -180,7 +190,7 @@ void LocalPlannerService::cycle() {
   const bool changed = output.phase != phase_ || output.reason != reason_;
   const bool silent = inputs_.authority_lost;
   if (!silent) write_command(output);
-  if (changed || (!silent && cycles_ % kStatusEvery == 0)) write_status(output);
+  if (changed || (!silent && (cycles_ % kStatusEvery == 0 || has_news(output)))) write_status(output);
 
   for (const Event& event : output.events) shell_.log().info("{}", event.text);
   if (changed)
@@ -192,6 +202,11 @@ void LocalPlannerService::cycle() {
   ++cycles_;
 
   if (changed) shell_.report_now();
+}
+
+bool LocalPlannerService::has_news(const Output& output) const {
+  return orders_.epoch() != told_epoch_ || output.road.step_done != told_steps_done_ ||
+         output.road.limit_step != told_limit_step_ || output.road.grant_number != told_grant_;
 }
 
 void LocalPlannerService::write_command(const Output& output) {
@@ -232,6 +247,17 @@ void LocalPlannerService::write_status(const Output& output) {
 
   status.control_ms = control_ms_;
   status.intent = output.intent;
+
+  status.progress_m = output.road.progress_m;
+  status.step_done = told_steps_done_ = output.road.step_done;
+  status.limit_step = told_limit_step_ = output.road.limit_step;
+  status.limit_m = output.road.limit_m;
+  status.grant_number = told_grant_ = output.road.grant_number;
+  status.traffic_epoch = told_epoch_ = orders_.epoch();
+  status.heard_beat = heard_beat_;
+  status.stray_m = output.road.stray_m;
+  status.wants_room = output.road.wants_room;
+  status.held = output.road.held;
 
   statuses_.write(status);
 }

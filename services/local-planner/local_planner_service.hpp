@@ -10,6 +10,7 @@
 
 #include "common/fleet/plan_authority.hpp"
 #include "common/service/shell.hpp"
+#include "services/local-planner/core/orders.hpp"
 #include "services/local-planner/core/planner.hpp"
 
 namespace aisle::local_planner {
@@ -64,11 +65,14 @@ class LocalPlannerService {
   /// Own state, or a peer's.
   void take(const fleet::VehicleState& state, time::Stamp arrived);
 
-  /// A peer's phase and intent.
-  void take(const fleet::NavigationStatus& status, time::Stamp arrived);
-
   /// A plan for this vehicle, if its planner has the authority.
   void take(const fleet::Plan& plan, const fleet::Origin& by);
+
+  /// Road for this vehicle.
+  void take(const fleet::Grant& grant, const fleet::Origin& by);
+
+  /// The leader's beat, which the status repeats.
+  void take(const fleet::TrafficStatus& status, const fleet::Origin& by);
 
   /// Begins to command once the vehicle was heard, and ends when it obeys another source.
   void take_own(const fleet::VehicleState& state, time::Stamp arrived);
@@ -78,6 +82,9 @@ class LocalPlannerService {
 
   /// One cycle: inputs, core, command and status.
   void cycle();
+
+  /// Does the leader of the traffic wait for what the next status says?
+  bool has_news(const Output& output) const;
 
   void write_command(const Output& output);
   void write_status(const Output& output);
@@ -96,6 +103,12 @@ class LocalPlannerService {
   Inputs inputs_;
 
   fleet::PlanAuthority plan_authority_;
+  Orders orders_;
+  std::uint64_t heard_beat_{0};       // of the leader of orders_.epoch()
+  std::uint32_t told_epoch_{0};       // in the newest status
+  std::uint64_t told_steps_done_{0};  // likewise,
+  std::uint64_t told_limit_step_{0};  // and what it answers to the grant of this number
+  std::uint64_t told_grant_{0};
   std::map<std::string, Peer> peers_;
   std::map<std::uint64_t, TrackEntry> tracks_;
   service::Outbox<topics::VelocityCommand> commands_;

@@ -14,7 +14,7 @@ namespace aisle::local_planner {
 struct Aim {
   geometry::Point2 target_in_map;  // temporary target: WANG's turning point, or the point of the way that is in sight
   double wall_cap_m{0.2};          // more room than this earns nothing; no more than the way itself has
-  double mover_cap_m{0.6};         // the same from tracks and peers
+  double mover_cap_m{0.6};         // the same from tracks
   geometry::Point2 sub_target_in_map{};  // the way's point nearest to the vehicle, a look-ahead further on
 
   /// The way from there to the horizon, every 0.2 m; empty: path distance is not computed.

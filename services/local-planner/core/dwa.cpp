@@ -8,6 +8,7 @@
 
 #include "services/local-planner/core/plain_window.hpp"
 #include "services/local-planner/core/speed_window.hpp"
+#include "services/local-planner/core/tube.hpp"
 
 namespace aisle::local_planner {
 namespace {
@@ -97,11 +98,29 @@ std::optional<std::size_t> best_of(const std::vector<SampleBlock>& blocks, const
 bool Choice::admit(bool moves, Obstruction collision) {
   const bool is_rejected = moves && collision != Obstruction::kNone;
   if (is_rejected)
-    ++rejected[static_cast<int>(collision)];
+    ++rejected[static_cast<std::size_t>(collision)];
   else if (moves)
     ++moving;
 
   return !is_rejected;
+}
+
+std::vector<Twist2> Choice::without_leaving(const std::vector<Twist2>& wanted, const Scene& scene,
+                                            const DwaSettings& settings) {
+  if (scene.tube == nullptr) return wanted;
+
+  std::vector<Twist2> keeping;
+  keeping.reserve(wanted.size());
+  const TubeKeeping keeps(scene, *scene.tube, settings);
+
+  for (const Twist2& sample : wanted) {
+    if (keeps.to(sample))
+      keeping.push_back(sample);
+    else
+      ++rejected[static_cast<std::size_t>(Obstruction::kTube)];
+  }
+
+  return keeping;
 }
 
 std::vector<Twist2> Choice::without_obstructed(const std::vector<Twist2>& wanted,
@@ -113,7 +132,7 @@ std::vector<Twist2> Choice::without_obstructed(const std::vector<Twist2>& wanted
     if (obstructions[i] == Obstruction::kNone)
       stoppable.push_back(wanted[i]);
     else
-      ++rejected[static_cast<int>(obstructions[i])];
+      ++rejected[static_cast<std::size_t>(obstructions[i])];
   }
 
   return stoppable;
@@ -136,10 +155,10 @@ Preference::Preference(const Scene& scene, const Variant& variant, const DwaSett
 Choice batched::choose(const Scene& scene, const Aim& aim, const Variant& variant, const DwaSettings& settings) {
   // 1. The window: which gaps are needed here, and which speeds can be reached.
   const Needed needed = needed_gaps(scene, settings);
-  const std::vector<Twist2> wanted = speed_window(scene, settings);
+  Choice choice;
+  const std::vector<Twist2> wanted = choice.without_leaving(speed_window(scene, settings), scene, settings);
 
   // 2. What could stop in time.
-  Choice choice;
   const std::vector<Twist2> stoppable =
       choice.without_obstructed(wanted, obstructions(scene, needed, wanted, settings));
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <numeric>
 #include <vector>
 
 #include "services/local-planner/core/critic.hpp"
@@ -13,10 +15,17 @@ struct Choice {
   geometry::Twist2 twist;
   double wall_gap_m{0.0};
   double mover_gap_m{0.0};
-  int rejected[4]{};  // by Obstruction
-  int moving{0};      // samples that move and were not rejected
+  std::array<int, kObstructions> rejected{};
+  int moving{0};  // samples that move and were not rejected
 
-  int rejected_in_all() const { return rejected[0] + rejected[1] + rejected[2] + rejected[3]; }
+  int rejected_in_all() const { return std::accumulate(rejected.begin(), rejected.end(), 0); }
+
+  /// How many were rejected for this reason.
+  int rejected_by(Obstruction reason) const { return rejected[static_cast<std::size_t>(reason)]; }
+
+  /// The samples that keep to the tube, if there is one; counts the others.
+  std::vector<geometry::Twist2> without_leaving(const std::vector<geometry::Twist2>& wanted, const Scene& scene,
+                                                const DwaSettings& settings);
 
   /// The samples that could stop; counts the others.
   std::vector<geometry::Twist2> without_obstructed(const std::vector<geometry::Twist2>& wanted,

@@ -42,6 +42,7 @@ std::optional<Stopped> Guard::judge_state(const Inputs& inputs, Stamp now) const
   if (!inputs.vehicle || !inputs.state.seen()) return Stopped{Phase::kWaiting, Reason::kNoState};
   if (inputs.authority_lost) return Stopped{Phase::kHeld, Reason::kAuthority};
   if (!inputs.state.fresh(now, time::from_seconds(stale_state_s_))) return Stopped{Phase::kHeld, Reason::kStaleState};
+  if (inputs.is_held_by_person) return Stopped{Phase::kHeld, Reason::kPerson};
   if (late_ != Stamp{} && seconds(now - late_) < late_hold_s_) return Stopped{Phase::kHeld, Reason::kLate};
 
   return std::nullopt;

@@ -18,8 +18,8 @@ struct Stopped {
 
 /// May the vehicle drive? Looks at what is missing, old or late in the inputs, the first of this order:
 ///
-///   state ─ authority ─ fresh state ─ in time ─ map ─ plan, not cancelled ─ tracker ─ fresh tracker ─ path ─ of this
-///   map
+///   state ─ authority ─ fresh state ─ not held ─ in time ─ map ─ plan, not cancelled ─ tracker ─ fresh tracker ─ path
+///   ─ of this map
 ///
 /// What never came lets it wait; what came and is gone or old holds it.
 class Guard {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/fleet/grant.hpp"
 #include "common/fleet/navigation.hpp"
 #include "common/fleet/plan.hpp"
 #include "common/fleet/track.hpp"
@@ -17,6 +18,8 @@
 
 namespace aisle::local_planner {
 
+using fleet::Grant;
+using fleet::HeldPose;
 using fleet::IntentPoint;
 using fleet::Motion;
 using fleet::Phase;
@@ -25,7 +28,7 @@ using fleet::Reason;
 using fleet::Track;
 using fleet::Vehicle;
 
-/// Another vehicle of the fleet, with the moments at which its samples arrived here.
+/// Another vehicle of the fleet: it must not be hit.
 struct Peer {
   std::string id;
   double radius_m{0.35};
@@ -33,10 +36,6 @@ struct Peer {
   Motion state;
 
   time::Stamp state_arrived{};
-  Phase phase{Phase::kWaiting};
-  Reason reason{Reason::kNone};
-  std::vector<IntentPoint> intent;  // the way that it claims; empty or one point: it stays
-  time::Stamp intent_arrived{};
   std::optional<geometry::Footprint> rectangle{};  // none: a disc
 };
 
@@ -54,16 +53,31 @@ struct Inputs {
 
   time::Latest<Motion> state;
   std::optional<Plan> plan;
+  std::optional<Grant> grant;   // the newest for `plan`; none: there was none yet
   time::Stamp tracker_heard{};  // arrival of its newest status, whoever's scan it tells of; 0: never
   time::Stamp tracker_alive{};  // the newest that told of a new scan of this vehicle's own lidar; 0: never
   std::vector<SeenTrack> tracks;
-  std::vector<Peer> peers;
-  bool authority_lost{false};  // the vehicle obeys a higher epoch than ours
+  std::vector<Peer> peers;        // all that were heard; those near here are looked at
+  bool authority_lost{false};     // the vehicle obeys a higher epoch than ours
+  bool is_held_by_person{false};  // the vehicle does not move, whatever it is told
 };
 
 /// Something that happened in this cycle, for the log.
 struct Event {
   std::string text;
+};
+
+/// What the leader of the traffic is told of a vehicle's way along the steps of its plan. Numbers of steps are
+/// absolute.
+struct RoadReport {
+  double progress_m{0.0};         // along the plan
+  std::uint64_t step_done{0};     // steps below it are behind the vehicle
+  double limit_m{0.0};            // along the plan: it stops there
+  std::uint64_t limit_step{0};    // steps below it may be driven
+  std::uint64_t grant_number{0};  // of the grant that is obeyed; 0: none yet
+  double stray_m{0.0};            // of the outline, off its path
+  bool wants_room{false};         // something stands in the tube
+  std::vector<HeldPose> held;     // from where it is to its limit, at most 32; steps do not fall
 };
 
 /// What one cycle comes to: the command, and the vehicle's status.
@@ -77,12 +91,10 @@ struct Output {
 
   geometry::Point2 blocked_at_in_map;  // in Phase::kBlocked
   double blocked_radius_m{0.0};
-  std::vector<IntentPoint> intent;                      // from `now`; at most 64
+  std::vector<IntentPoint> intent;                      // from `now`, for people; at most 8
   std::optional<geometry::Point2> sub_target_in_map{};  // aimed at instead of the path, to avoid a collision
   std::vector<Event> events;
+  RoadReport road{};
 };
-
-/// The fixed order of the fleet: "agv-2" goes before "agv-10", that is, the shorter id first, then by letters.
-bool outranks(const std::string& a, const std::string& b);
 
 }  // namespace aisle::local_planner

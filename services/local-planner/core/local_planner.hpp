@@ -1,11 +1,12 @@
 #pragma once
 
 #include "services/local-planner/core/arrival.hpp"
+#include "services/local-planner/core/avoidance.hpp"
 #include "services/local-planner/core/command_following.hpp"
 #include "services/local-planner/core/guard.hpp"
 #include "services/local-planner/core/inputs.hpp"
 #include "services/local-planner/core/planner.hpp"
-#include "services/local-planner/core/right_of_way/right_of_way.hpp"
+#include "services/local-planner/core/road.hpp"
 #include "services/local-planner/core/settings.hpp"
 #include "services/local-planner/core/stuck.hpp"
 #include "services/local-planner/core/surroundings.hpp"
@@ -18,11 +19,11 @@ namespace aisle::local_planner {
 
 /// Drives one vehicle along its plan, at 50 Hz, without touching what it can know of.
 ///
-///   inputs ─► guard ─► way keeping ─► arrival ─► surroundings ─► right of way ─► target ─► speed cap
+///   inputs ─► road ─► guard ─► way keeping ─► arrival ─► surroundings ─► avoidance ─► target ─► speed cap
 ///                                                                   ─► turning, or dynamic window ─► command, status
 ///
-/// Keeps to the right, slows in bends, near walls and near people, waits where others go first, drives around what
-/// stands, steps aside for vehicles that it blocks, and asks for another plan when none of this helps. Whatever is
+/// Drives as far as its road is granted, and in the tube that goes with it; slows in bends, near walls and near people,
+/// drives around what stands where the floor is its own, and asks for another plan when none of this helps. Whatever is
 /// missing or old in its inputs stops it, and the output says which.
 class LocalPlanner final : public Planner {
  public:
@@ -44,10 +45,25 @@ class LocalPlanner final : public Planner {
   Decision drive(const OnWay& on_way, const Ruling& ruling);
   Output drive_to(const Target& target, const OnWay& on_way, const Ruling& ruling);
 
+  /// Where the road ends for now, on the lane; infinity: nowhere.
+  double stop_at_m() const;
+
+  /// Metres of the outline off its path; 0 without steps.
+  double stray_m(const Moment& moment) const;
+
+  /// Has the vehicle left its tube?
+  bool strays(const OnWay& on_way) const;
+
+  double blocked_after_s() const;
+
+  /// Where it is on its road, for the leader of the traffic.
+  void tell_road(const Moment& moment, Output& out) const;
+
   /// The surroundings as the dynamic window sees them, with this cycle's highest speed.
   Scene scene_towards(const Target& target, const OnWay& on_way, const Ruling& ruling) const;
 
   Settings settings_;
+  DwaSettings dwa_in_tube_;  // looks no farther than its headings: the way cannot be left for what is met later
   Variant variant_;
   Guard guard_;
   CommandFollower follower_;
@@ -55,7 +71,8 @@ class LocalPlanner final : public Planner {
   Way way_;
   Arrival arrival_;
   Observer observer_;
-  RightOfWay right_of_way_;
+  Road road_;
+  Avoidance avoidance_;
   Stuck stuck_;
   TurnOnTheSpot turn_;
 };

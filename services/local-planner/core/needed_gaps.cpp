@@ -126,8 +126,6 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
     const double gap_m = least_distance_m(here, peer.stopping_in_map) - scene.radius_m - peer.radius_m;
     if (gap_m < settings.peer_margin_m + stopping_m)
       needed.peers.emplace_back(&peer, std::min(settings.peer_margin_m, gap_m));
-    if (least_distance_m(here, peer.intended_in_map) < scene.radius_m + peer.radius_m + foreseen_m)
-      needed.met.push_back(&peer);
   }
 
   for (const Mover& mover : scene.movers) {

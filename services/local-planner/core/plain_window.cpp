@@ -286,17 +286,14 @@ class Block {
     }
   }
 
-  /// Sample i at step k: movers and peers where they will be, the pose after the heading time, the path.
+  /// Sample i at step k: movers where they will be, the pose after the heading time, the path.
   void look(std::size_t i, int k) {
     Sample<double>& sample = out_[i].sample;
     const double t_s = k * settings_.step_s;
     for (const Mover* mover : needed_.foreseen)
       meet(i, mover->position_in_map + t_s * mover->velocity_in_map, mover->radius_m, mover->margin_m,
            mover->foreseen_growth_m(t_s),
-           mover->velocity_in_map == Point2{} ? sample.standing_gap_m : sample.moving_gap_m, Obstruction::kMover);
-    for (const PeerMotion* peer : needed_.met)
-      meet(i, peer->intended_at(static_cast<std::size_t>(k)), peer->radius_m, 0.0, 0.0, sample.moving_gap_m,
-           Obstruction::kPeer);
+           mover->velocity_in_map == Point2{} ? sample.standing_gap_m : sample.moving_gap_m);
 
     const Arc<double>& arc = vehicles_.arcs()[i];
     if (k == settings_.look_step()) {
@@ -309,14 +306,13 @@ class Block {
       sample.path_distance_m += path_distance_m(aim_.path_in_map, scene_.base_in_map.position(), arc);
   }
 
-  /// A mover or peer at its predicted place, for sample i.
-  void meet(std::size_t i, Point2 there_in_map, double radius_m, double margin_m, double growth_m, double& gap_m,
-            Obstruction kind) {
+  /// A mover at its predicted place, for sample i.
+  void meet(std::size_t i, Point2 there_in_map, double radius_m, double margin_m, double growth_m, double& gap_m) {
     Rollout& it = out_[i];
     const double distance_m = vehicles_.distance_m(i, there_in_map) - scene_.radius_m - radius_m;
     gap_m = std::min(gap_m, distance_m);
     it.sample.mover_gap_m = std::min(it.sample.mover_gap_m, distance_m - margin_m - growth_m);
-    if (distance_m < 0.0 && it.collision != Obstruction::kWall) it.collision = kind;
+    if (distance_m < 0.0 && it.collision != Obstruction::kWall) it.collision = Obstruction::kMover;
   }
 
   /// Horizon, walls, and the mean path distance.
@@ -378,8 +374,8 @@ std::vector<Rollout> roll_out(const Scene& scene, const Needed& needed, const st
 
 Choice choose(const Scene& scene, const Aim& aim, const Variant& variant, const DwaSettings& settings) {
   const Needed needed = needed_gaps(scene, settings);
-  const std::vector<Twist2> wanted = speed_window(scene, settings);
   Choice choice;
+  const std::vector<Twist2> wanted = choice.without_leaving(speed_window(scene, settings), scene, settings);
   const std::vector<Twist2> stoppable =
       choice.without_obstructed(wanted, obstructions(scene, needed, wanted, settings));
 

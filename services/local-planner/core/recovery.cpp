@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "services/local-planner/core/tube.hpp"
+
 namespace aisle::local_planner {
 namespace {
 
@@ -11,9 +13,9 @@ constexpr double kLongerS = 4.0;        // after each time that did not help,
 constexpr int kMostLonger = 5;          // so often
 constexpr double kGoodPieceM = 0.5;     // nearer to the goal: it gets on
 
-/// Only walls refused something.
+/// Only walls, or the tube's borders, refused something.
 bool is_walled(const Choice& choice) {
-  return choice.rejected[static_cast<int>(Obstruction::kWall)] == choice.rejected_in_all();
+  return choice.rejected_by(Obstruction::kWall) + choice.rejected_by(Obstruction::kTube) == choice.rejected_in_all();
 }
 
 /// The same window with twice as many speeds and turn rates.
@@ -33,8 +35,9 @@ std::optional<double> nearest_open_turn_rad(const Refusal& refusal, const DwaSet
       turned.base_in_map.yaw = geometry::wrap(refusal.scene.base_in_map.yaw + turn);
 
       turned.twist = {};
-      if (obstruction(turned, {turned.limits.max_speed_mps, 0.0, 0.0}, settings) == Obstruction::kNone)
-        return geometry::wrap(turn);
+      const geometry::Twist2 sets_off{turned.limits.max_speed_mps, 0.0, 0.0};
+      const bool keeps_to_tube = turned.tube == nullptr || TubeKeeping(turned, *turned.tube, settings).to(sets_off);
+      if (keeps_to_tube && obstruction(turned, sets_off, settings) == Obstruction::kNone) return geometry::wrap(turn);
     }
 
   return std::nullopt;
@@ -88,9 +91,9 @@ Grade Patience::look(const Attempt& attempt, time::Stamp now) {
     recoveries_ = 0;
   }
 
-  if (attempt.is_aside) least_left_m_ = attempt.left_m;
+  if (attempt.backs_off) least_left_m_ = attempt.left_m;
 
-  if (attempt.waits || attempt.is_aside || attempt.is_closed) {
+  if (attempt.waits || attempt.backs_off || attempt.is_closed) {
     progressed_ = now;
     return attempt.is_closed ? Grade::kAsk : Grade::kNone;
   }

@@ -48,8 +48,8 @@ WayOut way_out(const Refusal& refusal, const Variant& variant, const DwaSettings
 /// How a vehicle gets on along its way.
 struct Attempt {
   double left_m{0.0};     // of the lane
-  bool waits{false};      // for a vehicle that goes first, or for people who walk by
-  bool is_aside{false};   // drives a way aside, or stands at its end
+  bool waits{false};      // for road to be granted, or for people who walk by
+  bool backs_off{false};  // drives a way back, or stands at its end
   bool is_closed{false};  // what stands, and is no vehicle, leaves no way around
   kinematics::Limits limits{};
 };

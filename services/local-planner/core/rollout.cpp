@@ -17,14 +17,13 @@ using geometry::Twist2;
 
 constexpr double kRoundingM = 1e-6;
 
-/// A mover's or peer's predicted position at one time step.
+/// A mover's predicted position at one time step.
 struct Predicted {
   Point2 position_in_map;
   double radius_m;
   double margin_m;
   double growth_m;  // of the uncertainty, by then
   bool stands;
-  Obstruction kind;
   double reach_m;  // from a base farther than this, it changes nothing
 };
 
@@ -50,9 +49,7 @@ PredictedByStep predict(const Scene& scene, const Needed& needed, const std::vec
     const double t = static_cast<double>(k) * dt_s;
     for (const Mover* mover : needed.foreseen)
       add(k, {mover->position_in_map + t * mover->velocity_in_map, mover->radius_m, mover->margin_m,
-              mover->foreseen_growth_m(t), mover->velocity_in_map == Point2{}, Obstruction::kMover, 0.0});
-    for (const PeerMotion* peer : needed.met)
-      add(k, {peer->intended_at(k), peer->radius_m, 0.0, 0.0, false, Obstruction::kPeer, 0.0});
+              mover->foreseen_growth_m(t), mover->velocity_in_map == Point2{}, 0.0});
   }
 
   return by_step;
@@ -211,7 +208,7 @@ class RolloutBlock {
     return geometry::count_of(at_walls);
   }
 
-  /// What the samples meet at this step; headings are computed only when something is near.
+  /// The movers that the samples meet at this step; headings are computed only when something is near.
   void meet(const std::vector<Predicted>& all) {
     if (all.empty()) return;
     const Box box = Box::around(arcs_);
@@ -225,17 +222,16 @@ class RolloutBlock {
     }
   }
 
-  /// One mover or peer, for all samples.
+  /// One mover, for all samples.
   AISLE_BATCHED void meet(const Predicted& it) {
     const double own_m = scene_.radius_m;
-    const auto kind = static_cast<double>(it.kind);
     for (std::size_t b = 0; b < kBatches; ++b) {
       Sample<Batch>& sample = out_.batches[b];
       const Batch distance_m = geometry::square_root(outlines_.distance2(b, it.position_in_map)) - own_m - it.radius_m;
       Batch& gap_m = it.stands ? sample.standing_gap_m : sample.moving_gap_m;
       gap_m = least(gap_m, distance_m);
       sample.mover_gap_m = least<Batch>(sample.mover_gap_m, distance_m - it.margin_m - it.growth_m);
-      hit_[b] = distance_m < 0.0 ? Batch{} + kind : hit_[b];
+      hit_[b] = distance_m < 0.0 ? Batch{} + 1.0 : hit_[b];
     }
   }
 
@@ -281,9 +277,8 @@ class RolloutBlock {
     }
 
     for (std::size_t i = 0; i < kBlock; ++i)
-      if (out_.collisions[i] == Obstruction::kNone)
-        out_.collisions[i] =
-            static_cast<Obstruction>(static_cast<int>(hit_[i / geometry::kBatch][i % geometry::kBatch]));
+      if (out_.collisions[i] == Obstruction::kNone && hit_[i / geometry::kBatch][i % geometry::kBatch] > 0.0)
+        out_.collisions[i] = Obstruction::kMover;
   }
 
   const Scene& scene_;
@@ -302,7 +297,7 @@ class RolloutBlock {
   SteeringBlock steering_;  // of a tricycle
   bool is_changing_{true};
   PerSample driven_m_;                          // in one step
-  alignas(sizeof(Batch)) Batch hit_[kBatches];  // the Obstruction's number
+  alignas(sizeof(Batch)) Batch hit_[kBatches];  // 1: a mover
   int path_looks_{0}, at_walls_{0};
 };
 

@@ -48,8 +48,7 @@ struct Needed {
   std::vector<std::pair<const PeerMotion*, double>> peers;  // while braking, with their gaps in metres
   std::vector<std::pair<const Mover*, double>> movers;
   std::vector<const Mover*> foreseen;  // within the horizon
-  std::vector<const PeerMotion*> met;
-  bool is_person_beside{false};  // a person walks right beside the vehicle
+  bool is_person_beside{false};        // a person walks right beside the vehicle
 };
 
 /// Made at the begin of a cycle.

@@ -72,6 +72,15 @@ double Route::project(Point2 p, double from_s_m, double to_s_m) const {
   return best_s;
 }
 
+std::vector<Point2> Route::part(double from_s_m, double to_s_m) const {
+  std::vector<Point2> points{at(from_s_m)};
+  for (std::size_t i = point_before(from_s_m) + 1; i < points_.size() && along_m_[i] < to_s_m; ++i)
+    if (along_m_[i] > from_s_m) points.push_back(points_[i]);
+
+  if (to_s_m > from_s_m) points.push_back(at(to_s_m));
+  return points;
+}
+
 Route Route::spliced(const std::vector<Point2>& head, double s_m) const {
   std::vector<Point2> points = head;
   points.push_back(at(s_m));

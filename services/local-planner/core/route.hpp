@@ -38,6 +38,9 @@ class Route {
   /// The s in [from, to] whose point is nearest to `p`. @pre not empty
   double project(geometry::Point2 p, double from_s_m, double to_s_m) const;
 
+  /// The points from one s to another, both included. @pre not empty
+  std::vector<geometry::Point2> part(double from_s_m, double to_s_m) const;
+
   /// The part from `s` on, with `head` before it.
   Route spliced(const std::vector<geometry::Point2>& head, double s_m) const;
 

@@ -11,7 +11,8 @@
 namespace aisle::local_planner {
 
 /// What stops a sample. The numbers only index `Choice::rejected`.
-enum class Obstruction { kNone, kWall, kMover, kPeer };
+enum class Obstruction { kNone, kWall, kMover, kPeer, kTube };
+inline constexpr std::size_t kObstructions = 5;
 
 /// So many samples are rolled out and scored together: a block of eight batches.
 inline constexpr std::size_t kBlock = 32;
@@ -51,9 +52,9 @@ struct alignas(sizeof(Number)) Sample {
   Number look_x_m, look_y_m, look_yaw_rad;  // pose in map after DwaSettings::heading_s; yaw within [-pi, pi]
   Number end_x_m, end_y_m;                  // position in map at the horizon
   Number wall_gap_m;                        // least distance from the outline to a wall, at most Aim::wall_cap_m
-  Number mover_gap_m;      // to predicted tracks and peers, radii and margins taken off, at most Aim::mover_cap_m
+  Number mover_gap_m;      // to predicted tracks, radii and margins taken off, at most Aim::mover_cap_m
   Number standing_gap_m;   // to tracks that stand, radii taken off, at most the same
-  Number moving_gap_m;     // to tracks that move and peers, at the same time, radii taken off, at most the same
+  Number moving_gap_m;     // to tracks that move, at the same time, radii taken off, at most the same
   Number path_distance_m;  // mean distance of the trajectory to Aim::path_in_map; 0 where that is empty
 };
 

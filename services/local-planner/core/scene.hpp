@@ -38,17 +38,13 @@ struct Mover {
   }
 };
 
-/// Another vehicle: where it can come while it brakes, and where it says it will be at each step.
+/// Another vehicle: where it can come while it brakes.
 struct PeerMotion {
   double radius_m{0.35};
   std::vector<geometry::Point2> stopping_in_map;
-  std::vector<geometry::Point2> intended_in_map;  // one a step from now on; it stays at the last
-
-  /// Where it says that it will be after so many steps.
-  geometry::Point2 intended_at(std::size_t step) const {
-    return intended_in_map[std::min(step, intended_in_map.size() - 1)];
-  }
 };
+
+struct Tube;
 
 /// One cycle's surroundings, at the moment from which the next command acts.
 struct Scene {
@@ -65,6 +61,8 @@ struct Scene {
 
   /// The footprint's discs, of radius_m: their centres before the base; at most kMostDiscs.
   std::vector<double> discs_ahead_m{0.0};
+
+  const Tube* tube{nullptr};  // that the vehicle keeps to; none: all the free floor
 };
 
 inline constexpr std::size_t kMostDiscs = 5;

@@ -43,9 +43,8 @@ SpeedChoice choose_speed(const SpeedSearch& search, const Variant& variant, cons
                     variant, settings);
   }
 
-  const bool is_refused_by_people = found.grade != Grade::kNone &&
-                                    found.choice.rejected[static_cast<int>(Obstruction::kMover)] > 0 &&
-                                    is_passed_by(search);
+  const bool is_refused_by_people =
+      found.grade != Grade::kNone && found.choice.rejected_by(Obstruction::kMover) > 0 && is_passed_by(search);
 
   return {wanted_twist(search, found), found.grade, found.choice, is_refused_by_people};
 }

@@ -10,6 +10,8 @@ namespace {
 using geometry::Point2;
 
 constexpr double kLateralMps2 = 0.6;         // in bends
+constexpr double kAtWallInTubeMps = 0.5;     // along walls in a tube,
+constexpr double kGapRateInTube = 4.0;       // and m/s more a metre of gap
 constexpr double kLeastProfileMps = 0.1;     // a way's end is reached at this speed, not at none
 constexpr double kStopMarginM = 0.02;        // before the point that is not passed
 constexpr double kTurnedAwayRad = 0.35;      // a target farther off the heading slows it down,
@@ -57,15 +59,26 @@ double cap_turned_away_mps(const Moment& moment, Point2 target_in_map) {
 
 }  // namespace
 
-ProfileLimits profile_limits(const kinematics::Limits& limits, const Settings& settings) {
-  return {limits.max_speed_mps, limits.max_turn_radps, std::min(settings.comfort_mps2, limits.max_deceleration_mps2),
-          kLateralMps2, settings.slows_on_the_way};
+ProfileLimits profile_limits(const kinematics::Limits& limits, const Settings& settings, bool is_in_tube) {
+  ProfileLimits profile;
+  profile.max_speed_mps = limits.max_speed_mps;
+  profile.max_turn_radps = limits.max_turn_radps;
+  profile.comfort_mps2 = std::min(settings.comfort_mps2, limits.max_deceleration_mps2);
+  profile.lateral_mps2 = kLateralMps2;
+  profile.slows_on_the_way = settings.slows_on_the_way;
+  if (is_in_tube) {
+    profile.stops_at_turns = true;
+    profile.at_wall_mps = kAtWallInTubeMps;
+    profile.gap_rate = kGapRateInTube;
+  }
+
+  return profile;
 }
 
 double speed_cap_mps(const SpeedQuestion& question, const Settings& settings) {
   const Moment& moment = question.moment;
   const Way& way = question.way;
-  const double s_m = way.is_aside() ? way.s_m() : way.s_near_m(moment.motion.base_then.position());
+  const double s_m = way.backs_off() ? way.s_m() : way.s_near_m(moment.motion.base_then.position());
 
   double cap = std::max(kLeastProfileMps, way.speed_at(s_m));
   cap = std::min(cap, bounded_by_braking_mps(question.stop_at_m - s_m - kStopMarginM, settings.comfort_mps2));

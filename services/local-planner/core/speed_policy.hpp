@@ -8,8 +8,9 @@
 
 namespace aisle::local_planner {
 
-/// What the speed profile of a way keeps to: the vehicle's limits, braked with comfort.
-ProfileLimits profile_limits(const kinematics::Limits& limits, const Settings& settings);
+/// What the speed profile of a way keeps to: the vehicle's limits, braked with comfort. In a tube, which is followed to
+/// a few centimetres, walls slow down less.
+ProfileLimits profile_limits(const kinematics::Limits& limits, const Settings& settings, bool is_in_tube);
 
 /// What a cycle's highest speed looks at.
 struct SpeedQuestion {

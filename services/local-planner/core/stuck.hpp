@@ -6,7 +6,7 @@ namespace aisle::local_planner {
 
 /// How long the vehicle has stood with a reason to move, and how long it has tried without getting on.
 ///
-///   gets on ── stands ──► waits, asks for room ── tries for long ──► backs off ── ... ──► gets on
+///   gets on ── stands ──► waits ── tries for long ──► backs off ── ... ──► gets on
 ///                         lets people pass, for up to 10 s
 class Stuck {
  public:

@@ -20,7 +20,7 @@ constexpr double kThingGrowthShare = 0.5;  // of a person's: what stands, and ma
 constexpr double kSweepStepS = 0.1;        // of a peer's braking
 constexpr double kPeerStandsMps = 0.02;    // a slower peer sweeps nothing
 constexpr double kPeerStoppedMps = 1e-3;   // its braking ends here
-constexpr double kStaysMps = 0.05;         // a slower peer without a goal stays where it is
+constexpr double kPeersWithinM = 6.0;      // a peer farther away is not met before it is seen again, many times
 constexpr double kRoundingS = 1e-9;
 
 /// Rows of a track's covariance, 4 x 4 and row by row: x, y, vx, vy.
@@ -113,8 +113,7 @@ void Observer::forget_all_but(const std::vector<SeenTrack>& tracks) {
   }
 }
 
-Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, double step_s, int steps,
-                               time::Stamp now) {
+Surroundings Observer::observe(const Inputs& inputs, Point2 here_in_map, time::Stamp now) {
   Surroundings out;
   for (const SeenTrack& seen : inputs.tracks) {
     Mover mover = mover_of(seen, settings_, now);
@@ -126,20 +125,17 @@ Surroundings Observer::observe(const Inputs& inputs, const std::string& own_id, 
   forget_all_but(inputs.tracks);
 
   for (const Peer& peer : inputs.peers)
-    if (peer.id != own_id) add_peer(out, peer, step_s, steps, now);
+    if (geometry::distance(peer.state.base_in_map.position(), here_in_map) < kPeersWithinM) add_peer(out, peer, now);
 
   return out;
 }
 
-void Observer::add_peer(Surroundings& out, const Peer& peer, double step_s, int steps, time::Stamp now) {
-  PeerView seen = peers_.view(peer, now);
+void Observer::add_peer(Surroundings& out, const Peer& peer, time::Stamp now) {
+  const PeerView seen = peers_.view(peer, now);
   const std::vector<Pose2> stopping_in_map = stopping_sweep(seen, peer, settings_.dead_time_s);
-  std::vector<Pose2> intended_in_map;
-  for (int k = 0; k <= steps; ++k)
-    intended_in_map.push_back(claimed_at(seen.claim, settings_.dead_time_s + k * step_s));
 
-  // A peer that has nothing to do, or that has stood for too long, is driven around like a thing.
-  const bool stays = (!seen.has_goal && seen.speed_mps < kStaysMps) || seen.standing_s > settings_.peer_patience_s;
+  // A peer that has stood for long is driven around like a thing.
+  const bool stays = seen.standing_s > settings_.peer_patience_s;
 
   const geometry::CoveringDiscs discs =
       geometry::covering_discs(peer.rectangle ? *peer.rectangle : geometry::disc(peer.radius_m));
@@ -147,12 +143,9 @@ void Observer::add_peer(Surroundings& out, const Peer& peer, double step_s, int 
     PeerMotion motion;
     motion.radius_m = discs.radius_m;
     for (const Pose2& pose : stopping_in_map) motion.stopping_in_map.push_back(ahead_of(pose, ahead_m));
-    for (const Pose2& pose : intended_in_map) motion.intended_in_map.push_back(ahead_of(pose, ahead_m));
     if (stays) out.add_standing({ahead_of(seen.base_in_map, ahead_m), discs.radius_m}, peer.id);
     out.peer_motions.push_back(std::move(motion));
   }
-
-  out.peers.push_back(std::move(seen));
 }
 
 void Surroundings::add_standing(const Disc& disc, const std::string& vehicle_id) {

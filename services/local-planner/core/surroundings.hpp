@@ -6,7 +6,7 @@
 
 #include "services/local-planner/core/dwa.hpp"
 #include "services/local-planner/core/inputs.hpp"
-#include "services/local-planner/core/right_of_way/peers.hpp"
+#include "services/local-planner/core/peers.hpp"
 #include "services/local-planner/core/room.hpp"
 
 namespace aisle::local_planner {
@@ -19,7 +19,7 @@ struct SurroundingsSettings {
   double mover_growth_mps{0.2};  // besides the track's own uncertainty of velocity
   double standing_margin_m{0.05};
   double standing_mps{0.15};    // slower tracks stand
-  double peer_patience_s{3.0};  // a peer with a goal that stands for so long is driven around
+  double peer_patience_s{3.0};  // a peer that stands for so long is driven around
   double peer_silent_s{0.5};    // then it is taken to stand where it can have come to
 };
 
@@ -29,12 +29,10 @@ struct Standing {
   std::string vehicle_id;  // empty: not a vehicle
 };
 
-/// The inputs as geometry, at two moments: `now` for people and for the fleet's rules of the way, and `dead_time_s`
-/// later, when the next command acts, for the dynamic window. All in map.
+/// The inputs as geometry, when the next command acts: `dead_time_s` from now. All in map.
 struct Surroundings {
   std::vector<Mover> movers;             // all tracks
-  std::vector<PeerMotion> peer_motions;  // one for each disc that covers a peer's footprint
-  std::vector<PeerView> peers;
+  std::vector<PeerMotion> peer_motions;  // one for each disc that covers the footprint of a peer near here
   std::vector<Standing> standing;
   std::vector<Disc> standing_discs;  // of `standing`, in its order
 
@@ -48,14 +46,13 @@ class Observer {
  public:
   explicit Observer(const SurroundingsSettings& settings) : settings_(settings), peers_(settings.peer_silent_s) {}
 
-  /// @param own_id of the vehicle itself, which is no peer
-  /// @param step_s, steps of the dynamic window's trajectories, for where peers will be
-  Surroundings observe(const Inputs& inputs, const std::string& own_id, double step_s, int steps, time::Stamp now);
+  /// @param here_in_map where the vehicle is: peers within 6 m of it are looked at
+  Surroundings observe(const Inputs& inputs, geometry::Point2 here_in_map, time::Stamp now);
 
  private:
-  /// A peer as the discs of its footprint: where it can come while braking, where it claims to go, and, when it stays,
-  /// as something that stands.
-  void add_peer(Surroundings& out, const Peer& peer, double step_s, int steps, time::Stamp now);
+  /// A peer as the discs of its footprint: where it can come while braking, and, when it stays, as something that
+  /// stands.
+  void add_peer(Surroundings& out, const Peer& peer, time::Stamp now);
 
   /// Is the track now farther from where it was first seen than another view of a standing thing would make it?
   bool has_walked(const SeenTrack& seen);

@@ -1,6 +1,7 @@
 #include "services/local-planner/core/target.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "services/local-planner/core/rolling_window.hpp"
 
@@ -24,6 +25,10 @@ constexpr double kPathStepM = 0.2;         // between the points that path dista
 constexpr double kSpareStepM = 0.1;        // between the points whose room is looked at,
 constexpr double kLeastSpareAheadM = 1.0;  // so far on at least
 constexpr double kRoundingM = 1e-9;
+constexpr double kTubeShare =
+    0.5;  // of its half width: so far the way may bend away from the straight line to a target
+constexpr double kTubeStepM = 0.15;
+constexpr double kMoverCapInTubeM = 0.1;
 
 /// Between the walls and the vehicle on its way, from `s_m` to the horizon; at most `most_m`.
 double least_spare_m(const OnWay& on_way, double s_m, double horizon_s, double most_m) {
@@ -40,6 +45,36 @@ double least_spare_m(const OnWay& on_way, double s_m, double horizon_s, double m
   return least_m;
 }
 
+/// Does the straight line to the way's point so far ahead keep to the tube, as far as the vehicle itself does?
+bool is_in_tube(const OnWay& on_way, double ahead_m) {
+  if (on_way.tube == nullptr || !on_way.moment.vehicle.turns_on_the_spot()) return true;
+
+  const Point2 here = on_way.moment.here();
+  const double s_m = on_way.way.s_m();
+  const Point2 target = on_way.way.current().at(s_m + ahead_m);
+  const std::vector<Point2> path = on_way.way.current().part(s_m, s_m + ahead_m);
+  const auto off_m = [&](Point2 p) { return off_path_m(path, {p.x, p.y, 0.0}, {}, true); };
+  const double most_m = std::max(off_m(here), kTubeShare * on_way.tube->half_width_m);
+
+  const int pieces = static_cast<int>(std::ceil(ahead_m / kTubeStepM));
+  for (int i = 1; i < pieces; ++i)
+    if (off_m(here + (static_cast<double>(i) / pieces) * (target - here)) > most_m) return false;
+
+  return true;
+}
+
+/// The way's point so far ahead; where that is near, as before the way's end and before a turn on the spot, a point
+/// straight on behind it: so the last piece is driven straight.
+Point2 target_in_tube(const OnWay& on_way, double ahead_m) {
+  const Route& route = on_way.way.current();
+  const double s_m = on_way.way.s_m();
+  const double at_m = std::min({s_m + std::max(ahead_m, kLeastTargetM), on_way.most_m, route.length_m()});
+  const double beyond_m = std::max(0.0, s_m + kShortestM - at_m);
+  const double yaw = route.heading_at(std::max(0.0, at_m - kLeastTargetM));
+
+  return route.at(at_m) + beyond_m * Point2{std::cos(yaw), std::sin(yaw)};
+}
+
 }  // namespace
 
 Target target_at(Point2 in_map, const OwnMotion& motion) {
@@ -51,7 +86,8 @@ Target target_at(Point2 in_map, const OwnMotion& motion) {
 Point2 target_in_sight(const OnWay& on_way, bool knows_path) {
   const Way& way = on_way.way;
   const Route& route = way.current();
-  if (!knows_path && !way.is_aside()) return route.points().back();
+  const bool is_straight_to_goal = !knows_path && on_way.tube == nullptr && !way.backs_off();
+  if (is_straight_to_goal) return route.points().back();
 
   const double s_m = way.s_m();
   const double wanted_m =
@@ -59,15 +95,19 @@ Point2 target_in_sight(const OnWay& on_way, bool knows_path) {
   const Room room = on_way.moment.room(on_way.around, kSightMarginM, kSightMarginM);
 
   // Nearer and nearer, until it is in sight.
-  double ahead_m = std::min(wanted_m, route.length_m() - s_m);
-  while (ahead_m > kShortestM && !room.is_line_free(on_way.moment.here(), route.at(s_m + ahead_m)))
-    ahead_m -= kShorterM;
+  double ahead_m = std::min({wanted_m, route.length_m() - s_m, on_way.most_m - s_m});
+  const auto is_in_sight = [&](double ahead) {
+    return on_way.tube != nullptr ? is_in_tube(on_way, ahead)
+                                  : room.is_line_free(on_way.moment.here(), route.at(s_m + ahead));
+  };
+  while (ahead_m > kShortestM && !is_in_sight(ahead_m)) ahead_m -= kShorterM;
 
-  return route.at(s_m + std::max(ahead_m, kLeastTargetM));
+  return on_way.tube != nullptr ? target_in_tube(on_way, ahead_m) : route.at(s_m + std::max(ahead_m, kLeastTargetM));
 }
 
 std::optional<Point2> sub_target_beside(const OnWay& on_way, const Scene& scene, Point2 target_in_map) {
-  if (on_way.way.is_aside() || !on_way.moment.vehicle.turns_on_the_spot()) return std::nullopt;
+  if (on_way.way.backs_off() || on_way.tube != nullptr || !on_way.moment.vehicle.turns_on_the_spot())
+    return std::nullopt;
   const Room room = on_way.moment.room(on_way.around, kSightMarginM, kSightMarginM);
 
   return avoid({scene, room, on_way.way.current(), on_way.way.s_m()}, target_in_map);
@@ -97,6 +137,11 @@ Aim aim_at(Point2 target_in_map, const OnWay& on_way, const Variant& variant, co
     aim.walls_s = to_target_m / std::max(kStandingMps, on_way.in_force.linear_mps) + settings.window_s;
     aim.wall_cap_m =
         std::max(settings.wall_margin_m, least_spare_m(on_way, nearest_m, settings.horizon_s, aim.wall_cap_m));
+  }
+  if (on_way.tube != nullptr) {
+    // There is no room to make more of: what leads along the way is all that counts.
+    aim.mover_cap_m = kMoverCapInTubeM;
+    aim.wall_cap_m = settings.wall_margin_m;
   }
   if (variant.asks_for(path_distance_critic))
     aim.path_in_map = points_ahead(route, nearest_m, on_way.moment.vehicle.limits.max_speed_mps * settings.horizon_s);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "services/local-planner/core/moment.hpp"
 #include "services/local-planner/core/settings.hpp"
 #include "services/local-planner/core/surroundings.hpp"
+#include "services/local-planner/core/tube.hpp"
 #include "services/local-planner/core/way.hpp"
 
 namespace aisle::local_planner {
@@ -17,6 +19,9 @@ struct OnWay {
   const Way& way;
   const Surroundings& around;
   geometry::Twist2 in_force;  // the twist before this cycle's command
+
+  const Tube* tube{nullptr};                               // that it keeps to; none: all the free floor
+  double most_m{std::numeric_limits<double>::infinity()};  // of the way: nothing beyond is driven at yet
 };
 
 /// What is driven at, as the vehicle will see it when the command acts.
@@ -29,12 +34,12 @@ struct Target {
 /// A point in map as the target of this cycle.
 Target target_at(geometry::Point2 in_map, const OwnMotion& motion);
 
-/// The way's farthest point that is in sight, 0.7 to 1.8 m ahead, the farther the faster: from there straight on there
-/// is room. Of a planner that knows no path: the way's end. In map.
+/// The way's farthest point that is in sight, 0.7 to 1.8 m ahead, the farther the faster: straight on to there there is
+/// room, and the tube, if there is one, is not left. Of a planner that knows no path: the way's end. In map.
 geometry::Point2 target_in_sight(const OnWay& on_way, bool knows_path);
 
 /// WU's rolling window: the sub-target beside the way, where driving on at `target_in_map` would end in a collision.
-/// None: keep to the way; also while others are let past, and for a vehicle that cannot turn back to its way on the
+/// None: keep to the way; also in a tube, while it backs off, and for a vehicle that cannot turn back to its way on the
 /// spot.
 std::optional<geometry::Point2> sub_target_beside(const OnWay& on_way, const Scene& scene,
                                                   geometry::Point2 target_in_map);

@@ -1,6 +1,7 @@
 #include "services/local-planner/core/way.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace aisle::local_planner {
 
@@ -11,6 +12,7 @@ namespace {
 constexpr double kBackM = 0.3;       // the vehicle is looked for so far back on its way,
 constexpr double kAheadM = 1.5;      // and so far ahead
 constexpr double kSoonAheadM = 0.5;  // where it will be in a moment
+constexpr double kNearlyM = 0.2;     // a place that is known is known so exactly
 constexpr double kAboutM = 5.0;      // around where it should be on a new lane
 constexpr double kElsewhereM = 1.5;  // farther from there it may be anywhere on the lane
 constexpr double kLookStepM = 0.2;   // between the points that may be obstructed
@@ -20,15 +22,10 @@ constexpr double kNoEndM = 1.0;      // beyond the route's end: no room was foun
 
 }  // namespace
 
-void Way::clear() {
-  lane_ = {};
-  aside_.reset();
-  detour_end_m_ = 0.0;
-}
-
-void Way::adopt(Route lane, Point2 position_in_map, bool is_same_plan) {
+void Way::adopt(Lane lane, Point2 position_in_map, bool is_same_plan) {
   const double left_m = lane_.route.length_m() - lane_.s_m;
-  lane_ = {std::move(lane), 0.0, {}};
+  planned_ = std::move(lane);
+  lane_ = {planned_.route, 0.0, {}};
   detour_end_m_ = 0.0;
   if (lane_.route.empty()) return;
 
@@ -41,6 +38,16 @@ void Way::adopt(Route lane, Point2 position_in_map, bool is_same_plan) {
     lane_.s_m = lane_.route.project(position_in_map, 0.0, lane_.route.length_m());
 }
 
+void Way::adopt_at(Lane lane, Point2 position_in_map, double about_plan_m) {
+  planned_ = std::move(lane);
+  lane_ = {planned_.route, 0.0, {}};
+  detour_end_m_ = 0.0;
+  if (lane_.route.empty()) return;
+
+  const double about_m = lane_m(about_plan_m);
+  lane_.s_m = lane_.route.project(position_in_map, about_m - kSoonAheadM, about_m + kSoonAheadM);
+}
+
 void Way::detour(const std::vector<Point2>& points, double rejoin_m) {
   const double head_m = Route(points).length_m();
   lane_.route = lane_.route.spliced(resample(points, kRouteStepM), rejoin_m);
@@ -49,9 +56,7 @@ void Way::detour(const std::vector<Point2>& points, double rejoin_m) {
   detour_end_m_ = head_m;
 }
 
-void Way::step_aside(const std::vector<Point2>& points) {
-  aside_ = Part{Route(resample(points, kRouteStepM)), 0.0, {}};
-}
+void Way::back_off(const std::vector<Point2>& points) { back_ = Part{Route(resample(points, kRouteStepM)), 0.0, {}}; }
 
 double Way::speed_at(double s_m) const {
   const auto& speeds = profile_mps();
@@ -67,20 +72,25 @@ double Way::speed_at(double s_m) const {
 
 double Way::s_near_m(Point2 p_in_map) const { return current().project(p_in_map, s_m(), s_m() + kSoonAheadM); }
 
+void Way::progress_at(Point2 position_in_map, double about_m, double most_m) {
+  const double ahead_m = std::min(about_m + kSoonAheadM, most_m);
+  lane_.s_m = lane_.route.project(position_in_map, std::min(about_m - kNearlyM, ahead_m), ahead_m);
+}
+
 void Way::progress(Point2 position_in_map) {
-  if (!lane_.route.empty() && !aside_)
+  if (!lane_.route.empty() && !back_)
     lane_.s_m = lane_.route.project(position_in_map, lane_.s_m - kBackM, lane_.s_m + kAheadM);
 
-  if (aside_ && !aside_->route.empty())
-    aside_->s_m = aside_->route.project(position_in_map, aside_->s_m - kBackM, aside_->s_m + kAheadM);
+  if (back_ && !back_->route.empty())
+    back_->s_m = back_->route.project(position_in_map, back_->s_m - kBackM, back_->s_m + kAheadM);
 }
 
 void Way::profile(const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits) {
   if (lane_.profile_mps.size() != lane_.route.points().size())
     lane_.profile_mps = speed_profile(lane_.route, clearance, radius_m, limits);
 
-  if (aside_ && aside_->profile_mps.size() != aside_->route.points().size())
-    aside_->profile_mps = speed_profile(aside_->route, clearance, radius_m, limits);
+  if (back_ && back_->profile_mps.size() != back_->route.points().size())
+    back_->profile_mps = speed_profile(back_->route, clearance, radius_m, limits);
 }
 
 std::optional<Obstructed> first_obstructed(const Route& route, double s_m, double ahead_m, const Room& room,

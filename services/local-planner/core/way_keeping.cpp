@@ -16,16 +16,19 @@ constexpr double kAtEndM = 0.05;     // or at its end, with the last point behin
 
 WayKeeper::WayKeeper(const Settings& settings, bool knows_path) : lane_(settings.lane), knows_path_(knows_path) {}
 
-Adoption WayKeeper::adopt(const Moment& moment, Way& way) {
+Adoption WayKeeper::adopt(const Moment& moment, const Road& road, Way& way) {
   const Plan& plan = *moment.inputs.plan;
   const bool is_other_goal = plan.goal_id != goal_id_ ||
                              geometry::distance(plan.goal_in_map.position(), goal_in_map_.position()) > kSameGoalM ||
                              plan.goal_in_map.yaw != goal_in_map_.yaw;
-  if (is_other_goal) way.drop_aside();
+  if (is_other_goal || road.tube_m() > 0.0) way.come_back();
 
   // The same plan for the same map has its lane already.
   const bool is_same_plan = !is_other_goal && plan.waypoints_in_map == plan_waypoints_ && !way.empty();
-  if (is_same_plan && plan.id == plan_id_ && map_revision_ == moment.inputs.map_revision) return {is_other_goal, false};
+  const bool is_same_lane =
+      is_same_plan && plan.id == plan_id_ && map_revision_ == moment.inputs.map_revision && road.tube_m() == tube_m_;
+  if (road.tube_m() > 0.0) keep_to_road(moment, road, !is_same_lane, way);
+  if (is_same_lane) return {is_other_goal, false};
 
   goal_id_ = plan.goal_id;
   goal_in_map_ = plan.goal_in_map;
@@ -33,17 +36,24 @@ Adoption WayKeeper::adopt(const Moment& moment, Way& way) {
   plan_waypoints_ = plan.waypoints_in_map;
   map_revision_ = moment.inputs.map_revision;
 
-  way.adopt(lane_of(moment), moment.here(), is_same_plan);
+  tube_m_ = road.tube_m();
+  if (tube_m_ == 0.0) way.adopt(lane_of(moment), moment.here(), is_same_plan);
 
   return {is_other_goal, true};
 }
 
+void WayKeeper::keep_to_road(const Moment& moment, const Road& road, bool is_other, Way& way) {
+  if (!is_other && lane_revision_ == road.lane_revision()) return;
+  lane_revision_ = road.lane_revision();
+  way.adopt_at(road.lane(), moment.here(), road.progress_m());
+}
+
 /// A vehicle that cannot turn on the spot drives its plan as it is: the plan's arcs are the tightest that it should
 /// drive.
-Route WayKeeper::lane_of(const Moment& moment) const {
+Lane WayKeeper::lane_of(const Moment& moment) const {
   const std::vector<geometry::Point2>& waypoints = moment.inputs.plan->waypoints_in_map;
-  if (!knows_path_) return Route(resample({moment.here(), waypoints.back()}, kStepM));
-  if (!moment.vehicle.turns_on_the_spot()) return Route(resample(waypoints, kStepM));
+  if (!knows_path_) return Lane(Route(resample({moment.here(), waypoints.back()}, kStepM)));
+  if (!moment.vehicle.turns_on_the_spot()) return Lane(Route(resample(waypoints, kStepM)));
 
   return make_lane(waypoints, *moment.inputs.clearance, moment.vehicle.reach_m(), lane_);
 }

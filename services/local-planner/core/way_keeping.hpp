@@ -6,6 +6,7 @@
 
 #include "services/local-planner/core/critic.hpp"
 #include "services/local-planner/core/moment.hpp"
+#include "services/local-planner/core/road.hpp"
 #include "services/local-planner/core/settings.hpp"
 #include "services/local-planner/core/way.hpp"
 
@@ -24,18 +25,24 @@ class WayKeeper {
   WayKeeper(const Settings& settings, bool knows_path);
 
   /// A plan says the same as the one before by its goal and turning points, not by its id: ids begin again with each
-  /// planner, and the next one keeps the plans that it finds. The lane is made anew for another plan, id or map.
+  /// planner, and the next one keeps the plans that it finds. The lane is made anew for another plan, id or map, and in
+  /// a tube when more or less of the road is granted: that is no new lane, the vehicle goes on where it is.
   /// @pre the guard lets the vehicle drive
-  Adoption adopt(const Moment& moment, Way& way);
+  Adoption adopt(const Moment& moment, const Road& road, Way& way);
 
  private:
-  /// The lane of the plan: straight to the goal, the plan itself, or the plan moved to the right of its aisles.
-  Route lane_of(const Moment& moment) const;
+  /// The lane of the plan: straight to the goal, the plan itself, or rounded.
+  Lane lane_of(const Moment& moment) const;
+
+  /// The lane in a tube, where it is another one by now.
+  void keep_to_road(const Moment& moment, const Road& road, bool is_other, Way& way);
 
   LaneSettings lane_;
   bool knows_path_;
   std::uint64_t plan_id_{0};                      // of the lane
   std::uint64_t map_revision_{0};                 // of the lane
+  std::uint64_t lane_revision_{0};                // of the road, in a tube
+  double tube_m_{0.0};                            // of the lane
   std::vector<geometry::Point2> plan_waypoints_;  // as the plan had them
   std::string goal_id_;
   geometry::Pose2 goal_in_map_;

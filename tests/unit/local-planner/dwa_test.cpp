@@ -162,7 +162,6 @@ World crowded(std::uint64_t seed) {
     world.movers.push_back(person({place(random), place(random)}, {speed(random), speed(random)}));
   PeerMotion peer;
   peer.stopping_in_map = {{place(random), place(random)}};
-  for (int k = 0; k < 15; ++k) peer.intended_in_map.push_back({place(random), 6.0 + 0.1 * k});
   world.peers = {peer};
   return world;
 }
@@ -209,7 +208,7 @@ double nearest_m(const std::vector<Point2>& path, Point2 p) {
   return nearest;
 }
 
-/// The same by one step after the other, of everybody, with the models' own exact arcs.
+/// The same by one step after the other, of each person, with the models' own exact arcs.
 TEST(RollOut, MeetsWhomAPlainLoopMeets) {
   const DwaSettings settings;
   Aim aim;
@@ -236,11 +235,6 @@ TEST(RollOut, MeetsWhomAPlainLoopMeets) {
               std::min(moving_gap_m,
                        geometry::distance(pose.position(), mover.position_in_map + 0.1 * k * mover.velocity_in_map) -
                            0.35 - mover.radius_m);
-        const auto& intended = world.peers.front().intended_in_map;
-        moving_gap_m = std::min(
-            moving_gap_m,
-            geometry::distance(pose.position(), intended[std::min<std::size_t>(static_cast<std::size_t>(k), 14)]) -
-                0.7);
         if (k % 4 == 0) path_m += 0.2 * nearest_m(aim.path_in_map, pose.position());
         if (k == 8) looked_from = pose;
       }

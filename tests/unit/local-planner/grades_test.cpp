@@ -119,9 +119,9 @@ TEST(Patience, IsForTrying) {
   Attempt waits{5.0};
   waits.waits = true;
   EXPECT_TRUE(back_offs(patience, waits, 60.0).empty());
-  Attempt aside{5.0};
-  aside.is_aside = true;
-  EXPECT_TRUE(back_offs(patience, aside, 60.0).empty());
+  Attempt back{5.0};
+  back.backs_off = true;
+  EXPECT_TRUE(back_offs(patience, back, 60.0).empty());
 }
 
 TEST(Patience, AsksWhereBackingOffMovesNothing) {

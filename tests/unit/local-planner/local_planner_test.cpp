@@ -169,6 +169,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"BlindOnThisVehicle", [](Drive& d) { d.lidar_lives = false; }, Phase::kHeld, Reason::kStaleTracker, 0.52},
         Fault{"Cancelled", [](Drive& d) { d.inputs.plan->outcome = fleet::PlanOutcome::kCancelled; }, Phase::kHeld,
               Reason::kCancelled, 0.02},
+        Fault{"HeldByAPerson", [](Drive& d) { d.inputs.is_held_by_person = true; }, Phase::kHeld, Reason::kPerson,
+              0.02},
         Fault{"Authority", [](Drive& d) { d.inputs.authority_lost = true; }, Phase::kHeld, Reason::kAuthority, 0.02},
         Fault{"PlanOutdated", [](Drive& d) { d.inputs.map_revision = 2; }, Phase::kHeld, Reason::kPlanOutdated, 0.54}),
     [](const auto& fault) { return fault.param.name; });
@@ -402,8 +404,8 @@ TEST(LocalPlanner, TellsTheWayThatItWillTake) {
   drive.give_plan({{3.0, 5.0}, {37.0, 5.0}});
   drive.run(2.0);
   const auto intent = drive.output.intent;
-  ASSERT_GE(intent.size(), 10U);
-  EXPECT_LE(intent.size(), 64U);
+  ASSERT_GE(intent.size(), 4U);
+  EXPECT_LE(intent.size(), 8U);
   EXPECT_NEAR(intent.front().base_in_map.x, drive.base.x, 0.1);
   const double begun = time::seconds(drive.now);
   for (std::size_t i = 1; i < intent.size(); ++i) EXPECT_GE(intent[i].offset_s, intent[i - 1].offset_s);

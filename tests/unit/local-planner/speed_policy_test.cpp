@@ -77,7 +77,7 @@ TEST(ProfileLimits, BrakeNoHarderThanTheVehicleCan) {
   kinematics::Limits limits;
   settings.comfort_mps2 = 0.6;
   limits.max_deceleration_mps2 = 0.4;
-  EXPECT_DOUBLE_EQ(profile_limits(limits, settings).comfort_mps2, 0.4);
+  EXPECT_DOUBLE_EQ(profile_limits(limits, settings, false).comfort_mps2, 0.4);
 }
 
 }  // namespace

@@ -43,19 +43,9 @@ class Stage {
   /// A lane straight along the plan, with its speed profile.
   Way straight_way() const {
     Way way;
-    way.adopt(Route(resample(inputs.plan->waypoints_in_map, kRouteStepM)), motion.base_now.position(), false);
+    way.adopt(Lane(Route(resample(inputs.plan->waypoints_in_map, kRouteStepM))), motion.base_now.position(), false);
     way.profile(clearance_, inputs.vehicle->reach_m(), {});
     return way;
-  }
-
-  /// A peer that drives along x from its place, and says so.
-  PeerView peer(const std::string& id, geometry::Point2 from, geometry::Point2 to) const {
-    PeerView view;
-    view.id = id;
-    view.base_in_map = {from.x, from.y, 0.0};
-    view.has_goal = true;
-    view.claim = {{0.0, view.base_in_map}, {10.0, {to.x, to.y, 0.0}}};
-    return view;
   }
 
   Moment moment(double later_s = 0.0) const {

@@ -24,15 +24,11 @@ Peer peer(const std::string& id, geometry::Pose2 base, double speed_mps) {
   p.id = id;
   p.state = {base, {speed_mps, 0.0, 0.0}};
   p.state_arrived = kNow;
-  p.phase = Phase::kDriving;
-  p.intent = {
-      {0.0, base}, {1.0, {base.x + speed_mps, base.y, base.yaw}}, {2.0, {base.x + 2.0 * speed_mps, base.y, base.yaw}}};
-  p.intent_arrived = kNow;
   return p;
 }
 
 Surroundings observe(Observer& observer, const Inputs& inputs, double later_s = 0.0) {
-  return observer.observe(inputs, "agv-1", 0.1, 20, kNow + from_seconds(later_s));
+  return observer.observe(inputs, {3.0, 5.0}, kNow + from_seconds(later_s));
 }
 
 TEST(Surroundings, CarryPeopleOnToWhenTheCommandActs) {
@@ -83,37 +79,31 @@ TEST(Surroundings, KnowWhereAPeerCanStop) {
   EXPECT_LT(stopping.back().x, 5.0 + 1.3);
 }
 
-TEST(Surroundings, ASilentPeerStandsAndClaimsNothing) {
+TEST(Surroundings, ASilentPeerStands) {
   Observer observer{SurroundingsSettings{}};
   Inputs inputs;
   inputs.peers = {peer("agv-2", {5.0, 5.0, 0.0}, 1.2)};
   const Surroundings around = observe(observer, inputs, 1.0);
-  EXPECT_FALSE(around.peers[0].has_goal);
-  EXPECT_EQ(around.peers[0].claim.size(), 1U);
-  ASSERT_EQ(around.standing.size(), 1U);
-  EXPECT_EQ(around.standing[0].vehicle_id, "agv-2");
+  EXPECT_EQ(around.peer_motions[0].stopping_in_map.front(), (Point2{5.0, 5.0}));
 }
 
-TEST(Surroundings, APeerWithAGoalIsDrivenAroundOnlyWhenItStandsForLong) {
+TEST(Surroundings, HoldNoPeerThatIsFarAway) {
+  Observer observer{SurroundingsSettings{}};
+  Inputs inputs;
+  inputs.peers = {peer("agv-2", {8.9, 5.0, 0.0}, 1.2), peer("agv-3", {9.1, 5.0, 0.0}, 1.2)};
+  EXPECT_EQ(observe(observer, inputs).peer_motions.size(), 1U);
+}
+
+TEST(Surroundings, APeerIsDrivenAroundOnlyWhenItStandsForLong) {
   Observer observer{SurroundingsSettings{}};
   Inputs inputs;
   for (int i = 0; i <= 50; ++i) {
     Peer standing = peer("agv-2", {5.0, 5.0, 0.0}, 0.0);
-    standing.state_arrived = standing.intent_arrived = kNow + from_seconds(0.1 * i);
+    standing.state_arrived = kNow + from_seconds(0.1 * i);
     inputs.peers = {standing};
     const Surroundings around = observe(observer, inputs, 0.1 * i);
     EXPECT_EQ(around.standing.empty(), 0.1 * i <= SurroundingsSettings{}.peer_patience_s + 1e-6) << i;
   }
-}
-
-TEST(Surroundings, AClaimBeginsWhereThePeerIsNow) {
-  Observer observer{SurroundingsSettings{}};
-  Inputs inputs;
-  inputs.peers = {peer("agv-2", {5.0, 5.0, 0.0}, 1.0)};
-  inputs.peers[0].state.base_in_map.x = 5.9;  // the intent is from 0.9 s before
-  const Surroundings around = observe(observer, inputs);
-  EXPECT_DOUBLE_EQ(around.peers[0].claim.front().base_in_map.x, 5.9);
-  for (std::size_t i = 1; i < around.peers[0].claim.size(); ++i) EXPECT_GT(around.peers[0].claim[i].base_in_map.x, 5.9);
 }
 
 }  // namespace

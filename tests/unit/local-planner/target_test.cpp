@@ -79,7 +79,7 @@ TEST_F(TargetOf, AVehicleThatLetsOthersPassKeepsToItsWayAside) {
                     {0.0}};
   const OnWay on_way{moment, way, stage.around, {1.0, 0.0, 0.0}};
   EXPECT_TRUE(sub_target_beside(on_way, scene, {4.5, 5.0}));
-  way.step_aside({{3.0, 5.0}, {3.0, 8.0}});
+  way.back_off({{3.0, 5.0}, {3.0, 8.0}});
   EXPECT_FALSE(sub_target_beside(on_way, scene, {4.5, 5.0}));
 }
 

@@ -10,10 +10,24 @@ namespace {
 
 class Keeping : public testing::Test {
  protected:
-  Adoption adopt() { return keeper.adopt(stage.moment(), way); }
+  Adoption adopt() {
+    road.follow(stage.moment(), 0.0);
+    return keeper.adopt(stage.moment(), road, way);
+  }
+
+  /// The plan with steps of 2 m, in a tube, granted so far.
+  void grant(std::uint64_t limit_step) {
+    stage.inputs.plan->tube_m = 0.1;
+    stage.inputs.plan->step_ends_m = {2.0, 4.0, 6.0, 8.0, 10.0, 12.0};
+    Grant grant;
+    grant.number = limit_step;
+    grant.limit_step = limit_step;
+    stage.inputs.grant = grant;
+  }
 
   Stage stage;
   Way way;
+  Road road{LaneSettings{}, 0.6};
   WayKeeper keeper{Settings{}, true};
 };
 
@@ -42,21 +56,42 @@ TEST_F(Keeping, OtherTurningPointsUnderAnOldIdAreAnotherPlan) {
   EXPECT_GT(way.lane().length_m(), 12.5);
 }
 
-TEST_F(Keeping, AnotherGoalEndsAWayAside) {
+TEST_F(Keeping, InATubeTheLaneIsTheRoadAndFollowsWhatIsGranted) {
+  stage.give_plan({{3.0, 5.0}, {7.0, 5.0}, {7.0, 9.0}, {3.0, 9.0}});
+  grant(2);
+  EXPECT_TRUE(adopt().has_new_lane);
+  const auto off_turn_m = [&] {
+    const Route& lane = way.lane();
+    return geometry::distance(lane.at(lane.project({7.0, 5.0}, 0.0, 100.0)), {7.0, 5.0});
+  };
+  EXPECT_NEAR(off_turn_m(), 0.0, 1e-9);
+  grant(3);
+  EXPECT_FALSE(adopt().has_new_lane) << "the vehicle goes on where it is";
+  EXPECT_GT(off_turn_m(), 0.1);
+}
+
+TEST_F(Keeping, AnotherTubeIsANewLane) {
+  grant(6);
   adopt();
-  way.step_aside({{3.0, 5.0}, {3.0, 7.0}});
+  stage.inputs.plan->tube_m = 0.0;
+  EXPECT_TRUE(adopt().has_new_lane);
+}
+
+TEST_F(Keeping, AnotherGoalEndsBackingOff) {
+  adopt();
+  way.back_off({{3.0, 5.0}, {3.0, 7.0}});
   stage.inputs.plan->id = 2;
   adopt();
-  EXPECT_TRUE(way.is_aside()) << "the same goal: others still want to pass";
+  EXPECT_TRUE(way.backs_off()) << "the same goal";
   stage.inputs.plan->goal_id = "goal-2";
   EXPECT_TRUE(adopt().is_other_goal);
-  EXPECT_FALSE(way.is_aside());
+  EXPECT_FALSE(way.backs_off());
 }
 
 TEST_F(Keeping, APlannerThatKnowsNoPathDrivesStraightAtTheGoal) {
   stage.give_plan({{3.0, 5.0}, {9.0, 9.0}, {15.0, 5.0}});
   WayKeeper straight(Settings{}, false);
-  straight.adopt(stage.moment(), way);
+  straight.adopt(stage.moment(), road, way);
   EXPECT_NEAR(way.lane().length_m(), 12.0, 1e-9);
 }
 

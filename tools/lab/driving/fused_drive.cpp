@@ -24,7 +24,6 @@ sim::Setup setup_of(const FusedDrive& drive, const DrawnMap& map, const Encounte
   setup.own_variant = drive.local;
   setup.own_variant->paper = drive.limits;
   setup.paper_limits = true;
-  setup.settings.lane.shift_m = 0.0;  // the papers' vehicles are alone and keep no side
   setup.settings.slows_on_the_way = drive.slows_on_the_way;
 
   scenario::Vehicle vehicle;

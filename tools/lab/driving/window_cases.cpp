@@ -33,7 +33,6 @@ sim::Setup straight(double aisle_m) {
   }
   sim::add_vehicle(setup, 1, {kStartM, kLineM, 0.0}, {{kGoalM, kLineM, 0.0}});
   setup.local = "wu";
-  setup.settings.lane.shift_m = 0.0;  // one vehicle alone keeps no side: what it leaves is the path
   setup.scenario.duration_s = 60.0;
   return setup;
 }

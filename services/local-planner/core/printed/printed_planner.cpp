@@ -83,8 +83,7 @@ Output PrintedPlanner::decide(const Moment& moment) {
   }
 
   if (moment.now >= next_choice_) {
-    const Surroundings around =
-        as_the_papers_see(observer_.observe(moment.inputs, moment.vehicle.id, dwa_.step_s, dwa_.steps(), moment.now));
+    const Surroundings around = as_the_papers_see(observer_.observe(moment.inputs, moment.here(), moment.now));
     last_ = {};
     wanted_ = choose_twist(moment, around, last_);
     next_choice_ = moment.now + time::from_seconds(dwa_.window_s);
@@ -102,7 +101,7 @@ void PrintedPlanner::adopt_plan(const Moment& moment) {
   if (is_other_goal) has_arrived_ = has_faced_first_node_ = false;
   goal_id_ = plan.goal_id;
   waypoints_ = plan.waypoints_in_map;
-  way_.adopt(Route(waypoints_), moment.here(), false);
+  way_.adopt(Lane(Route(waypoints_)), moment.here(), false);
   next_node_ = 1;
   next_choice_ = {};
 }

@@ -19,7 +19,7 @@ namespace aisle::local_planner {
 ///                                         ─► dynamic window of one interval, or WU: follows the path ─► command,
 ///                                         status
 ///
-/// There is no lane, no speed profile or cap, no detour, no right of way, no turn on the spot but YU's first, no
+/// There is no lane, no speed profile or cap, no limit, no detour, no turn on the spot but YU's first, no
 /// recovery and no margin: a sample is refused only when the disc would touch a wall or a thing at its predicted place.
 /// What the papers print wrongly stays repaired: signs, braking along the arc, rewards.
 class PrintedPlanner final : public Planner {

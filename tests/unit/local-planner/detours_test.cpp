@@ -1,5 +1,5 @@
 // Ways around what stands on the lane.
-#include "services/local-planner/core/right_of_way/detours.hpp"
+#include "services/local-planner/core/detours.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ TEST_F(DetoursOn, LeadsAroundWhatStandsAndBackToTheLane) {
   stage.around.add_standing({{5.0, 5.0}, 0.3}, {});
   const auto detour = look(0.0);
   ASSERT_TRUE(detour);
-  EXPECT_TRUE(detour->is_around_something);
+  EXPECT_EQ(detour->kind, Detour::Kind::kAroundThing);
   EXPECT_GT(detour->rejoin_m, 2.0);
   const Room room = stage.moment().room(stage.around, 0.0, 0.0);
   for (const geometry::Point2 p : detour->points_in_map) EXPECT_GE(room.spare_m(p), 0.0);
@@ -45,7 +45,7 @@ TEST_F(DetoursOn, LeadsBackToALaneThatWasLeft) {
   stage.place({4.0, 6.5, 0.0});
   const auto detour = look(0.0);
   ASSERT_TRUE(detour);
-  EXPECT_FALSE(detour->is_around_something);
+  EXPECT_EQ(detour->kind, Detour::Kind::kBackToLane);
 }
 
 TEST_F(DetoursOn, LooksFiveTimesASecondAndAtOnceWhenHastened) {
@@ -76,6 +76,68 @@ TEST_F(DetoursInAnAisle, ANewLaneForgetsWhatBlockedTheOldOne) {
   EXPECT_EQ(detours.blocked()->vehicle_id, "") << "no vehicle";
   detours.begin();
   EXPECT_FALSE(detours.blocked());
+}
+
+TEST_F(DetoursOn, MustBeBackBeforeTheEndOfWhatIsGranted) {
+  stage.around.add_standing({{5.0, 5.0}, 0.3}, {});
+  EXPECT_FALSE(detours.look(stage.moment(0.0), stage.around, way, 2.5));
+  ASSERT_TRUE(detours.blocked());
+  detours.begin();
+  EXPECT_FALSE(detours.look(stage.moment(0.0), stage.around, way, 1.0));
+  EXPECT_FALSE(detours.blocked()) << "it is beyond";
+  detours.begin();
+  EXPECT_TRUE(detours.look(stage.moment(0.0), stage.around, way, 6.0));
+}
+
+TEST_F(DetoursOn, InATubeAThingBlocksAndAVehicleDoesNot) {
+  const double all_m = way.lane().length_m();
+  stage.around.add_standing({{5.0, 5.2}, 0.3}, "agv-2");
+  detours.look_in_tube(stage.moment(0.0), stage.around, way, all_m);
+  EXPECT_FALSE(detours.blocked());
+  stage.around.add_standing({{6.0, 5.2}, 0.3}, {});
+  detours.look_in_tube(stage.moment(1.0), stage.around, way, all_m);
+  ASSERT_TRUE(detours.blocked());
+  ASSERT_TRUE(detours.blocked()->thing);
+  EXPECT_EQ(detours.blocked()->thing->position, (geometry::Point2{6.0, 5.2}));
+  stage.around = {};
+  detours.look_in_tube(stage.moment(2.0), stage.around, way, all_m);
+  EXPECT_FALSE(detours.blocked());
+}
+
+class DetoursPastWalkers : public DetoursOn {
+ protected:
+  void walk_ahead(geometry::Point2 velocity) {
+    Mover mover;
+    mover.position_in_map = {5.0, 5.0};
+    mover.velocity_in_map = velocity;
+    stage.around.movers = {mover};
+  }
+};
+
+TEST_F(DetoursPastWalkers, PassASlowOneWhoWalksTheSameWay) {
+  walk_ahead({0.4, 0.0});
+  const auto detour = look(0.0);
+  ASSERT_TRUE(detour);
+  EXPECT_EQ(detour->kind, Detour::Kind::kPastWalker);
+  EXPECT_GT(detour->rejoin_m, 2.0 + 3.0 * 0.4) << "beyond where they will be";
+  EXPECT_FALSE(detours.blocked());
+}
+
+TEST_F(DetoursPastWalkers, LeaveThoseWhoAreFastOrWalkAnotherWay) {
+  for (const geometry::Point2 velocity : {geometry::Point2{1.1, 0.0}, {-0.4, 0.0}, {0.0, 0.4}, {0.0, 0.0}}) {
+    detours.begin();
+    walk_ahead(velocity);
+    EXPECT_FALSE(look(0.0)) << velocity.x << " " << velocity.y;
+  }
+}
+
+TEST_F(DetoursInAnAisle, NobodyIsPassedWhereThereIsNoRoom) {
+  Mover mover;
+  mover.position_in_map = {5.0, 5.0};
+  mover.velocity_in_map = {0.4, 0.0};
+  stage.around.movers = {mover};
+  EXPECT_FALSE(look(0.0));
+  EXPECT_FALSE(detours.blocked()) << "they walk on";
 }
 
 TEST_F(DetoursOn, AForkliftKeepsToItsPlan) {

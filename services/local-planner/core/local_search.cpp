@@ -1,4 +1,4 @@
-#include "services/local-planner/core/right_of_way/local_search.hpp"
+#include "services/local-planner/core/local_search.hpp"
 
 #include <algorithm>
 #include <array>
