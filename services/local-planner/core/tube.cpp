@@ -16,21 +16,22 @@ using geometry::Twist2;
 constexpr double kSpareShare = 0.3;  // of the tube's half width: left for what a vehicle does not do as it is told
 constexpr double kRoundingM = 1e-6;
 constexpr double kSwingM = 0.03;
-constexpr double kMostSwingM = 0.05;
+constexpr double kMostSwingM = 0.3;
 constexpr double kBehindM = 0.5;  // of the vehicle a tube is looked at,
 constexpr double kAheadM = 1.5;   // and so far ahead: farther than it needs to brake
 
-/// The path's point nearest to a place, and where the path leads there.
+/// The path's point nearest to a place: on segment i of the path, a share t of it along.
 struct Foot {
   Point2 in_map;
-  Point2 along;  // not of unit length; zero for a single point
+  std::size_t i{0};
+  double t{0.0};
   double distance2{std::numeric_limits<double>::infinity()};
 };
 
 /// On each segment the foot is t = (p - a) . (b - a) / |b - a|^2 within [0, 1].
 Foot foot_of(const std::vector<Point2>& path, Point2 p) {
   Foot nearest;
-  if (path.size() == 1) return {path.front(), {}, geometry::dot(p - path.front(), p - path.front())};
+  if (path.size() == 1) return {path.front(), 0, 0.0, geometry::dot(p - path.front(), p - path.front())};
 
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const Point2 ab = path[i + 1] - path[i];
@@ -38,10 +39,21 @@ Foot foot_of(const std::vector<Point2>& path, Point2 p) {
     const double t = length2 > 0.0 ? std::clamp(geometry::dot(p - path[i], ab) / length2, 0.0, 1.0) : 0.0;
     const Point2 foot = path[i] + t * ab;
     const double distance2 = geometry::dot(p - foot, p - foot);
-    if (distance2 < nearest.distance2) nearest = {foot, ab, distance2};
+    if (distance2 < nearest.distance2) nearest = {foot, i, t, distance2};
   }
 
   return nearest;
+}
+
+/// The path's heading at the foot, in rad: at a point the mean of both segments', and evenly from point to point, for
+/// an arc is given by few points.
+double heading_at(const std::vector<Point2>& path, const Foot& foot) {
+  const auto of_segment = [&](std::size_t i) { return geometry::bearing(path[i], path[i + 1]); };
+  const double here = of_segment(foot.i);
+  const double turned_before = foot.i > 0 ? geometry::wrap(here - of_segment(foot.i - 1)) : 0.0;
+  const double turns_after = foot.i + 2 < path.size() ? geometry::wrap(of_segment(foot.i + 1) - here) : 0.0;
+
+  return here - 0.5 * (1.0 - foot.t) * turned_before + 0.5 * foot.t * turns_after;
 }
 
 }  // namespace
@@ -55,9 +67,9 @@ double off_path_m(const std::vector<Point2>& path_in_map, const Pose2& base_in_m
                   const std::vector<double>& discs_ahead_m, bool turns_on_the_spot) {
   const Foot foot = foot_of(path_in_map, base_in_map.position());
   double most_m = std::sqrt(foot.distance2);
-  if (turns_on_the_spot || foot.along == Point2{}) return most_m;
+  if (turns_on_the_spot || path_in_map.size() < 2) return most_m;
 
-  const Pose2 on_path{foot.in_map.x, foot.in_map.y, std::atan2(foot.along.y, foot.along.x)};
+  const Pose2 on_path{foot.in_map.x, foot.in_map.y, heading_at(path_in_map, foot)};
   for (const double ahead_m : discs_ahead_m)
     most_m = std::max(most_m, geometry::distance(geometry::to_map(base_in_map, {ahead_m, 0.0}),
                                                  geometry::to_map(on_path, {ahead_m, 0.0})));

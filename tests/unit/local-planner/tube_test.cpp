@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "services/local-planner/core/dwa.hpp"
 #include "tests/unit/local-planner/hall.hpp"
 
@@ -24,6 +26,15 @@ TEST(OffPath, OfALongVehicleCountsHowItIsTurned) {
   const std::vector<double> discs{-0.5, 0.5, 1.5};
   EXPECT_NEAR(off_path_m(kAlongX, {4.0, 5.0, 0.1}, discs, false), 0.15, 1e-3);
   EXPECT_NEAR(off_path_m(kAlongX, {4.0, 5.0, 0.1}, discs, true), 0.0, 1e-9) << "it may turn anywhere";
+}
+
+TEST(OffPath, OnAnArcOfFewPointsTheHeadingIsTheArcs) {
+  std::vector<Point2> arc;
+  for (double yaw = 0.0; yaw < 1.6; yaw += 0.2) arc.push_back({2.0 * std::sin(yaw), 2.0 - 2.0 * std::cos(yaw)});
+  for (double yaw = 0.3; yaw < 1.1; yaw += 0.05) {
+    const geometry::Pose2 on_it{2.0 * std::sin(yaw), 2.0 - 2.0 * std::cos(yaw), yaw};
+    EXPECT_LT(off_path_m(arc, on_it, {-0.5, 0.5, 1.4}, false), 0.03) << yaw;
+  }
 }
 
 TEST(TubeAlong, ReachesAsFarAsTheVehicleMayGo) {
@@ -77,7 +88,7 @@ TEST_F(KeepingToATube, AVehicleThatCannotTurnOnTheSpotMaySwingOutABit) {
   at.limits.model = kinematics::Model::kTricycle;
   at.discs_ahead_m = {0.0, 1.0};
   EXPECT_TRUE(TubeKeeping(at, tube, DwaSettings{}).to({0.3, 0.0, 0.0}));
-  at.base_in_map = {4.0, 5.4, 0.3};
+  at.base_in_map = {4.0, 5.6, 0.3};
   EXPECT_FALSE(TubeKeeping(at, tube, DwaSettings{}).to({0.3, 0.0, 0.0})) << "far out it comes no farther";
 }
 
