@@ -186,9 +186,8 @@ void TrafficPlanner::open_what_was_seen(Stamp now) {
   }
 }
 
-void TrafficPlanner::take_over(Stamp now) {
-  goals_.take_over();
-  is_taken_over_ = began_.has_value() || is_taken_over_;
+void TrafficPlanner::take_over(Stamp now, bool after_another) {
+  if (after_another) goals_.take_over();
   began_ = now;
 
   for (auto& [agv_id, entry] : vehicles_) {
@@ -231,8 +230,8 @@ FleetOrders TrafficPlanner::step(Stamp now, const OutOfTime& out_of_time) {
   is_busy_ = is_busy_ || coordinator_->is_busy();
 
   for (const traffic::Way& way : joint.ways) take_way(way, orders);
-  refresh(orders);
   for (const traffic::GrantedRoad& road : joint.grants) take_grant(road, now, orders);
+  refresh(orders);
   events_.insert(events_.end(), joint.events.begin(), joint.events.end());
 
   return orders;
@@ -271,8 +270,8 @@ void TrafficPlanner::take_way(const traffic::Way& way, FleetOrders& orders) {
   plan.map_revision = map_revision_;
 
   const bool is_new_goal = !entry.plan || entry.plan->goal_id != way.goal_id;
-  plan.trigger = is_new_goal && is_taken_over_               ? PlanTrigger::kTakeover
-                 : is_new_goal                               ? PlanTrigger::kNewGoal
+  const bool is_taken_over = has_goal && own->trigger == PlanTrigger::kTakeover;
+  plan.trigger = is_new_goal ? (is_taken_over ? PlanTrigger::kTakeover : PlanTrigger::kNewGoal)
                  : entry.plan->map_revision != map_revision_ ? PlanTrigger::kMapChanged
                                                              : PlanTrigger::kVehicleBlocked;
   if (has_goal) {
@@ -302,7 +301,7 @@ void TrafficPlanner::take_way(const traffic::Way& way, FleetOrders& orders) {
 
 void TrafficPlanner::refresh(FleetOrders& orders) {
   for (auto& [agv_id, entry] : vehicles_) {
-    if (!entry.plan || !entry.plan->is_found()) continue;
+    if (!entry.plan || !entry.plan->is_found() || entry.grant.gives_back) continue;
 
     Plan& plan = *entry.plan;
     const double tube = tube_m(entry);

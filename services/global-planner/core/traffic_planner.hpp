@@ -58,9 +58,9 @@ class TrafficPlanner {
   void drop_track(std::uint64_t track_id, time::Stamp now);
   void set_coverage(const fleet::CoverageTile& tile, time::Stamp now) { seen_.set(tile, now); }
 
-  /// Another planner led until now: what vehicles may still drive is learned from their own words, and all plans are
-  /// made anew.
-  void take_over(time::Stamp now);
+  /// Leads from now on. What vehicles may still drive is learned from their own words, and all plans are made anew.
+  /// @param after_another another planner led before
+  void take_over(time::Stamp now, bool after_another);
 
   /// Works for one slice; to be called again at once while is_busy().
   FleetOrders step(time::Stamp now, const OutOfTime& out_of_time);
@@ -118,7 +118,8 @@ class TrafficPlanner {
   void take_way(const traffic::Way& way, FleetOrders& orders);
   void take_grant(const traffic::GrantedRoad& road, time::Stamp now, FleetOrders& orders);
 
-  /// Plans that go on under a new revision of the map, or with a tube of another width, are told anew.
+  /// Plans that go on under a new revision of the map, or with a tube of another width, are told anew. Not those whose
+  /// vehicle is asked for road: it gets another plan.
   void refresh(FleetOrders& orders);
 
   /// Ends closures whose spot was seen free.
@@ -140,7 +141,6 @@ class TrafficPlanner {
   std::map<std::string, Entry> vehicles_;
   std::map<std::uint64_t, Standing> standing_;
   std::optional<time::Stamp> began_;  // to lead
-  bool is_taken_over_{false};
   bool is_busy_{false};
   OutOfTime out_of_time_;  // of the newest step
   std::vector<std::string> events_;

@@ -261,7 +261,7 @@ TEST_F(TrafficFleet, ALeaderThatTookOverGrantsNothingUntilItHeardAllVehiclesOrWa
   run(0.5);
   plans_.clear();
   grants_.clear();
-  planner_.take_over(now_);
+  planner_.take_over(now_, true);
   says_.erase("agv-2");
   run(2.5);
   EXPECT_TRUE(grants_.empty());
