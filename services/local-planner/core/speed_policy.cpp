@@ -78,7 +78,7 @@ ProfileLimits profile_limits(const kinematics::Limits& limits, const Settings& s
 double speed_cap_mps(const SpeedQuestion& question, const Settings& settings) {
   const Moment& moment = question.moment;
   const Way& way = question.way;
-  const double s_m = way.backs_off() ? way.s_m() : way.s_near_m(moment.motion.base_then.position());
+  const double s_m = way.backs_off() ? way.s_m() : way.s_near_m(moment.motion.base_then.position(), question.stop_at_m);
 
   double cap = std::max(kLeastProfileMps, way.speed_at(s_m));
   cap = std::min(cap, bounded_by_braking_mps(question.stop_at_m - s_m - kStopMarginM, settings.comfort_mps2));

@@ -124,7 +124,7 @@ Aim aim_at(Point2 target_in_map, const OnWay& on_way, const Variant& variant, co
   const Point2 then = on_way.moment.motion.base_then.position();
   const Way& way = on_way.way;
   const Route& route = way.current();
-  const double nearest_m = way.s_near_m(then);
+  const double nearest_m = way.s_near_m(then, on_way.most_m);
 
   Aim aim;
   aim.target_in_map = target_in_map;

@@ -70,7 +70,9 @@ double Way::speed_at(double s_m) const {
   return speeds[i] + share * (speeds[i + 1] - speeds[i]);
 }
 
-double Way::s_near_m(Point2 p_in_map) const { return current().project(p_in_map, s_m(), s_m() + kSoonAheadM); }
+double Way::s_near_m(Point2 p_in_map, double most_m) const {
+  return current().project(p_in_map, s_m(), std::max(s_m(), std::min(s_m() + kSoonAheadM, most_m)));
+}
 
 void Way::progress_at(Point2 position_in_map, double about_m, double most_m) {
   const double ahead_m = std::min(about_m + kSoonAheadM, most_m);

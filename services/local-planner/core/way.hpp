@@ -55,9 +55,9 @@ class Way {
   const std::vector<double>& profile_mps() const { return back_ ? back_->profile_mps : lane_.profile_mps; }
   double speed_at(double s_m) const;
 
-  /// The s of the current route that is nearest to a point within the next half metre: where the vehicle will be in a
-  /// moment.
-  double s_near_m(geometry::Point2 p_in_map) const;
+  /// The s of the current route that is nearest to a point within the next half metre, and not beyond `most_m`: where
+  /// the vehicle will be in a moment. Beyond a turn that it still drives to, the way may come back beside it.
+  double s_near_m(geometry::Point2 p_in_map, double most_m = std::numeric_limits<double>::infinity()) const;
 
   /// Moves s on to where the vehicle is.
   void progress(geometry::Point2 position_in_map);
