@@ -40,7 +40,7 @@ TEST(Way, FindsItsPlaceFarAlongAPlanThatIsNew) {
 
 TEST(Way, IsNotLookedForBeyondATurnThatIsStillDrivenTo) {
   Way way;
-  way.adopt(Lane(Route(resample({{0.0, 0.0}, {5.0, 0.0}, {0.0, 0.3}}, 0.2))), {0.0, 0.0}, false);
+  way.adopt(Lane(Route({{0.0, 0.0}, {5.0, 0.0}, {0.0, 0.3}})), {0.0, 0.0}, false);
   for (double x = 0.0; x <= 4.8; x += 0.1) way.progress({x, 0.0});
   ASSERT_GT(way.s_near_m({4.8, 0.03}), 5.0) << "nearer to the way back";
   EXPECT_NEAR(way.s_near_m({4.8, 0.03}, 5.0), 4.8, 0.05);
