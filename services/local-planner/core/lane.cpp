@@ -20,7 +20,7 @@ constexpr int kRounds = 30;
 constexpr double kBendShare = 0.35;
 constexpr double kTargetShare = 0.04;
 constexpr double kWallShare = 0.2;  // of what a point lacks of being roomy
-constexpr double kRoomyM = 0.4;     // between the vehicle and the walls: there it need not slow down
+constexpr double kRoomyM = 0.3;     // between the vehicle and the walls: there it hardly slows down
 constexpr double kRoundingM = 1e-9;
 constexpr double kBetweenPointsM = 0.03;  // between two points the lane may be so much nearer to walls
 

@@ -18,6 +18,7 @@ constexpr double kWaitsBeforeM = 0.2;    // so near before an obstacle that clos
 constexpr double kAtLimitM = 0.1;        // so near before its limit it is there
 constexpr double kBlockedInTubeS = 2.0;  // what stands in a tube for so long closes it
 constexpr double kComesBackMps = 0.2;    // into its tube
+constexpr double kWalkersWithinM = 8.0;  // farther away nobody is met within the dynamic window's horizon
 
 /// Does the vehicle stand before what obstructs its way, and wait there for it to go?
 bool stays_before(const Blocked* by, const OnWay& on_way) {
@@ -192,7 +193,7 @@ Output LocalPlanner::drive_to(const Target& target, const OnWay& on_way, const R
   // The dynamic window.
   const Aim aim = aim_at(target.in_map, on_way, variant_, settings_.dwa);
   const SpeedSearch search{moment, scene, aim, target.error_rad, stays_here, follower_.braking(limits)};
-  const SpeedChoice speed = choose_speed(search, variant_, on_way.tube != nullptr ? dwa_in_tube_ : settings_.dwa);
+  const SpeedChoice speed = choose_speed(search, variant_, looks_short(on_way) ? dwa_in_tube_ : settings_.dwa);
 
   stuck_.notice_people(speed.is_refused_by_people, moment.now);
   if (!moment.motion.stands()) stuck_.move(moment.now);
@@ -213,6 +214,14 @@ Output LocalPlanner::drive_to(const Target& target, const OnWay& on_way, const R
 /// In a tube what stands there is told sooner: others wait for what is granted beyond it.
 double LocalPlanner::blocked_after_s() const {
   return road_.tube_m() > 0.0 ? std::min(kBlockedInTubeS, settings_.blocked_after_s) : settings_.blocked_after_s;
+}
+
+bool LocalPlanner::looks_short(const OnWay& on_way) const {
+  const auto walks_near = [&](const Mover& mover) {
+    return mover.velocity_in_map != geometry::Point2{} && on_way.moment.gap_then_m(mover) < kWalkersWithinM;
+  };
+  const auto& movers = on_way.around.movers;
+  return on_way.tube != nullptr && std::none_of(movers.begin(), movers.end(), walks_near);
 }
 
 bool LocalPlanner::strays(const OnWay& on_way) const {
@@ -238,7 +247,8 @@ void LocalPlanner::tell_road(const Moment& moment, Output& out) const {
 
 Scene LocalPlanner::scene_towards(const Target& target, const OnWay& on_way, const Ruling& ruling) const {
   const Moment& moment = on_way.moment;
-  double cap_mps = speed_cap_mps({moment, way_, on_way.around, target.in_map, ruling.stop_at_m}, settings_);
+  double cap_mps =
+      speed_cap_mps({moment, way_, on_way.around, target.in_map, ruling.stop_at_m, on_way.tube != nullptr}, settings_);
   if (strays(on_way)) cap_mps = std::min(cap_mps, kComesBackMps);
 
   return {*moment.inputs.clearance,

@@ -51,6 +51,9 @@ class LocalPlanner final : public Planner {
   /// Metres of the outline off its path; 0 without steps.
   double stray_m(const Moment& moment) const;
 
+  /// In a tube and with nobody walking near, no speed is better for what is met later.
+  bool looks_short(const OnWay& on_way) const;
+
   /// Has the vehicle left its tube?
   bool strays(const OnWay& on_way) const;
 
@@ -63,7 +66,7 @@ class LocalPlanner final : public Planner {
   Scene scene_towards(const Target& target, const OnWay& on_way, const Ruling& ruling) const;
 
   Settings settings_;
-  DwaSettings dwa_in_tube_;  // looks no farther than its headings: the way cannot be left for what is met later
+  DwaSettings dwa_in_tube_;  // looks no farther than its headings
   Variant variant_;
   Guard guard_;
   CommandFollower follower_;

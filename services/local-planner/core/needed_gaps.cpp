@@ -137,7 +137,11 @@ Needed needed_gaps(const Scene& scene, const DwaSettings& settings) {
     if (is_beside(here, scene.radius_m, mover)) needed.is_person_beside = true;
     if (gap_m < stopping_m + (mps + mover.growth_mps) * stopping_s + mover.reach_m(stopping_s))
       needed.movers.emplace_back(&mover, std::min(0.0, gap_m));
-    if (gap_m < (mps + mover.growth_mps) * settings.horizon_s + foreseen_m) needed.foreseen.push_back(&mover);
+
+    // In a tube what stands is stopped before, not steered around.
+    const bool is_foreseen = scene.tube == nullptr || mps > 0.0;
+    if (is_foreseen && gap_m < (mps + mover.growth_mps) * settings.horizon_s + foreseen_m)
+      needed.foreseen.push_back(&mover);
   }
 
   return needed;

@@ -10,6 +10,7 @@ namespace {
 using geometry::Point2;
 
 constexpr double kLateralMps2 = 0.6;         // in bends
+constexpr double kMostInTubeMps = 1.35;      // in a tube, where it can only brake: it then stands within a metre
 constexpr double kAtWallInTubeMps = 0.5;     // along walls in a tube,
 constexpr double kGapRateInTube = 4.0;       // and m/s more a metre of gap
 constexpr double kLeastProfileMps = 0.1;     // a way's end is reached at this speed, not at none
@@ -21,7 +22,13 @@ constexpr double kBesidePersonM = 0.25;  // so near to a person that stood for l
 constexpr double kPersonAheadS[] = {0.0, 0.5, 1.0};  // a walker's nearest place of these times counts
 constexpr double kPersonGapM = 0.2;                  // nearer to a person than this it drives at the least speed:
 constexpr double kLeastPersonMps = 0.25;
-constexpr double kPersonGapRate = 0.5;  // m/s a metre of gap beyond
+constexpr double kCrossesWithinS = 2.5;  // so soon a walker comes to the way,
+constexpr double kCrossStepS = 0.25;     // looked at so finely,
+constexpr double kCrossesAheadM = 5.0;   // so far ahead,
+constexpr double kBesideWayM = 0.1;      // or so near beside it;
+constexpr double kThroughBeforeS = 0.7;  // the vehicle may be through so long before,
+constexpr double kBeforeWalkerM = 0.4;   // or stands so far away
+constexpr double kPersonGapRate = 0.5;   // m/s a metre of gap beyond
 
 /// The speed from which it brakes to a stand within the distance: v = sqrt(2 a d).
 double bounded_by_braking_mps(double distance_m, double braking_mps2) {
@@ -48,6 +55,25 @@ double cap_beside_person_mps(const Moment& moment, const Mover& mover) {
   return kLeastPersonMps + kPersonGapRate * gap_m;
 }
 
+/// What brakes before where the walker, going on as now, comes to the way; infinity: nowhere, or long after the
+/// vehicle.
+double cap_before_crossing_mps(const SpeedQuestion& question, const Mover& mover, double s_m, double braking_mps2) {
+  const Route& route = question.way.current();
+  const double reach_m = question.moment.vehicle.reach_m() + mover.radius_m;
+  const double mps = std::max(kLeastPersonMps, question.moment.motion.measured_mps);
+
+  for (double t_s = 0.0; t_s <= kCrossesWithinS; t_s += kCrossStepS) {
+    const Point2 there = mover.position_in_map + t_s * mover.velocity_in_map;
+    const double at_m = route.project(there, s_m, s_m + kCrossesAheadM);
+    const bool is_on_way = at_m > s_m && geometry::distance(route.at(at_m), there) < reach_m + kBesideWayM;
+    const bool is_through_before = (at_m + reach_m - s_m) / mps < t_s - kThroughBeforeS;
+    if (is_on_way && !is_through_before)
+      return bounded_by_braking_mps(at_m - reach_m - kBeforeWalkerM - s_m, braking_mps2);
+  }
+
+  return std::numeric_limits<double>::infinity();
+}
+
 /// Where the target is far off the heading: the part of the full speed that leads towards it.
 double cap_turned_away_mps(const Moment& moment, Point2 target_in_map) {
   const geometry::Pose2& then = moment.motion.base_then;
@@ -67,6 +93,7 @@ ProfileLimits profile_limits(const kinematics::Limits& limits, const Settings& s
   profile.lateral_mps2 = kLateralMps2;
   profile.slows_on_the_way = settings.slows_on_the_way;
   if (is_in_tube) {
+    profile.max_speed_mps = std::min(profile.max_speed_mps, kMostInTubeMps);
     profile.stops_at_turns = true;
     profile.at_wall_mps = kAtWallInTubeMps;
     profile.gap_rate = kGapRateInTube;
@@ -86,6 +113,11 @@ double speed_cap_mps(const SpeedQuestion& question, const Settings& settings) {
 
   const bool is_of_an_older_map = moment.inputs.plan->map_revision != moment.inputs.map_revision;
   if (is_of_an_older_map) cap = std::min(cap, settings.cautious_mps);
+
+  if (question.is_in_tube)
+    for (const Mover& mover : question.around.movers)
+      if (mover.velocity_in_map != Point2{})
+        cap = std::min(cap, cap_before_crossing_mps(question, mover, s_m, settings.comfort_mps2));
 
   for (const Mover& mover : question.around.movers)
     cap = std::min(cap, mover.may_walk ? cap_beside_person_mps(moment, mover) : cap_beside_standing_mps(moment, mover));

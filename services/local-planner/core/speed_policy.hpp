@@ -19,7 +19,8 @@ struct SpeedQuestion {
   const Surroundings& around;
 
   geometry::Point2 target_in_map;
-  double stop_at_m{0.0};  // of the way, not passed; infinity: none
+  double stop_at_m{0.0};   // of the way, not passed; infinity: none
+  bool is_in_tube{false};  // it cannot swing away from anybody
 };
 
 /// The highest speed of this cycle, in m/s: the least of
@@ -27,6 +28,8 @@ struct SpeedQuestion {
 /// - what brakes in comfort before `stop_at_m`, v = sqrt(2 a d);
 /// - what leaves time to turn, where the target is far off the heading;
 /// - a careful speed, while the plan is of an older map;
+/// - in a tube, what brakes in comfort before each place of the way that a walker comes to in the next seconds, if the
+///   vehicle is not through well before;
 /// - what the distance to each person allows: 0.25 m/s beside one, 0.5 m/s more a metre of gap; and a creep beside
 ///   what stood for long and came there on its feet.
 double speed_cap_mps(const SpeedQuestion& question, const Settings& settings);

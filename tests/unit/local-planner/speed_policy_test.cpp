@@ -16,7 +16,7 @@ class SpeedCap : public testing::Test {
   double cap() const {
     const Moment moment = stage.moment();
     const Way way = stage.straight_way();
-    return speed_cap_mps({moment, way, stage.around, target, stop_at_m}, settings);
+    return speed_cap_mps({moment, way, stage.around, target, stop_at_m, is_in_tube}, settings);
   }
   static Mover mover(geometry::Point2 position, bool may_walk, bool has_walked) {
     Mover mover;
@@ -30,6 +30,7 @@ class SpeedCap : public testing::Test {
   Settings settings;
   geometry::Point2 target{5.0, 5.0};
   double stop_at_m{std::numeric_limits<double>::infinity()};
+  bool is_in_tube{false};
 };
 
 TEST_F(SpeedCap, IsTheWaysProfileWhereNothingElseBounds) {
@@ -70,6 +71,24 @@ TEST_F(SpeedCap, CreepsBesideWhatStoodForLongOnlyWhereItOnceWalked) {
   EXPECT_GT(free_mps, 0.9);
   stage.around.movers[0].has_walked = true;
   EXPECT_NEAR(cap(), kCreepMps, 1e-9);
+}
+
+TEST_F(SpeedCap, BrakesInATubeBeforeWhereAWalkerComesToTheWay) {
+  Mover walker = mover({4.2, 2.4}, true, true);
+  walker.velocity_in_map = {0.0, 1.5};
+  stage.around.movers = {walker};
+  const double free_mps = cap();
+  is_in_tube = true;
+  const double stands_before_m = 1.2 - 0.35 - walker.radius_m - 0.4;
+  EXPECT_NEAR(cap(), std::sqrt(2.0 * settings.comfort_mps2 * stands_before_m), 0.05);
+  EXPECT_LT(cap(), free_mps);
+  stage.around.movers[0].velocity_in_map = {0.0, -1.5};
+  EXPECT_GT(cap(), free_mps) << "walks away";
+}
+
+TEST(ProfileLimits, WallsSlowDownLessInATube) {
+  EXPECT_GT(profile_limits({}, {}, true).at_wall_mps, profile_limits({}, {}, false).at_wall_mps);
+  EXPECT_GT(profile_limits({}, {}, true).gap_rate, profile_limits({}, {}, false).gap_rate);
 }
 
 TEST(ProfileLimits, BrakeNoHarderThanTheVehicleCan) {
