@@ -83,8 +83,9 @@ void Coordinator::look_for_blocks(double now_s) {
 
       vehicle.blocked_until_s = now_s + kBlockLastsS;
       const Agent* agent = plans_.find(id);
-      if (agent->granted > agent->done && vehicle.said.plan_id == vehicle.way.plan_id) {
-        ask_back(vehicle, agent->done);
+      const bool has_lead_in = !vehicle.lead_in.path_in_map.empty();
+      if ((has_lead_in || agent->granted > agent->done) && vehicle.said.plan_id == vehicle.way.plan_id) {
+        ask_back(vehicle, has_lead_in ? vehicle.said.step_done : agent->done);
         vehicle.blocked_since_s = now_s;
       }
 

@@ -120,7 +120,9 @@ void Coordinator::hear_answer(VehicleEntry& vehicle, double now_s) {
   vehicle.asked_back.reset();
 
   const bool stands = vehicle.said.speed_mps < kStandsMps;
-  if (limit == agent->done && agent->granted > agent->done && stands) {
+  if (!vehicle.lead_in.path_in_map.empty()) {
+    if (stands && vehicle.said.limit_step == vehicle.said.step_done) rebase(vehicle, now_s);
+  } else if (limit == agent->done && agent->granted > agent->done && stands) {
     rebase(vehicle, now_s);
   } else if (limit < agent->granted) {
     lock_.give_back(vehicle.id, limit);
@@ -132,10 +134,12 @@ void Coordinator::hear_answer(VehicleEntry& vehicle, double now_s) {
   has_changed_ = true;
 }
 
-/// The vehicle stands within a step and gives the rest of it back: from now on it is planned from where it is.
+/// The vehicle stands within a step, or within its lead-in, and gives the rest of it back: from now on it is planned
+/// from where it is.
 void Coordinator::rebase(VehicleEntry& vehicle, double now_s) {
   Agent* agent = plans_.find(vehicle.id);
-  const std::uint64_t step = agent->done;
+  const bool has_lead_in = !vehicle.lead_in.path_in_map.empty();
+  const std::uint64_t step = has_lead_in ? vehicle.said.step_done : agent->done;
   const Shape body = standing_shape(vehicle.kind, vehicle.said.base_in_map);
 
   const PlaceId place = roadmap_.temporary_place(vehicle.kind_id, vehicle.said.base_in_map);
@@ -143,6 +147,7 @@ void Coordinator::rebase(VehicleEntry& vehicle, double now_s) {
 
   lock_.force(vehicle.id, body);
   lock_.give_back(vehicle.id, step);
+  vehicle.lead_in = {};
   place_agent(vehicle, place, step, now_s);
   if (lock_.admit(vehicle.id, step, body)) lock_.force(vehicle.id, Shape());
 }
