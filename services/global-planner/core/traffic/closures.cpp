@@ -76,7 +76,7 @@ void Roadmap::close_motion(MotionId id, Closure& closure) {
   if (leads_away) return;
 
   ++motion_closed_by_[id];
-  motion.is_closed = true;
+  motion.is_closed = motion.is_blocked = true;
   closure.closed.motions.push_back(id);
 }
 
@@ -126,7 +126,7 @@ void Roadmap::open(const std::string& name) {
   for (const PlaceId id : closure->second.closed.places)
     if (--place_closed_by_[id] == 0 && places_[id]) places_[id]->is_closed = false;
   for (const MotionId id : closure->second.closed.motions)
-    if (--motion_closed_by_[id] == 0 && motions_[id]) motions_[id]->is_closed = false;
+    if (--motion_closed_by_[id] == 0 && motions_[id]) motions_[id]->is_closed = motions_[id]->is_blocked = false;
   for (const PlaceId id : closure->second.made.places)
     if (places_[id]) retire(id);
   for (const MotionId id : closure->second.made.motions)

@@ -69,6 +69,11 @@ Orders Coordinator::step(double now_s) {
   return orders;
 }
 
+std::uint64_t Coordinator::take_plan_id(const std::string& agv_id) {
+  const auto found = vehicles_.find(agv_id);
+  return found == vehicles_.end() ? 0 : found->second.next_plan_id++;
+}
+
 /// Tries that are in vain become rarer; a change makes them more frequent again.
 void Coordinator::improve(double now_s) {
   if (now_s < improved_s_ + improve_every_s_) return;

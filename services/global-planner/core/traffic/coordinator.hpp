@@ -115,6 +115,10 @@ class Coordinator {
   std::uint64_t refused() const { return refused_; }  // motions that the lock refused though their links were done: 0
   std::uint64_t circles() const { return plans_.circles(); }
 
+  /// A number for a plan of the vehicle that is not the coordinator's: one without a way. Later ways have higher ones.
+  /// 0: the vehicle is not known.
+  std::uint64_t take_plan_id(const std::string& agv_id);
+
   /// Is the step of the vehicle one of its own way? False for a step that is unknown.
   bool is_on_own_way(const std::string& agv_id, std::uint64_t step) const;
 

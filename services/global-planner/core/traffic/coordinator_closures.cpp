@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "services/global-planner/core/traffic/coordinator.hpp"
+#include "services/global-planner/core/traffic/space_time_search.hpp"
 
 namespace aisle::global_planner::traffic {
 namespace {
@@ -30,8 +31,11 @@ void Coordinator::open(const std::string& name) {
   plans_changed();
 }
 
-/// Nobody enters closed floor; whoever is inside may leave: motions that lead out of it are open.
-bool Coordinator::is_open(MotionId motion) const { return !roadmap_.motion(motion).is_closed; }
+/// Nobody enters closed floor; whoever is inside may leave.
+bool Coordinator::is_open(MotionId id) const {
+  const Motion& motion = roadmap_.motion(id);
+  return SpaceTimeSearch::may_drive(motion, roadmap_.place(motion.from), roadmap_.place(motion.to));
+}
 
 /// Plans that lead over closed floor are cut before it; what is granted there is asked back.
 void Coordinator::leave_closed_floor(double now_s) {

@@ -19,6 +19,8 @@ double seconds_of(const Roadmap& roadmap, const Motion& motion) {
 
 /// May a way lead over the motion? Closed ones only from a closed place: out of it.
 bool is_usable(const Roadmap& roadmap, const Motion& motion) {
+  if (motion.is_blocked) return false;
+
   const bool is_from_closed = roadmap.place(motion.from).is_closed;
   return is_from_closed || (!motion.is_closed && !roadmap.place(motion.to).is_closed);
 }

@@ -51,7 +51,9 @@ struct Motion {
   bool is_reverse{false};
   bool is_temporary{false};
   bool is_closed{false};
-  Shape shape;  // swept from place to place, tube included
+  Shape shape;             // swept from place to place, tube included
+  bool is_blocked{false};  // closed by something that stands there; a motion that is closed and not blocked was taken
+                           // away by an edit: whoever is inside may leave by it
 };
 
 /// Places and motions of all kinds of vehicles, made from the map alone. Ids survive edits elsewhere. No lane is drawn

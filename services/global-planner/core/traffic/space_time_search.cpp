@@ -24,6 +24,7 @@ std::uint32_t heading_number(double heading_rad) {
 }  // namespace
 
 bool SpaceTimeSearch::may_drive(const Motion& motion, const Place& from, const Place& to) {
+  if (motion.is_blocked) return false;
   if (motion.is_closed) return from.is_closed && from.is_temporary && !to.is_closed;
   return !to.is_closed || from.is_closed;
 }
