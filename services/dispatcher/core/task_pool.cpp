@@ -90,7 +90,7 @@ void TaskPool::status_heard(const std::string& agv_id, const Status& status, dou
   const auto found = vehicles_.find(agv_id);
   if (found == vehicles_.end()) return;
 
-  Vehicle& vehicle = found->second;
+  VehicleEntry& vehicle = found->second;
   vehicle.status = status;
   vehicle.distance_left_m = distance_left_m;
   vehicle.status_arrived = now;
@@ -99,7 +99,7 @@ void TaskPool::status_heard(const std::string& agv_id, const Status& status, dou
   if (Entry* const entry = find_given_to(agv_id)) follow(*entry, status, now);
 }
 
-void TaskPool::take_up(const std::string& agv_id, const Vehicle& vehicle, time::Stamp now) {
+void TaskPool::take_up(const std::string& agv_id, const VehicleEntry& vehicle, time::Stamp now) {
   const bool is_greeting = !remembers_ && now < *begun_ + time::from_seconds(settings_.greet_s);
   if (!is_greeting || vehicle.status->goal_id.empty() || find_given_to(agv_id) != nullptr) return;
 

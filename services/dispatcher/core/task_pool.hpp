@@ -110,7 +110,7 @@ class TaskPool {
   };
 
   /// The newest words of a vehicle.
-  struct Vehicle {
+  struct VehicleEntry {
     double max_speed_mps{1.0};
     std::optional<geometry::Point2> place_in_map;
     std::optional<Status> status;
@@ -134,7 +134,7 @@ class TaskPool {
   bool is_silent(const std::string& agv_id, time::Stamp now) const;
 
   /// The vehicle tells that it is on a task that nobody has: after a restart without a memory.
-  void take_up(const std::string& agv_id, const Vehicle& vehicle, time::Stamp now);
+  void take_up(const std::string& agv_id, const VehicleEntry& vehicle, time::Stamp now);
 
   /// A status of the vehicle that serves the task.
   void follow(Entry& entry, const Status& status, time::Stamp now);
@@ -167,7 +167,7 @@ class TaskPool {
 
   Settings settings_;
   std::vector<Entry> entries_;  // in the order in which they came
-  std::map<std::string, Vehicle> vehicles_;
+  std::map<std::string, VehicleEntry> vehicles_;
   bool remembers_{false};
   std::optional<time::Stamp> begun_;  // the first vehicle was heard
   std::vector<Event> events_;

@@ -142,7 +142,7 @@ class Coordinator {
     std::uint64_t number{0};  // of the grant that asks; 0: not sent yet
   };
 
-  struct Vehicle {
+  struct VehicleEntry {
     std::string id;
     Kind kind;
     KindId kind_id{0};
@@ -182,53 +182,53 @@ class Coordinator {
   void plans_changed();
 
   // coordinator_vehicles.cpp: registration, strays, silence
-  void register_vehicle(Vehicle& vehicle, double now_s);
-  void place_agent(Vehicle& vehicle, PlaceId place, std::uint64_t step, double now_s);
-  bool escape(Vehicle& vehicle, double now_s);
-  bool is_alone(const Vehicle& vehicle) const;
-  void hear_progress(Vehicle& vehicle, double now_s);
-  void hear_answer(Vehicle& vehicle, double now_s);
+  void register_vehicle(VehicleEntry& vehicle, double now_s);
+  void place_agent(VehicleEntry& vehicle, PlaceId place, std::uint64_t step, double now_s);
+  bool escape(VehicleEntry& vehicle, double now_s);
+  bool is_alone(const VehicleEntry& vehicle) const;
+  void hear_progress(VehicleEntry& vehicle, double now_s);
+  void hear_answer(VehicleEntry& vehicle, double now_s);
   void look_for_silence(double now_s);
-  void rebase(Vehicle& vehicle, double now_s);
+  void rebase(VehicleEntry& vehicle, double now_s);
   void part_near_ones(double now_s);
-  void end_exceptions(Vehicle& vehicle);
+  void end_exceptions(VehicleEntry& vehicle);
 
   // coordinator_closures.cpp: floor that is closed, and taking back
   void close(const std::string& name, const Shape& shape, double now_s);
   void open(const std::string& name);
   void leave_closed_floor(double now_s);
   void look_for_blocks(double now_s);
-  void ask_back(Vehicle& vehicle, std::uint64_t limit_step);
+  void ask_back(VehicleEntry& vehicle, std::uint64_t limit_step);
   bool is_open(MotionId motion) const;
 
   // coordinator_plans.cpp: who is planned when
   void plan_those_without(double now_s);
-  bool plan_one(Vehicle& vehicle, double now_s);
-  void set_agent_goal(Vehicle& vehicle, double now_s);
+  bool plan_one(VehicleEntry& vehicle, double now_s);
+  void set_agent_goal(VehicleEntry& vehicle, double now_s);
   void move_resters(double now_s);
   void retry_own_way(double now_s);
-  std::vector<MotionId> own_way_motions(const Vehicle& vehicle);
-  PlaceId goal_place(const Vehicle& vehicle);
+  std::vector<MotionId> own_way_motions(const VehicleEntry& vehicle);
+  PlaceId goal_place(const VehicleEntry& vehicle);
   PlaceId end_of_grants(const Agent& agent) const;
   void sweep(double now_s);
 
   // coordinator_grants.cpp: grants and orders
   void grant_all(double now_s);
-  bool grant_next(Vehicle& vehicle);
-  bool wants_road(const Vehicle& vehicle, const Agent& agent) const;
-  void hold_end_of_grants(Vehicle& vehicle);
-  void tell_reasons(Vehicle& vehicle);
-  void tell_way(Vehicle& vehicle, Orders& orders);
-  void tell_grant(Vehicle& vehicle, bool is_new_way, Orders& orders);
-  Way way_of(const Vehicle& vehicle, const Agent& agent) const;
-  double limit_on_way_m(const Vehicle& vehicle, std::uint64_t limit_step) const;
+  bool grant_next(VehicleEntry& vehicle);
+  bool wants_road(const VehicleEntry& vehicle, const Agent& agent) const;
+  void hold_end_of_grants(VehicleEntry& vehicle);
+  void tell_reasons(VehicleEntry& vehicle);
+  void tell_way(VehicleEntry& vehicle, Orders& orders);
+  void tell_grant(VehicleEntry& vehicle, bool is_new_way, Orders& orders);
+  Way way_of(const VehicleEntry& vehicle, const Agent& agent) const;
+  double limit_on_way_m(const VehicleEntry& vehicle, std::uint64_t limit_step) const;
 
   Settings settings_;
   OwnWay own_way_;
   Roadmap roadmap_;
   Lock lock_;
   JointPlan plans_;
-  std::map<std::string, Vehicle> vehicles_;
+  std::map<std::string, VehicleEntry> vehicles_;
   std::vector<std::string> events_;
   bool has_map_{false};
   bool is_busy_{false};

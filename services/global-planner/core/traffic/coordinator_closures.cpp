@@ -98,7 +98,7 @@ void Coordinator::look_for_blocks(double now_s) {
   }
 }
 
-void Coordinator::ask_back(Vehicle& vehicle, std::uint64_t limit_step) {
+void Coordinator::ask_back(VehicleEntry& vehicle, std::uint64_t limit_step) {
   if (vehicle.asked_back && vehicle.asked_back->limit_step <= limit_step) return;
 
   vehicle.asked_back = AskedBack{limit_step, 0};

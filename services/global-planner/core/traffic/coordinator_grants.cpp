@@ -41,7 +41,7 @@ void Coordinator::grant_all(double) {
 }
 
 /// Is the road ahead shorter than what it takes to drive on without braking? Alone on the floor: as far as may be.
-bool Coordinator::wants_road(const Vehicle& vehicle, const Agent& agent) const {
+bool Coordinator::wants_road(const VehicleEntry& vehicle, const Agent& agent) const {
   const std::size_t granted = agent.pending();
   if (granted >= settings_.most_steps_ahead) return false;
   if (is_alone(vehicle)) return true;
@@ -60,7 +60,7 @@ bool Coordinator::wants_road(const Vehicle& vehicle, const Agent& agent) const {
 }
 
 /// The next step, when its links are done and the lock admits its floor. False: no more for now.
-bool Coordinator::grant_next(Vehicle& vehicle) {
+bool Coordinator::grant_next(VehicleEntry& vehicle) {
   const Agent* agent = plans_.find(vehicle.id);
   const std::size_t granted = agent->pending();
   if (agent->is_frozen || vehicle.asked_back || granted >= agent->steps.size()) return false;
@@ -113,7 +113,7 @@ bool Coordinator::grant_next(Vehicle& vehicle) {
 }
 
 /// The place where its grants end stays held when the step to it is behind the vehicle.
-void Coordinator::hold_end_of_grants(Vehicle& vehicle) {
+void Coordinator::hold_end_of_grants(VehicleEntry& vehicle) {
   const Agent* agent = plans_.find(vehicle.id);
   const auto& held = lock_.held(vehicle.id);
   if (held.find(agent->granted) != held.end()) return;
@@ -123,7 +123,7 @@ void Coordinator::hold_end_of_grants(Vehicle& vehicle) {
 }
 
 /// Why it has no (more) road, in words.
-void Coordinator::tell_reasons(Vehicle& vehicle) {
+void Coordinator::tell_reasons(VehicleEntry& vehicle) {
   const Agent* agent = plans_.find(vehicle.id);
   if (!vehicle.goal_in_map || agent->has_plan_to_goal || !vehicle.reason.empty()) return;
 
@@ -140,7 +140,7 @@ void Coordinator::tell_reasons(Vehicle& vehicle) {
   }
 }
 
-Way Coordinator::way_of(const Vehicle& vehicle, const Agent& agent) const {
+Way Coordinator::way_of(const VehicleEntry& vehicle, const Agent& agent) const {
   Way way;
   way.agv_id = vehicle.id;
   way.first_step = agent.done;
@@ -184,7 +184,7 @@ Way Coordinator::way_of(const Vehicle& vehicle, const Agent& agent) const {
 }
 
 /// Sends the way anew when its steps have changed.
-void Coordinator::tell_way(Vehicle& vehicle, Orders& orders) {
+void Coordinator::tell_way(VehicleEntry& vehicle, Orders& orders) {
   const Agent* agent = plans_.find(vehicle.id);
 
   // The motions that were sent, from the step that the agent is in.
@@ -211,13 +211,13 @@ void Coordinator::tell_way(Vehicle& vehicle, Orders& orders) {
   tell_grant(vehicle, is_new, orders);
 }
 
-double Coordinator::limit_on_way_m(const Vehicle& vehicle, std::uint64_t limit_step) const {
+double Coordinator::limit_on_way_m(const VehicleEntry& vehicle, std::uint64_t limit_step) const {
   const Way& way = vehicle.way;
   if (limit_step <= way.first_step || way.step_ends_m.empty()) return 0.0;
   return way.step_ends_m[std::min<std::size_t>(limit_step - way.first_step, way.step_ends_m.size()) - 1];
 }
 
-void Coordinator::tell_grant(Vehicle& vehicle, bool is_new_way, Orders& orders) {
+void Coordinator::tell_grant(VehicleEntry& vehicle, bool is_new_way, Orders& orders) {
   const Agent* agent = plans_.find(vehicle.id);
   GrantedRoad grant;
   grant.agv_id = vehicle.id;

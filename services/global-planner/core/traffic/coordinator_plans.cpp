@@ -58,7 +58,7 @@ void Coordinator::set_goal(const std::string& agv_id, const std::string& goal_id
   const auto found = vehicles_.find(agv_id);
   if (found == vehicles_.end()) return;
 
-  Vehicle& vehicle = found->second;
+  VehicleEntry& vehicle = found->second;
   const bool is_same =
       vehicle.goal_in_map.has_value() == goal_in_map.has_value() && vehicle.goal_id == goal_id &&
       (!goal_in_map || (goal_in_map->x == vehicle.goal_in_map->x && goal_in_map->y == vehicle.goal_in_map->y));
@@ -78,7 +78,7 @@ void Coordinator::set_goal(const std::string& agv_id, const std::string& goal_id
   set_agent_goal(vehicle, now_s);
 }
 
-void Coordinator::set_agent_goal(Vehicle& vehicle, double now_s) {
+void Coordinator::set_agent_goal(VehicleEntry& vehicle, double now_s) {
   const PlaceId goal = vehicle.goal_in_map ? goal_place(vehicle) : kNoId;
 
   Agent* agent = plans_.find(vehicle.id);
@@ -92,7 +92,7 @@ void Coordinator::set_agent_goal(Vehicle& vehicle, double now_s) {
 }
 
 /// The place of its goal. A vehicle that does not turn on the spot comes with the heading that it reaches soonest.
-PlaceId Coordinator::goal_place(const Vehicle& vehicle) {
+PlaceId Coordinator::goal_place(const VehicleEntry& vehicle) {
   const Pose2 goal = *vehicle.goal_in_map;
   if (vehicle.kind.turns_on_the_spot()) return roadmap_.temporary_place(vehicle.kind_id, goal);
 
@@ -124,7 +124,7 @@ PlaceId Coordinator::end_of_grants(const Agent& agent) const {
 
 /// Those who have a goal and no plan, the oldest first.
 void Coordinator::plan_those_without(double now_s) {
-  std::vector<Vehicle*> without;
+  std::vector<VehicleEntry*> without;
   for (auto& [id, vehicle] : vehicles_) {
     const Agent* agent = plans_.find(id);
     if (agent == nullptr || agent->is_frozen || !vehicle.goal_in_map) continue;
@@ -138,10 +138,10 @@ void Coordinator::plan_those_without(double now_s) {
   }
 
   std::stable_sort(without.begin(), without.end(),
-                   [](const Vehicle* a, const Vehicle* b) { return a->goal_since_s < b->goal_since_s; });
+                   [](const VehicleEntry* a, const VehicleEntry* b) { return a->goal_since_s < b->goal_since_s; });
 
   int planned = 0;
-  for (Vehicle* vehicle : without) {
+  for (VehicleEntry* vehicle : without) {
     if (planned++ == kPlansASlice) {
       is_busy_ = true;
       return;
@@ -153,7 +153,7 @@ void Coordinator::plan_those_without(double now_s) {
 }
 
 /// Alone among the others; else with the vehicles in its way; in the end all together.
-bool Coordinator::plan_one(Vehicle& vehicle, double now_s) {
+bool Coordinator::plan_one(VehicleEntry& vehicle, double now_s) {
   Agent* agent = plans_.find(vehicle.id);
   if (agent->goal == kNoId) {
     set_agent_goal(vehicle, now_s);
@@ -196,7 +196,7 @@ void Coordinator::move_resters(double now_s) {
     const auto found = vehicles_.find(id);
     if (found == vehicles_.end() || found->second.asked_back || now_s < found->second.tried_s + kRetryS) continue;
 
-    Vehicle& vehicle = found->second;
+    VehicleEntry& vehicle = found->second;
     const Agent* agent = plans_.find(id);
     if (agent == nullptr || agent->is_frozen) continue;
 
@@ -207,7 +207,7 @@ void Coordinator::move_resters(double now_s) {
 
 /// Every few seconds a vehicle that drives by the roadmap looks for a way of its own from where its grants end.
 void Coordinator::retry_own_way(double now_s) {
-  Vehicle* next = nullptr;
+  VehicleEntry* next = nullptr;
 
   for (auto& [id, vehicle] : vehicles_) {
     const Agent* agent = plans_.find(id);
@@ -227,7 +227,7 @@ void Coordinator::retry_own_way(double now_s) {
 }
 
 /// The vehicle's own way from where its grants end to its goal, as motions; empty where there is none.
-std::vector<MotionId> Coordinator::own_way_motions(const Vehicle& vehicle) {
+std::vector<MotionId> Coordinator::own_way_motions(const VehicleEntry& vehicle) {
   if (!own_way_ || !vehicle.goal_in_map || !vehicle.kind.turns_on_the_spot()) return {};
 
   const Agent* agent = plans_.find(vehicle.id);

@@ -23,7 +23,7 @@ double length_m(const std::vector<Point2>& path) {
 }  // namespace
 
 void Coordinator::set_vehicle(const std::string& agv_id, const Kind& kind) {
-  Vehicle& vehicle = vehicles_[agv_id];
+  VehicleEntry& vehicle = vehicles_[agv_id];
   if (vehicle.id == agv_id && vehicle.kind == kind) return;
 
   const bool was_known = !vehicle.id.empty();
@@ -42,7 +42,7 @@ void Coordinator::hear(const Report& report, double now_s) {
   const auto found = vehicles_.find(report.agv_id);
   if (found == vehicles_.end()) return;
 
-  Vehicle& vehicle = found->second;
+  VehicleEntry& vehicle = found->second;
   const std::uint64_t step_done = std::max(vehicle.said.step_done, report.step_done);
   const std::uint64_t number = std::max(vehicle.said.grant_number, report.grant_number);
   const bool is_old = vehicle.is_heard && report.step_done < vehicle.said.step_done;
@@ -83,7 +83,7 @@ void Coordinator::hear(const Report& report, double now_s) {
 }
 
 /// Frees what lies behind the vehicle. Where it stands at the end of its grants it goes on holding that place.
-void Coordinator::hear_progress(Vehicle& vehicle, double now_s) {
+void Coordinator::hear_progress(VehicleEntry& vehicle, double now_s) {
   Agent* agent = plans_.find(vehicle.id);
   if (agent == nullptr) return;
 
@@ -109,7 +109,7 @@ void Coordinator::hear_progress(Vehicle& vehicle, double now_s) {
 }
 
 /// Only a status that obeys the grant which asked, or a later one, answers.
-void Coordinator::hear_answer(Vehicle& vehicle, double now_s) {
+void Coordinator::hear_answer(VehicleEntry& vehicle, double now_s) {
   if (!vehicle.asked_back || vehicle.asked_back->number == 0) return;
   if (vehicle.said.grant_number < vehicle.asked_back->number) return;
 
@@ -131,7 +131,7 @@ void Coordinator::hear_answer(Vehicle& vehicle, double now_s) {
 }
 
 /// The vehicle stands within a step and gives the rest of it back: from now on it is planned from where it is.
-void Coordinator::rebase(Vehicle& vehicle, double now_s) {
+void Coordinator::rebase(VehicleEntry& vehicle, double now_s) {
   Agent* agent = plans_.find(vehicle.id);
   const std::uint64_t step = agent->done;
   const Shape body = standing_shape(vehicle.kind, vehicle.said.base_in_map);
@@ -146,7 +146,7 @@ void Coordinator::rebase(Vehicle& vehicle, double now_s) {
 }
 
 /// Makes the agent anew at the place, with the given number of the next step.
-void Coordinator::place_agent(Vehicle& vehicle, PlaceId place, std::uint64_t step, double now_s) {
+void Coordinator::place_agent(VehicleEntry& vehicle, PlaceId place, std::uint64_t step, double now_s) {
   plans_.add(vehicle.id, vehicle.kind_id, place, vehicle.said.base_in_map.yaw, now_s, step);
   vehicle.is_registered = true;
   vehicle.without_plan_s = now_s;
@@ -159,7 +159,7 @@ void Coordinator::place_agent(Vehicle& vehicle, PlaceId place, std::uint64_t ste
 
 /// Its body is held at once. A vehicle that still has road from an earlier leader keeps it, and is planned from its
 /// end.
-void Coordinator::register_vehicle(Vehicle& vehicle, double now_s) {
+void Coordinator::register_vehicle(VehicleEntry& vehicle, double now_s) {
   if (!vehicle.is_heard || !has_map_ || now_s < vehicle.registering_s + kRegisterS) return;
 
   vehicle.registering_s = now_s;
@@ -219,7 +219,7 @@ void Coordinator::register_vehicle(Vehicle& vehicle, double now_s) {
 }
 
 /// A vehicle that began too near to others drives, straight and never nearer to them, to a place that is free of all.
-bool Coordinator::escape(Vehicle& vehicle, double now_s) {
+bool Coordinator::escape(VehicleEntry& vehicle, double now_s) {
   const Pose2 from = vehicle.said.base_in_map;
   const Agent* agent = plans_.find(vehicle.id);
   double shortest = kLongestEscapeM;
@@ -283,7 +283,7 @@ void Coordinator::part_near_ones(double now_s) {
 }
 
 /// They count again as soon as nothing that the two hold meets.
-void Coordinator::end_exceptions(Vehicle& vehicle) {
+void Coordinator::end_exceptions(VehicleEntry& vehicle) {
   for (auto it = vehicle.excepted.begin(); it != vehicle.excepted.end();) {
     bool is_near = false;
     for (const auto& [step, mine] : lock_.held(vehicle.id))
@@ -300,7 +300,7 @@ void Coordinator::end_exceptions(Vehicle& vehicle) {
   }
 }
 
-bool Coordinator::is_alone(const Vehicle& vehicle) const {
+bool Coordinator::is_alone(const VehicleEntry& vehicle) const {
   return std::none_of(vehicles_.begin(), vehicles_.end(),
                       [&](const auto& other) { return other.first != vehicle.id && other.second.is_heard; });
 }
