@@ -46,6 +46,7 @@ void Coordinator::hear(const Report& report, double now_s) {
   const std::uint64_t step_done = std::max(vehicle.said.step_done, report.step_done);
   const std::uint64_t number = std::max(vehicle.said.grant_number, report.grant_number);
   const bool is_old = vehicle.is_heard && report.step_done < vehicle.said.step_done;
+  const bool has_others_grant = report.grant_number >= vehicle.next_grant;
   if (is_old) return;  // overtaken by a later one
 
   vehicle.said = report;
@@ -58,8 +59,9 @@ void Coordinator::hear(const Report& report, double now_s) {
 
   if (!vehicle.is_registered) return;
 
-  // It has road that this leader never gave: it was told by an earlier one, and is taken in anew.
-  if (report.limit_step > plans_.find(vehicle.id)->granted) {
+  // It has road that this leader never gave: it was told by an earlier one, and is taken in anew. An old word of road
+  // that it has given back since names a grant of this leader.
+  if (has_others_grant && report.limit_step > plans_.find(vehicle.id)->granted) {
     events_.push_back(vehicle.id + " has road from an earlier leader");
     vehicle.is_registered = false;
     vehicle.registering_s = -1e9;
