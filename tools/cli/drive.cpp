@@ -144,47 +144,49 @@ struct Driven {
   }
 
   bool is_good() const { return totals.is_good() && violations.empty(); }
+
+  double realtime_factor() const { return took_s > 0.0 ? totals.time_s / took_s : 0.0; }
+  std::string trace_hash() const { return fmt::format("{:016x}", totals.trace_hash); }
 };
 
 Json json_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
 
-/// One JSON object, or a few lines for a person.
-void print(const Cli& cli, const Options& options, const Driven& driven) {
+/// One JSON object.
+void print_json(const Options& options, const Driven& driven) {
   const sim::Totals& totals = driven.totals;
-  const double realtime_factor = driven.took_s > 0.0 ? totals.time_s / driven.took_s : 0.0;
-  const std::string hash = fmt::format("{:016x}", totals.trace_hash);
   const bool has_least = totals.least_clearance_m < sim::kNothingNearM;
 
-  if (cli.json) {
-    std::printf("%s\n",
-                write_json(Json{{"local", options.local},
-                                {"global", options.global},
-                                {"runs", totals.runs},
-                                {"goals_assigned", totals.goals_assigned},
-                                {"goals_reached", totals.goals_reached},
-                                {"contacts", totals.contacts},
-                                {"contacts_moving_vehicle", totals.contacts_moving_vehicle},
-                                {"least_clearance_m", has_least ? Json(totals.least_clearance_m) : Json(nullptr)},
-                                {"distance_m", totals.distance_m},
-                                {"time_s", totals.time_s},
-                                {"longest_standoff_s", totals.longest_standoff_s},
-                                {"longest_standoff", totals.longest_standoff},
-                                {"longest_wait_s", totals.longest_wait_s},
-                                {"longest_wait", totals.longest_wait},
-                                {"goals_per_vehicle_hour", json_or_null(totals.goals_per_vehicle_hour())},
-                                {"own_way_share", json_or_null(totals.own_way_share())},
-                                {"replans", totals.replans},
-                                {"omega_sign_changes", totals.omega_sign_changes},
-                                {"jerk_rms", totals.jerk_rms},
-                                {"realtime_factor", realtime_factor},
-                                {"trace_hash", hash},
-                                {"faults", driven.faults},
-                                {"goals_failed", driven.goals_failed},
-                                {"violations", driven.violations}})
-                    .c_str());
+  std::printf("%s\n", write_json(Json{{"local", options.local},
+                                      {"global", options.global},
+                                      {"runs", totals.runs},
+                                      {"goals_assigned", totals.goals_assigned},
+                                      {"goals_reached", totals.goals_reached},
+                                      {"contacts", totals.contacts},
+                                      {"contacts_moving_vehicle", totals.contacts_moving_vehicle},
+                                      {"least_clearance_m", has_least ? Json(totals.least_clearance_m) : Json(nullptr)},
+                                      {"distance_m", totals.distance_m},
+                                      {"time_s", totals.time_s},
+                                      {"longest_standoff_s", totals.longest_standoff_s},
+                                      {"longest_standoff", totals.longest_standoff},
+                                      {"longest_wait_s", totals.longest_wait_s},
+                                      {"longest_wait", totals.longest_wait},
+                                      {"goals_per_vehicle_hour", json_or_null(totals.goals_per_vehicle_hour())},
+                                      {"own_way_share", json_or_null(totals.own_way_share())},
+                                      {"replans", totals.replans},
+                                      {"omega_sign_changes", totals.omega_sign_changes},
+                                      {"jerk_rms", totals.jerk_rms},
+                                      {"realtime_factor", driven.realtime_factor()},
+                                      {"trace_hash", driven.trace_hash()},
+                                      {"faults", driven.faults},
+                                      {"goals_failed", driven.goals_failed},
+                                      {"violations", driven.violations}})
+                          .c_str());
+}
 
-    return;
-  }
+/// A few lines for a person.
+void print_text(const Options& options, const Driven& driven) {
+  const sim::Totals& totals = driven.totals;
+  const bool has_least = totals.least_clearance_m < sim::kNothingNearM;
 
   std::printf("%d run%s, global %s, local %s\n", totals.runs, totals.runs == 1 ? "" : "s", options.global.c_str(),
               options.local.c_str());
@@ -208,7 +210,7 @@ void print(const Cli& cli, const Options& options, const Driven& driven) {
 
   if (!faults.empty()) std::printf("faults: %s\n", faults.c_str());
   if (!driven.violations.empty()) std::printf("violations of authority: %zu\n", driven.violations.size());
-  std::printf("%.0f x real time by CPU time, trace %s\n", realtime_factor, hash.c_str());
+  std::printf("%.0f x real time by CPU time, trace %s\n", driven.realtime_factor(), driven.trace_hash().c_str());
 }
 
 /// Of --faults or --fault-seed. The run's own seed draws which processes and packets are hit.
@@ -377,7 +379,10 @@ int drive(const Cli& cli, const Options& given) {
   progress.clear();
   if (!goes_on) std::fprintf(stderr, "aisle drive: stopped after %d of %d runs\n", driven.totals.runs, runs);
   write_rows(options, course, driven.rows);
-  print(cli, options, driven);
+  if (cli.json)
+    print_json(options, driven);
+  else
+    print_text(options, driven);
 
   return goes_on && driven.is_good() ? process::kDone : process::kNegative;
 }

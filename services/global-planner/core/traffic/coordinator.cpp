@@ -58,7 +58,7 @@ Orders Coordinator::step(double now_s) {
   if (!is_busy_) retry_own_way(now_s);
   if (!is_busy_) improve(now_s);
 
-  grant_all(now_s);
+  grant_all();
 
   Orders orders;
   for (auto& [id, vehicle] : vehicles_) {

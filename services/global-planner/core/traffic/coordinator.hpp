@@ -213,7 +213,7 @@ class Coordinator {
   void sweep(double now_s);
 
   // coordinator_grants.cpp: grants and orders
-  void grant_all(double now_s);
+  void grant_all();
   bool grant_next(VehicleEntry& vehicle);
   bool wants_road(const VehicleEntry& vehicle, const Agent& agent) const;
   void hold_end_of_grants(VehicleEntry& vehicle);

@@ -15,7 +15,7 @@ constexpr double kStepM = 1.0;  // about a step's length: road is granted in who
 }  // namespace
 
 /// Road to all who may have some. A pass serves each vehicle until it wants no more or has to wait.
-void Coordinator::grant_all(double) {
+void Coordinator::grant_all() {
   // A vehicle that was not heard yet may stand, and drive, anywhere.
   const auto unheard =
       std::find_if(vehicles_.begin(), vehicles_.end(), [](const auto& vehicle) { return !vehicle.second.is_heard; });

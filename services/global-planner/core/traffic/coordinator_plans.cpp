@@ -15,7 +15,6 @@ constexpr double kLastResortS = 4.0;  // without a plan: then all are planned to
 constexpr double kOwnWayRetryS = 2.0;
 constexpr int kPlansASlice = 8;
 constexpr double kLeastPieceM = 0.3;  // of an own way: shorter legs go with their neighbours
-constexpr double kAtPlaceM = 0.02;
 constexpr double kLeastPitchM = 1.0;
 
 double pitch_m(const Kind& kind, double gap_m) {

@@ -28,8 +28,7 @@ struct Move {
 class JointStep {
  public:
   /// @param obstacles shapes that no move may meet
-  JointStep(const Roadmap& roadmap, Meetings& meetings, const std::vector<ShapeId>& obstacles)
-      : roadmap_(roadmap), meetings_(meetings), obstacles_(obstacles) {}
+  JointStep(Meetings& meetings, const std::vector<ShapeId>& obstacles) : meetings_(meetings), obstacles_(obstacles) {}
 
   /// Begins a step in which nobody has a move yet. @param places where each vehicle stands
   /// @param before the motions that brought them there
@@ -57,7 +56,6 @@ class JointStep {
   void take_back(std::size_t count);
   bool clear_way(std::size_t vehicle, const std::vector<std::vector<Move>>& wishes);
 
-  const Roadmap& roadmap_;
   Meetings& meetings_;
   const std::vector<ShapeId>& obstacles_;
 

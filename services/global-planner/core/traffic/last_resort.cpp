@@ -12,7 +12,7 @@ constexpr std::size_t kMostTries = 30'000;
 
 }  // namespace
 
-LastResort::LastResort(JointPlan::Parts& parts) : parts_(parts), step_(parts.roadmap, parts.meetings, obstacles_) {}
+LastResort::LastResort(JointPlan::Parts& parts) : parts_(parts), step_(parts.meetings, obstacles_) {}
 
 /// @return is there a vehicle whose goal can be reached when nobody is in its way, and that has no plan?
 bool LastResort::choose_vehicles() {

@@ -112,6 +112,26 @@ std::vector<bool> useful_poses(const std::vector<PoseKey>& keys, const Graph& ne
   return out;
 }
 
+/// A move between two poses of the lattice, by their numbers in the list of poses.
+struct Found {
+  std::uint32_t from;
+  std::uint32_t to;
+  const PoseMove* move;
+};
+
+/// The move as a motion between two places, whose ids are the caller's to add.
+Motion motion_of(const PoseMove& move, const Place& from, const Place& to) {
+  const Point2 from_in_map = from.base_in_map.position();
+  Motion motion;
+  motion.kind = from.kind;
+  for (const Point2 p : move.path) motion.path_in_map.push_back(from_in_map + p);
+  motion.path_in_map.back() = to.base_in_map.position();
+  motion.headings_rad = move.headings_rad;
+  motion.shape = move.shape.moved(from_in_map);
+  motion.is_reverse = move.is_reverse;
+  return motion;
+}
+
 }  // namespace
 
 PlaceId Roadmap::pose_id(KindId kind, std::int64_t number) const {
@@ -136,7 +156,7 @@ void Roadmap::make_steered_places(KindId kind, const Box& region) {
 
   // Poses: new ones in the region, and those that stand already in reach of it.
   std::vector<PoseKey> keys;
-  std::vector<bool> is_known;
+  std::vector<bool> is_known;  // a place already
   std::unordered_map<std::int64_t, std::uint32_t> index_of;
   for (const PoseKey& key : poses_in(grown(region, lattice.reach_m()), origin)) {
     const Pose2 pose = pose_of(key, origin);
@@ -149,11 +169,6 @@ void Roadmap::make_steered_places(KindId kind, const Box& region) {
     is_known.push_back(stands);
   }
 
-  struct Found {
-    std::uint32_t from;
-    std::uint32_t to;
-    const PoseMove* move;
-  };
   std::vector<Found> found;
   std::vector<std::vector<std::uint32_t>> next(keys.size());
   for (std::uint32_t i = 0; i < keys.size(); ++i) {
@@ -182,21 +197,14 @@ void Roadmap::make_steered_places(KindId kind, const Box& region) {
   for (const Found& one : found) {
     if (!is_kept[one.from] || !is_kept[one.to]) continue;
     const auto& leaving = places_[ids[one.from]]->leaving;
-    const bool is_there = std::any_of(leaving.begin(), leaving.end(), [&](MotionId id) {
+    const auto leads_there = [&](MotionId id) {
       return motions_[id]->to == ids[one.to] && !motions_[id]->is_temporary;
-    });
-    if (is_there) continue;
+    };
+    if (std::any_of(leaving.begin(), leaving.end(), leads_there)) continue;
 
-    Motion motion;
+    Motion motion = motion_of(*one.move, *places_[ids[one.from]], *places_[ids[one.to]]);
     motion.from = ids[one.from];
     motion.to = ids[one.to];
-    motion.kind = kind;
-    const Point2 at = places_[motion.from]->base_in_map.position();
-    for (const Point2 p : one.move->path) motion.path_in_map.push_back(at + p);
-    motion.path_in_map.back() = places_[motion.to]->base_in_map.position();
-    motion.headings_rad = one.move->headings_rad;
-    motion.shape = one.move->shape.moved(at);
-    motion.is_reverse = one.move->is_reverse;
     add_motion(std::move(motion));
   }
 }
