@@ -74,6 +74,18 @@ TYPED_TEST(GoldenBytes, OfASampleFilledByItsFieldsAreReadBack) {
   EXPECT_EQ(read, sample);
 }
 
+/// Empty sequences: what stands after them begins without the alignment that their elements would need.
+TYPED_TEST(GoldenBytes, OfASampleWithDefaultValuesAreReadBack) {
+  const typename TypeParam::Sample sample;
+  Bytes bytes;
+  ASSERT_TRUE(this->codec_.encode(&sample, bytes));
+  typename TypeParam::Sample read;
+  EXPECT_TRUE(this->codec_.decode(bytes, &read));
+
+  bytes.resize(bytes.size() + 4);
+  EXPECT_FALSE(this->codec_.decode(bytes, &read)) << "with four bytes more";
+}
+
 TYPED_TEST(GoldenBytes, CutAnywhereNeverThrowAndNeverPassForTheSample) {
   const Bytes& whole = this->golden_;
   for (std::size_t length = 0; length + 3 < whole.size(); ++length) {
