@@ -112,14 +112,20 @@ bool Coordinator::grant_next(VehicleEntry& vehicle) {
   return true;
 }
 
-/// The place where its grants end stays held when the step to it is behind the vehicle.
+/// The place where its grants end stays held when the step to it is behind the vehicle. It is a part of that step's
+/// floor, and kept whatever has been forced upon it since. A body that was forced ends as soon as it is held so.
 void Coordinator::hold_end_of_grants(VehicleEntry& vehicle) {
   const Agent* agent = plans_.find(vehicle.id);
   const auto& held = lock_.held(vehicle.id);
-  if (held.find(agent->granted) != held.end()) return;
 
-  const Shape standing = roadmap_.place(end_of_grants(*agent)).standing;
-  lock_.admit(vehicle.id, agent->granted, standing);
+  if (held.find(agent->granted) == held.end()) {
+    const Shape& standing = roadmap_.place(end_of_grants(*agent)).standing;
+    const bool is_held =
+        lock_.keep(vehicle.id, agent->granted, standing) || lock_.admit(vehicle.id, agent->granted, standing);
+    if (!is_held) return;
+  }
+
+  if (vehicle.lead_in.path_in_map.empty()) lock_.force(vehicle.id, Shape());
 }
 
 /// Why it has no (more) road, in words.

@@ -117,12 +117,16 @@ void Coordinator::hear_answer(VehicleEntry& vehicle, double now_s) {
 
   Agent* agent = plans_.find(vehicle.id);
   const std::uint64_t limit = std::max(vehicle.said.limit_step, agent->done);
-  vehicle.asked_back.reset();
-
   const bool stands = vehicle.said.speed_mps < kStandsMps;
+
+  // Within a step it keeps that step's floor until it has come to a stand.
+  const bool gives_back_its_step = limit == agent->done && agent->granted > agent->done;
+  if (gives_back_its_step && !stands) return;
+
+  vehicle.asked_back.reset();
   if (!vehicle.lead_in.path_in_map.empty()) {
     if (stands && vehicle.said.limit_step == vehicle.said.step_done) rebase(vehicle, now_s);
-  } else if (limit == agent->done && agent->granted > agent->done && stands) {
+  } else if (gives_back_its_step) {
     rebase(vehicle, now_s);
   } else if (limit < agent->granted) {
     lock_.give_back(vehicle.id, limit);
@@ -149,7 +153,7 @@ void Coordinator::rebase(VehicleEntry& vehicle, double now_s) {
   lock_.give_back(vehicle.id, step);
   vehicle.lead_in = {};
   place_agent(vehicle, place, step, now_s);
-  if (lock_.admit(vehicle.id, step, body)) lock_.force(vehicle.id, Shape());
+  hold_end_of_grants(vehicle);
 }
 
 /// Makes the agent anew at the place, with the given number of the next step.

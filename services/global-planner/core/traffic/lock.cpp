@@ -36,6 +36,22 @@ bool Lock::admit(const std::string& agv_id, std::uint64_t step, const Shape& sha
   return is_free;
 }
 
+bool Lock::keep(const std::string& agv_id, std::uint64_t step, const Shape& part) {
+  const Steps& steps = held(agv_id);
+  const auto is_held = [&](const Capsule& inner) {
+    return std::any_of(steps.begin(), steps.lower_bound(kForced), [&](const auto& held) {
+      const auto& capsules = held.second.capsules();
+      return std::any_of(capsules.begin(), capsules.end(),
+                         [&](const Capsule& outer) { return is_inside(inner, outer); });
+    });
+  };
+
+  if (!std::all_of(part.capsules().begin(), part.capsules().end(), is_held)) return false;
+
+  hold(agv_id, step, part);
+  return true;
+}
+
 std::vector<std::string> Lock::holders(const std::string& agv_id, const Shape& shape) const {
   std::set<std::string> found;
   each_meeting(agv_id, shape, [&](const std::string& other) {

@@ -28,6 +28,12 @@ class Lock {
   /// What the vehicle holds under that step already stays held. @pre step < kForced
   bool admit(const std::string& agv_id, std::uint64_t step, const Shape& shape);
 
+  /// Holds under that step, too, what the vehicle holds under another one. Nobody is asked: no floor becomes its own
+  /// that was not. Returns false and changes nothing unless each capsule lies inside one that the vehicle was admitted
+  /// to.
+  /// @pre step < kForced
+  bool keep(const std::string& agv_id, std::uint64_t step, const Shape& part);
+
   /// Vehicles whose shapes keep this one from being admitted, in the order of their ids.
   std::vector<std::string> holders(const std::string& agv_id, const Shape& shape) const;
 

@@ -211,6 +211,15 @@ bool meet(const Shape& a, const Shape& b, double gap_m) {
   return false;
 }
 
+/// A capsule is the hull of the discs at its ends, and `outer` is convex: it holds all when it holds both discs.
+bool is_inside(const Capsule& inner, const Capsule& outer) {
+  const double room_m = outer.radius_m - inner.radius_m + kRoundingM;
+  if (room_m < 0.0) return false;
+
+  return squared_to_segment(inner.from_in_map, outer.from_in_map, outer.to_in_map) <= room_m * room_m &&
+         squared_to_segment(inner.to_in_map, outer.from_in_map, outer.to_in_map) <= room_m * room_m;
+}
+
 bool operator==(const Kind& a, const Kind& b) {
   const auto all = [](const Kind& k) {
     return std::make_tuple(k.footprint.shape, k.footprint.radius_m, k.footprint.length_m, k.footprint.width_m,
@@ -240,6 +249,11 @@ Shape swept_shape(const Kind& kind, const std::vector<geometry::Point2>& path_in
   if (path_in_map.size() == 1) sweep_covering_discs(discs, kind.tube_m, pose(0), pose(0), out);
   for (std::size_t i = 1; i < path_in_map.size(); ++i)
     sweep_covering_discs(discs, kind.tube_m, pose(i - 1), pose(i), out);
+
+  // Between the discs of an arc's end lies floor that is swept by none of them.
+  const std::size_t last = path_in_map.size() - 1;
+  const bool ends_in_an_arc = last > 0 && std::abs(geometry::wrap(headings[last] - headings[last - 1])) >= 1e-6;
+  if (ends_in_an_arc) sweep_covering_discs(discs, kind.tube_m, pose(last), pose(last), out);
 
   return Shape(std::move(out));
 }

@@ -49,6 +49,9 @@ double separation_m(const Shape& a, const Shape& b);
 /// Are the shapes nearer to each other than `gap_m`? Shapes whose gap equals it to within 1 nm do not meet.
 bool meet(const Shape& a, const Shape& b, double gap_m);
 
+/// Does all of `inner` lie within `outer`, to within 1 nm?
+bool is_inside(const Capsule& inner, const Capsule& outer);
+
 /// What the traffic must know of a vehicle's build. Vehicles with equal kinds share a roadmap.
 struct Kind {
   geometry::Footprint footprint;
@@ -69,7 +72,8 @@ Shape standing_shape(const Kind& kind, const geometry::Pose2& base_in_map);
 /// The floor that the vehicle sweeps, tube included, when its frame drives the polyline. Corners within the path are
 /// rounded by arcs that begin `kCornerM` (or half the shorter leg) before the corner: the chord of each arc is swept as
 /// well. A vehicle that turns on the spot may turn anywhere on it. Where `headings_rad` is not empty, it holds the
-/// heading at each point (vehicles that do not turn on the spot).
+/// heading at each point (vehicles that do not turn on the spot). The floor of the vehicle that stands at the path's
+/// end is inside: each capsule of it lies in one of the sweep's.
 Shape swept_shape(const Kind& kind, const std::vector<geometry::Point2>& path_in_map,
                   const std::vector<double>& headings_rad = {});
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <random>
 #include <set>
@@ -91,6 +93,28 @@ TEST(Lock, AnExceptedPairDoesNotCountAgainstEachOtherUntilItEnds) {
   EXPECT_FALSE(lock.admit("agv-1", 1, disc(-0.1)));
 }
 
+TEST(Lock, KeepsAPartOfWhatItHoldsWhateverIsForcedUponIt) {
+  Lock lock(kGapM);
+  lock.admit("agv-1", 3, Shape({{{0.0, 0.0}, {2.0, 0.0}, 0.45}}));
+  lock.force("agv-2", disc(2.0));
+  EXPECT_FALSE(lock.admit("agv-1", 4, disc(2.0)));
+  EXPECT_TRUE(lock.keep("agv-1", 4, disc(2.0)));
+  lock.release("agv-1", 4);
+  EXPECT_THAT(lock.holders("agv-3", disc(2.0)), ElementsAre("agv-1", "agv-2"));
+  EXPECT_THAT(lock.holders("agv-3", disc(0.5)), IsEmpty());
+}
+
+TEST(Lock, KeepsNothingThatReachesBeyondWhatWasAdmitted) {
+  Lock lock(kGapM);
+  lock.admit("agv-1", 3, Shape({{{0.0, 0.0}, {2.0, 0.0}, 0.45}}));
+  lock.force("agv-1", disc(9.0));
+  EXPECT_FALSE(lock.keep("agv-1", 4, disc(2.01)));
+  EXPECT_FALSE(lock.keep("agv-1", 4, Shape({{{1.0, 0.0}, {1.0, 0.0}, 0.46}})));
+  EXPECT_FALSE(lock.keep("agv-1", 4, disc(9.0))) << "forced, not admitted";
+  EXPECT_FALSE(lock.keep("agv-2", 4, disc(1.0))) << "another one's";
+  EXPECT_EQ(lock.held("agv-1").count(4), 0U);
+}
+
 TEST(Lock, ForgetsAVehicle) {
   Lock lock(kGapM);
   lock.admit("agv-1", 0, disc(0.0));
@@ -126,8 +150,38 @@ class Model {
   }
 };
 
-// 100,000 random admissions, releases, exceptions and forced shapes against the model: the same answers, the same
-// holders, and never two admitted shapes that meet.
+/// Looks at points of the shape, one by one: does the vehicle hold them all, forced shapes aside?
+bool holds_points_of(const std::map<std::uint64_t, Shape>& held, const Shape& shape) {
+  for (const Capsule& capsule : shape.capsules()) {
+    for (int i = 0; i <= 4; ++i) {
+      for (int direction = 0; direction < 8; ++direction) {
+        const double angle = 0.25 * geometry::kPi * direction;
+        const geometry::Point2 at = capsule.from_in_map + 0.25 * i * (capsule.to_in_map - capsule.from_in_map) +
+                                    capsule.radius_m * geometry::Point2{std::cos(angle), std::sin(angle)};
+        bool is_held = false;
+        for (const auto& [step, of_step] : held) {
+          if (step != Lock::kForced) is_held = is_held || gap_between_m(of_step, Shape({{at, at, 0.0}})) < 1e-9;
+        }
+        if (!is_held) return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// A part of one of the vehicle's shapes, or a little more than a part; empty: it holds none.
+Shape part_of_held(std::mt19937& random, const std::map<std::uint64_t, Shape>& held) {
+  if (held.empty()) return {};
+
+  const Shape& whole = std::next(held.begin(), static_cast<std::ptrdiff_t>(random() % held.size()))->second;
+  Capsule part = whole.capsules()[random() % whole.capsules().size()];
+  if (random() % 2 == 0) part.to_in_map = 0.5 * (part.from_in_map + part.to_in_map);
+  part.radius_m *= 0.8 + 0.1 * static_cast<double>(random() % 4);
+  return Shape({part});
+}
+
+// 100,000 random admissions, releases, exceptions, kept parts and forced shapes against the model: the same answers,
+// the same holders, and never two admitted shapes that meet.
 TEST(Lock, NeverLetsTwoHoldOneFloor) {
   std::mt19937 random(15);
   Lock lock(kGapM);
@@ -135,6 +189,7 @@ TEST(Lock, NeverLetsTwoHoldOneFloor) {
   std::map<std::string, std::uint64_t> next;
   int admitted = 0;
   int refused = 0;
+  int kept = 0;
 
   const auto drop = [&](const std::string& id, std::uint64_t from, std::uint64_t to) {
     auto& steps = model.held[id];
@@ -144,9 +199,17 @@ TEST(Lock, NeverLetsTwoHoldOneFloor) {
   for (int i = 0; i < 100'000; ++i) {
     const std::string id = "agv-" + std::to_string(random() % 12);
     const std::string other = "agv-" + std::to_string(random() % 12);
-    const unsigned what = random() % 100;
+    const unsigned what = random() % 110;
 
-    if (what < 60) {
+    if (what >= 100) {
+      const Shape part = part_of_held(random, model.held[id]);
+      const bool is_held = lock.keep(id, next[id], part);
+      if (is_held) {
+        ASSERT_TRUE(holds_points_of(model.held[id], part));
+        if (!part.empty()) model.held[id][next[id]++].add(part);
+        ++kept;
+      }
+    } else if (what < 60) {
       const Shape shape = random_shape(random, 16.0);
       const auto holders = model.holders(id, shape);
       ASSERT_EQ(lock.holders(id, shape), holders);
@@ -185,6 +248,7 @@ TEST(Lock, NeverLetsTwoHoldOneFloor) {
 
   EXPECT_GT(admitted, 10'000);
   EXPECT_GT(refused, 10'000);
+  EXPECT_GT(kept, 1'000);
 }
 
 // Without forced shapes and exceptions: whatever the order of admissions and releases, no two holders meet.
@@ -197,6 +261,7 @@ TEST(Lock, HoldersNeverMeet) {
   for (std::uint64_t step = 0; step < 2'000; ++step) {
     const std::string& id = ids[random() % ids.size()];
     lock.admit(id, step, random_shape(random, 10.0));
+    if (step % 3 == 0) lock.keep(id, step, part_of_held(random, lock.held(id)));
     lock.release(ids[random() % ids.size()], step > 20 ? step - 20 : 0);
     if (step % 20 != 0) continue;
 

@@ -209,6 +209,24 @@ TEST(SweptShape, BeginsAndEndsWithWhatIsHeldStanding) {
   for (const Point2 end : {Point2{0.0, 0.0}, Point2{1.5, 1.0}}) expect_inside(swept, cart(), {end.x, end.y, 0.0});
 }
 
+TEST(SweptShape, HoldsTheFloorOfTheVehicleThatStandsAtItsEnd) {
+  const auto expect_end_inside = [](const Kind& kind, const std::vector<Point2>& path,
+                                    const std::vector<double>& yaws) {
+    const Shape shape = swept_shape(kind, path, yaws);
+    const Pose2 end{path.back().x, path.back().y, yaws.empty() ? 0.0 : yaws.back()};
+    const Shape at_end = standing_shape(kind, end);
+    for (const Capsule& standing : at_end.capsules()) {
+      const auto holds = [&](const Capsule& swept) { return is_inside(standing, swept); };
+      EXPECT_TRUE(std::any_of(shape.capsules().begin(), shape.capsules().end(), holds));
+    }
+  };
+
+  expect_end_inside(cart(), {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}}, {});
+  expect_end_inside(forklift(), {{0.0, 0.0}, {1.0, 0.0}}, {0.0, 0.0});
+  expect_end_inside(forklift(), {{1.0, 0.0}, {0.0, 0.0}}, {0.0, 0.0});
+  expect_end_inside(forklift(), {{0.0, 0.0}, {2.0, 2.0}}, {0.0, 0.5 * geometry::kPi});
+}
+
 TEST(CornerShape, HoldsTheArcBetweenTwoSteps) {
   const Point2 corner{2.0, 0.0};
   const Point2 after{2.0, 1.0};

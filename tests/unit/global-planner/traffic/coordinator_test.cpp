@@ -1,0 +1,144 @@
+// Who holds which floor, told by hand: vehicles say what they should, and times are invented.
+#include "services/global-planner/core/traffic/coordinator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/unit/global-planner/traffic/plan_world.hpp"
+
+namespace aisle::global_planner::traffic {
+namespace {
+
+using geometry::Point2;
+using geometry::Pose2;
+
+/// A hall of 20 x 10 m at 0.1 m a cell, and carts that speak ten times a second.
+class CoordinatorTest : public testing::Test {
+ protected:
+  CoordinatorTest() : grid_(grid::Geometry{200, 100, 0.1, {}}), clearance_(grid_) {
+    coordinator_.set_map(clearance_, {0, 0}, {199, 99});
+  }
+
+  void arrive(const std::string& id, const Pose2& pose) {
+    coordinator_.set_vehicle(id, test_support::cart());
+    says_[id].agv_id = id;
+    says_[id].base_in_map = pose;
+  }
+
+  void run(double seconds) {
+    for (double left_s = seconds; left_s > 1e-9; left_s -= 0.1) {
+      now_s_ += 0.1;
+      for (const auto& [id, report] : says_) coordinator_.hear(report, now_s_);
+
+      const Orders orders = coordinator_.step(now_s_);
+      for (const Way& way : orders.ways) ways_[way.agv_id] = way;
+      for (const GrantedRoad& grant : orders.grants) grants_[grant.agv_id] = grant;
+    }
+  }
+
+  /// Where a step of the vehicle's newest way ends.
+  Point2 end_of_step(const std::string& id, std::uint64_t step) {
+    const Way& way = ways_.at(id);
+    double left_m = way.step_ends_m.at(step - way.first_step);
+    for (std::size_t i = 1; i < way.waypoints_in_map.size(); ++i) {
+      const Point2 from = way.waypoints_in_map[i - 1], to = way.waypoints_in_map[i];
+      const double leg_m = geometry::distance(from, to);
+      if (left_m <= leg_m + 1e-9) return from + (left_m / leg_m) * (to - from);
+      left_m -= leg_m;
+    }
+    return way.waypoints_in_map.back();
+  }
+
+  /// The vehicle has come to the end of the step before `done`, stands there, and obeys its newest grant.
+  void stand_behind(const std::string& id, std::uint64_t done, std::uint64_t limit) {
+    Report& report = says_.at(id);
+    const Point2 at = done > ways_.at(id).first_step ? end_of_step(id, done - 1) : report.base_in_map.position();
+    report.base_in_map = {at.x, at.y, report.base_in_map.yaw};
+    report.plan_id = ways_.at(id).plan_id;
+    report.step_done = done;
+    report.limit_step = limit;
+    report.grant_number = grants_.at(id).number;
+  }
+
+  bool holds(const std::string& id, Point2 at) {
+    const auto holders = coordinator_.lock().holders("", standing_shape(test_support::cart(), {at.x, at.y, 0.0}));
+    return std::find(holders.begin(), holders.end(), id) != holders.end();
+  }
+
+  grid::OccupancyGrid grid_;
+  grid::ClearanceField clearance_;
+  Coordinator coordinator_{Coordinator::Settings{}, nullptr};
+  double now_s_{100.0};
+  std::map<std::string, Report> says_;
+  std::map<std::string, Way> ways_;
+  std::map<std::string, GrantedRoad> grants_;  // the newest
+};
+
+/// agv-1 gives road back, and the floor at its new limit has been forced upon meanwhile by the road that agv-2 has from
+/// an earlier leader: agv-1 goes on holding where it comes to stand, also when the steps to it are behind it.
+TEST_F(CoordinatorTest, AVehicleHoldsWhereItStandsWhateverIsForcedUponIt) {
+  arrive("agv-1", {2.0, 5.0, 0.0});
+  coordinator_.set_goal("agv-1", "goal-1", Pose2{15.0, 5.0, 0.0}, now_s_);
+  run(1.0);
+  const std::uint64_t first = ways_.at("agv-1").first_step;
+  ASSERT_GE(grants_.at("agv-1").limit_step, first + 3);
+
+  const Point2 stand = end_of_step("agv-1", first + 1);
+  arrive("agv-2", {stand.x, 1.5, 0.0});
+  says_["agv-2"].step_done = 4;
+  says_["agv-2"].limit_step = 5;
+  says_["agv-2"].held = {{{stand.x, 1.5, 0.0}, 4}, {{stand.x, 8.5, 0.0}, 4}};
+  stand_behind("agv-1", first, grants_.at("agv-1").limit_step);
+  run(0.2);
+  ASSERT_TRUE(holds("agv-2", stand));
+
+  says_["agv-1"].is_blocked = true;
+  says_["agv-1"].blocked_at_in_map = {12.0, 5.0};
+  says_["agv-1"].blocked_radius_m = 0.3;
+  for (int i = 0; i < 50 && !grants_.at("agv-1").gives_back; ++i) run(0.1);
+  ASSERT_TRUE(grants_.at("agv-1").gives_back);
+
+  says_["agv-1"].speed_mps = 0.5;
+  stand_behind("agv-1", first, first + 2);
+  run(0.2);
+  says_["agv-1"].speed_mps = 0.0;
+  stand_behind("agv-1", first + 2, first + 2);
+  run(0.2);
+  EXPECT_TRUE(holds("agv-1", stand));
+}
+
+/// A vehicle that gives back the step that it is in keeps that step's floor until it stands.
+TEST_F(CoordinatorTest, AVehicleThatStillMovesKeepsTheStepThatItIsIn) {
+  arrive("agv-1", {2.0, 5.0, 0.0});
+  arrive("agv-2", {18.0, 2.0, 0.0});
+  coordinator_.set_goal("agv-1", "goal-1", Pose2{15.0, 5.0, 0.0}, now_s_);
+  run(1.0);
+  const std::uint64_t first = ways_.at("agv-1").first_step;
+  const Point2 end = end_of_step("agv-1", first);
+
+  stand_behind("agv-1", first, grants_.at("agv-1").limit_step);
+  says_["agv-1"].is_blocked = true;
+  says_["agv-1"].blocked_at_in_map = {4.0, 5.0};
+  says_["agv-1"].blocked_radius_m = 0.3;
+  for (int i = 0; i < 50 && !grants_.at("agv-1").gives_back; ++i) run(0.1);
+  ASSERT_TRUE(grants_.at("agv-1").gives_back);
+
+  says_["agv-1"].is_blocked = false;
+  says_["agv-1"].speed_mps = 0.3;
+  stand_behind("agv-1", first, first);
+  run(0.3);
+  EXPECT_TRUE(holds("agv-1", end));
+
+  says_["agv-1"].speed_mps = 0.0;
+  says_["agv-1"].base_in_map.x += 0.4;
+  run(0.3);
+  EXPECT_TRUE(holds("agv-1", says_["agv-1"].base_in_map.position()));
+  EXPECT_EQ(coordinator_.plans().agents().at("agv-1").done, first);
+}
+
+}  // namespace
+}  // namespace aisle::global_planner::traffic
