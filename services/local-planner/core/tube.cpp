@@ -19,6 +19,7 @@ constexpr double kSwingM = 0.03;
 constexpr double kMostSwingM = 0.3;
 constexpr double kBehindM = 0.5;  // of the vehicle a tube is looked at,
 constexpr double kAheadM = 1.5;   // and so far ahead: farther than it needs to brake
+constexpr double kFlatM = 1e-4;   // a point so near to the line between its neighbours says nothing
 
 /// The path's point nearest to a place: on segment i of the path, a share t of it along.
 struct Foot {
@@ -56,6 +57,19 @@ double heading_at(const std::vector<Point2>& path, const Foot& foot) {
   return here - 0.5 * (1.0 - foot.t) * turned_before + 0.5 * foot.t * turns_after;
 }
 
+/// The path without points that lie on the line from the last point that is kept to the next one: a lane has one every
+/// few centimetres, and every one costs each twist that is looked at.
+std::vector<Point2> without_flat_points(const std::vector<Point2>& path) {
+  std::vector<Point2> kept{path.front()};
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const Foot foot = foot_of({kept.back(), path[i + 1]}, path[i]);
+    if (foot.distance2 > kFlatM * kFlatM) kept.push_back(path[i]);
+  }
+
+  if (path.size() > 1) kept.push_back(path.back());
+  return kept;
+}
+
 }  // namespace
 
 Tube tube_along(const Route& lane, double s_m, double end_m, double half_width_m) {
@@ -79,21 +93,22 @@ double off_path_m(const std::vector<Point2>& path_in_map, const Pose2& base_in_m
 
 TubeKeeping::TubeKeeping(const Scene& scene, const Tube& tube, const DwaSettings& settings)
     : scene_(scene),
-      tube_(tube),
       step_s_(settings.step_s),
       braking_mps2_(settings.braking_share * scene.limits.max_deceleration_mps2),
       turns_on_the_spot_(scene.limits.model != kinematics::Model::kTricycle),
+      path_in_map_(turns_on_the_spot_ ? without_flat_points(tube.path_in_map) : tube.path_in_map),
+      half_width_m_(tube.half_width_m),
       most_off_m_(most_off_m(off_m(scene.base_in_map))) {}
 
 // A vehicle that cannot turn on the spot swings its corners out before it comes in: it needs all the tube, and a bit.
 double TubeKeeping::most_off_m(double now_m) const {
-  const double half_m = tube_.half_width_m;
-  if (turns_on_the_spot_) return std::max((1.0 - kSpareShare) * half_m, now_m + kRoundingM);
-  return std::max({half_m, std::min(now_m + kSwingM, half_m + kMostSwingM), now_m + kRoundingM});
+  if (turns_on_the_spot_) return std::max((1.0 - kSpareShare) * half_width_m_, now_m + kRoundingM);
+
+  return std::max({half_width_m_, std::min(now_m + kSwingM, half_width_m_ + kMostSwingM), now_m + kRoundingM});
 }
 
 double TubeKeeping::off_m(const Pose2& base_in_map) const {
-  return off_path_m(tube_.path_in_map, base_in_map, scene_.discs_ahead_m, turns_on_the_spot_);
+  return off_path_m(path_in_map_, base_in_map, scene_.discs_ahead_m, turns_on_the_spot_);
 }
 
 bool TubeKeeping::to(const Twist2& wanted) const {

@@ -29,7 +29,7 @@ double off_path_m(const std::vector<geometry::Point2>& path_in_map, const geomet
 /// Which twists keep to a tube. Made once a cycle.
 class TubeKeeping {
  public:
-  /// @param tube must outlive this object, as the scene
+  /// @param scene must outlive this object
   TubeKeeping(const Scene& scene, const Tube& tube, const DwaSettings& settings);
 
   /// Does a vehicle that takes up the twist for one step, and then brakes along its arc, stay in the tube until it
@@ -43,10 +43,11 @@ class TubeKeeping {
   double most_off_m(double now_m) const;
 
   const Scene& scene_;
-  const Tube& tube_;
   double step_s_;
   double braking_mps2_;
   bool turns_on_the_spot_;
+  std::vector<geometry::Point2> path_in_map_;
+  double half_width_m_;
   double most_off_m_;
 };
 
