@@ -179,7 +179,7 @@ class ReaderEnd {
   bool drain(const Report& report);
 
   /// Would drain() find something?
-  bool has_work() const { return !cache_.empty() || !events_.empty() || missed_ > 0; }
+  bool has_work() const { return !waiting_.empty() || !events_.empty() || missed_ > 0; }
 
   Process& process;
   Topic& topic;
@@ -192,6 +192,8 @@ class ReaderEnd {
   struct Cached {
     ChangePtr change;
     WriterEnd* writer;
+
+    const InstanceId& instance() const { return change->instance; }
   };
 
   /// A writer came back, fell silent or went.
@@ -218,7 +220,7 @@ class ReaderEnd {
   void watch_deadlines();
   void check_deadlines();
 
-  /// Into the cache: the newest `depth` of the instance stay.
+  /// Among those that wait: the newest `depth` of the instance stay.
   void put(const ChangePtr& change, WriterEnd& writer);
 
   bool drain_samples(const Report& report);
@@ -231,7 +233,7 @@ class ReaderEnd {
 
   Core& core_;
   const Qos& qos_;
-  std::map<InstanceId, std::vector<Cached>> cache_;  // not yet taken
+  std::vector<Cached> waiting_;  // not yet taken; the last one is next: instances fall, of each the oldest is last
   std::vector<WriterEvent> events_;
   std::map<InstanceId, std::vector<const WriterEnd*>> claims_;  // by instance: alive writers, of exclusive ownership
   std::map<InstanceId, time::Stamp> deadlines_;                 // by instance

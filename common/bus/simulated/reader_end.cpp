@@ -44,7 +44,7 @@ void ReaderEnd::forget(Match& match) {
 
 void ReaderEnd::stop() {
   gone = true;
-  cache_.clear();
+  waiting_.clear();
   events_.clear();
   handlers_.clear();
 }
@@ -83,9 +83,14 @@ void ReaderEnd::accept(Match& match, const ChangePtr& change) {
 
 /// Keep last: the oldest waiting sample of the instance makes room.
 void ReaderEnd::put(const ChangePtr& change, WriterEnd& writer) {
-  std::vector<Cached>& waiting = cache_[change->instance];
-  if (qos_.depth > 0 && waiting.size() >= static_cast<std::size_t>(qos_.depth)) waiting.erase(waiting.begin());
-  waiting.push_back({change, &writer});
+  const InstanceId& instance = change->instance;
+  const auto begin = std::lower_bound(waiting_.begin(), waiting_.end(), instance,
+                                      [](const Cached& other, const InstanceId& id) { return id < other.instance(); });
+  const auto end = std::find_if(begin, waiting_.end(), [&](const Cached& c) { return !(c.instance() == instance); });
+
+  const auto place = std::distance(waiting_.begin(), begin);
+  if (qos_.depth > 0 && std::distance(begin, end) >= qos_.depth) waiting_.erase(std::prev(end));
+  waiting_.insert(waiting_.begin() + place, {change, &writer});
   wake();
 }
 
@@ -193,15 +198,10 @@ bool ReaderEnd::drain(const Report& report) {
 /// Instance by instance in the order of their hashes, as Fast DDS does.
 bool ReaderEnd::drain_samples(const Report& report) {
   int taken = 0;
-  while (taken < kSamplesPerTurn && !cache_.empty()) {
-    const auto first = cache_.begin();
-    std::vector<Cached>& waiting = first->second;
-    const Cached cached = std::move(waiting.front());
-
-    waiting.erase(waiting.begin());
-    if (waiting.empty()) cache_.erase(first);
-    take(cached, report);
-    ++taken;
+  for (; taken < kSamplesPerTurn && !waiting_.empty(); ++taken) {
+    const Cached next = std::move(waiting_.back());
+    waiting_.pop_back();
+    take(next, report);
   }
 
   return taken > 0;
