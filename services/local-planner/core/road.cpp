@@ -89,6 +89,7 @@ void Road::take(const Plan& plan, Point2 here_in_map) {
   if (!is_of_plan(step_done_)) step_done_ = first_step_;
   if (!is_of_plan(limit_step_)) limit_step_ = first_step_;
   granted_step_ = wanted_limit_step_ = limit_step_;
+  progress_m_ = std::max(progress_m_, end_of_steps_below_m(step_done_));  // the way may turn back there
 
   find_turns();
   ++lane_revision_;

@@ -37,7 +37,7 @@ Adoption WayKeeper::adopt(const Moment& moment, const Road& road, Way& way) {
   map_revision_ = moment.inputs.map_revision;
 
   tube_m_ = road.tube_m();
-  if (tube_m_ == 0.0) way.adopt(lane_of(moment), moment.here(), is_same_plan);
+  if (tube_m_ == 0.0) way.adopt(lane_of(moment, road), moment.here(), is_same_plan);
 
   return {is_other_goal, true};
 }
@@ -50,12 +50,19 @@ void WayKeeper::keep_to_road(const Moment& moment, const Road& road, bool is_oth
 
 /// A vehicle that cannot turn on the spot drives its plan as it is: the plan's arcs are the tightest that it should
 /// drive.
-Lane WayKeeper::lane_of(const Moment& moment) const {
-  const std::vector<geometry::Point2>& waypoints = moment.inputs.plan->waypoints_in_map;
-  if (!knows_path_) return Lane(Route(resample({moment.here(), waypoints.back()}, kStepM)));
-  if (!moment.vehicle.turns_on_the_spot()) return Lane(Route(resample(waypoints, kStepM)));
+Lane WayKeeper::lane_of(const Moment& moment, const Road& road) const {
+  const std::vector<geometry::Point2>& plan = moment.inputs.plan->waypoints_in_map;
+  if (!knows_path_) return Lane(Route(resample({moment.here(), plan.back()}, kStepM)));
 
-  return make_lane(waypoints, *moment.inputs.clearance, moment.vehicle.reach_m(), lane_);
+  // A plan with steps may begin behind the vehicle, and turn back where it is.
+  const double from_m = road.has_steps() ? road.progress_m() : 0.0;
+  const std::vector<geometry::Point2> waypoints = from_m > 0.0 ? road.way().part(from_m, road.way().length_m()) : plan;
+  Lane lane = moment.vehicle.turns_on_the_spot()
+                  ? make_lane(waypoints, *moment.inputs.clearance, moment.vehicle.reach_m(), lane_)
+                  : Lane(Route(resample(waypoints, kStepM)));
+  for (double& along_m : lane.plan_m) along_m += from_m;
+
+  return lane;
 }
 
 bool is_off_path(const Moment& moment, const Way& way) {

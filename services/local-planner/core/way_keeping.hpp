@@ -32,7 +32,7 @@ class WayKeeper {
 
  private:
   /// The lane of the plan: straight to the goal, the plan itself, or rounded.
-  Lane lane_of(const Moment& moment) const;
+  Lane lane_of(const Moment& moment, const Road& road) const;
 
   /// The lane in a tube, where it is another one by now.
   void keep_to_road(const Moment& moment, const Road& road, bool is_other, Way& way);

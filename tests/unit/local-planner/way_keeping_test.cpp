@@ -70,6 +70,18 @@ TEST_F(Keeping, InATubeTheLaneIsTheRoadAndFollowsWhatIsGranted) {
   EXPECT_GT(off_turn_m(), 0.1);
 }
 
+TEST_F(Keeping, AlonePlansThatTurnBackWhereTheVehicleIsBeginThere) {
+  stage.give_plan({{1.0, 5.0}, {3.0, 5.0}, {1.0, 5.2}, {1.0, 9.0}});
+  grant(3);
+  stage.inputs.plan->tube_m = 0.0;
+  stage.inputs.plan->step_ends_m = {2.0, 4.0, 7.8};  // the first is behind it
+  adopt();
+  EXPECT_NEAR(way.lane().length_m(), 5.8, 0.5);
+  EXPECT_NEAR(way.lane().heading_at(0.1), 3.14, 0.4);
+  EXPECT_NEAR(way.lane_m(road.way().length_m()), way.lane().length_m(), 1e-9) << "lengths are along the whole plan";
+  EXPECT_LT(way.lane_m(4.0), 2.2);
+}
+
 TEST_F(Keeping, AnotherTubeIsANewLane) {
   grant(6);
   adopt();
