@@ -154,6 +154,16 @@ struct TrafficStatus {
   static constexpr const char* kWhy = "10 Hz: the leader's beat, and which vehicle waits for which, since when and why";
 };
 
+struct SignOff {
+  using Sample = aisle::SignOff;
+
+  static constexpr const char* kName = "sign_off";
+  static constexpr const char* kKey = "agv_id";
+  static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
+  static constexpr Qos kQos = kState;
+  static constexpr const char* kWhy = "a person's word that a silent vehicle drives no more";
+};
+
 struct Track {
   using Sample = aisle::Track;
 
@@ -232,7 +242,7 @@ template <class... Topics>
 struct List {};
 
 using All = List<MapInfo, MapTile, MapRequest, MapEdit, MapEditResult, VehicleInfo, VehicleState, Scan, Goal, Plan,
-                 Grant, TrafficStatus, Track, TrackingStatus, Coverage, VelocityCommand, NavigationStatus,
+                 Grant, TrafficStatus, SignOff, Track, TrackingStatus, Coverage, VelocityCommand, NavigationStatus,
                  WorldObstacle, ServiceHealth>;
 
 template <class... Topics, class Function>

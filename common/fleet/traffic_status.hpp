@@ -16,10 +16,10 @@ struct WaitingVehicle {
   double since_s{0.0};    // it has waited for so long, 0 or more
 };
 
-/// A vehicle that says nothing. What it held stays held.
+/// A vehicle that says nothing, and was not signed off. What it held stays held.
 struct SilentVehicle {
   std::string agv_id;
-  geometry::Point2 place_in_map;  // where it was heard last
+  geometry::Point2 place_in_map;  // where it was heard last; the origin where it was never heard
 };
 
 /// What the leading global planner says of the traffic, 10 times a second.

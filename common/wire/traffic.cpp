@@ -88,6 +88,19 @@ Decoded<fleet::Grant> decode(const aisle::Grant& sample) {
   return checks.decoded(std::move(grant));
 }
 
+aisle::SignOff encode(const fleet::SignOff& sign_off) {
+  aisle::SignOff sample;
+  sample.agv_id(sign_off.agv_id);
+  return sample;
+}
+
+Decoded<fleet::SignOff> decode(const aisle::SignOff& sample) {
+  Checks checks;
+  fleet::SignOff sign_off{sample.agv_id().to_string()};
+  checks.id("agv_id", sign_off.agv_id);
+  return checks.decoded(std::move(sign_off));
+}
+
 aisle::TrafficStatus encode(const fleet::TrafficStatus& status) {
   aisle::TrafficStatus sample;
   sample.source_id(status.source_id);

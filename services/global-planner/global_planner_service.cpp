@@ -75,6 +75,9 @@ void GlobalPlannerService::listen() {
   shell_.inbox<topics::NavigationStatus>(
       [this](const fleet::NavigationStatus& navigation) { fleet_.set_navigation(navigation, shell_.now()); });
 
+  shell_.inbox<topics::SignOff>(
+      [this](const fleet::SignOff& sign_off) { fleet_.sign_off(sign_off.agv_id, shell_.now()); });
+
   shell_
       .inbox<topics::Track>([this](const fleet::Track& track) {
         if (track.is_static) {
@@ -87,8 +90,10 @@ void GlobalPlannerService::listen() {
 
   shell_.inbox<topics::Coverage>([this](const fleet::CoverageTile& tile) { fleet_.set_coverage(tile, shell_.now()); });
 
-  heard_plans_ =
-      shell_.inbox<topics::Plan>([this](const fleet::Plan&, const service::Sender& from) { hear_planner(from.by); });
+  heard_plans_ = shell_.inbox<topics::Plan>([this](const fleet::Plan& plan, const service::Sender& from) {
+    if (from.by.boot_id != shell_.boot_id()) fleet_.expect(plan.agv_id);
+    hear_planner(from.by);
+  });
 
   heard_plans_.on_gone([this](const std::string&, service::End) {
     if (!leads()) leadership_.lose_leader();

@@ -67,7 +67,10 @@ Verb& Verb::list(const std::string& name, std::vector<std::string>& values, cons
 }
 
 void Verb::runs(std::function<int()> action) {
-  app_->callback([&cli = cli_, action = std::move(action)] { cli.action = action; });
+  // A verb that has verbs below it is asked after them.
+  app_->callback([&cli = cli_, app = app_, action = std::move(action)] {
+    if (app->get_subcommands().empty()) cli.action = action;
+  });
 }
 
 /// Only what keeps samples from passing is worth a warning here.

@@ -81,6 +81,7 @@ void add_topic_echo(CLI::App& parent, Cli& cli);
 void add_topic_hz(CLI::App& parent, Cli& cli);
 void add_topic_bw(CLI::App& parent, Cli& cli);
 void add_fleet(CLI::App& parent, Cli& cli);
+void add_fleet_sign_off(CLI::App& parent, Cli& cli);
 void add_traffic(CLI::App& parent, Cli& cli);
 void add_goal_send(CLI::App& parent, Cli& cli);
 void add_goal_cancel(CLI::App& parent, Cli& cli);

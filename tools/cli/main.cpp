@@ -33,6 +33,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_topic_bw(topic, cli);
 
   add_fleet(app, cli);
+  add_fleet_sign_off(*app.get_subcommand("fleet"), cli);
   add_traffic(app, cli);
 
   CLI::App& goal = *add_group("goal", "send a vehicle somewhere, or stop it");

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "common/fleet/any_vehicle.hpp"
+
 namespace aisle::global_planner {
 namespace {
 
@@ -15,8 +17,9 @@ using time::Stamp;
 
 constexpr double kTubeM = 0.10;         // of a vehicle that turns on the spot
 constexpr double kTubeSteeredM = 0.12;  // of one that does not: its far corner swings
-constexpr double kHearAllS = 3.0;       // after it began to lead, a planner waits so long for the words of all vehicles
-constexpr double kSameDiscM = 0.1;      // a track that moved or grew less is where it was
+constexpr double kHearAllS = 3.0;       // after it began to lead, it plans nothing for so long until all were heard
+constexpr double kSilentS = 2.0;
+constexpr double kSameDiscM = 0.1;  // a track that moved or grew less is where it was
 
 traffic::Kind kind_of(const fleet::Vehicle& vehicle, const FleetSettings& settings) {
   traffic::Kind kind;
@@ -55,6 +58,7 @@ std::unique_ptr<traffic::Coordinator> TrafficPlanner::new_coordinator() {
 
   if (map_revision_ > 0) coordinator->set_map(goals_.clearance(), {0, 0}, map_high_);
   for (const auto& [agv_id, entry] : vehicles_) coordinator->set_vehicle(agv_id, entry.kind);
+  for (const std::string& agv_id : expected_) coordinator->expect(agv_id);
   for (const auto& [id, standing] : standing_) coordinator->set_standing(track_name(id), shape_of(standing.disc), 0.0);
 
   return coordinator;
@@ -76,6 +80,7 @@ void TrafficPlanner::set_map(const std::string& map_id, std::uint64_t revision, 
 void TrafficPlanner::set_vehicle(const fleet::Vehicle& vehicle) {
   goals_.set_vehicle(vehicle.id, shape_of(vehicle.footprint, vehicle.limits));
 
+  expected_.erase(vehicle.id);
   Entry& entry = vehicles_[vehicle.id];
   entry.kind = kind_of(vehicle, settings_);
   coordinator_->set_vehicle(vehicle.id, entry.kind);
@@ -85,7 +90,21 @@ void TrafficPlanner::set_state(const fleet::VehicleState& state, Stamp now) {
   goals_.set_pose(state.agv_id, state.motion.base_in_map, now);
 
   const auto known = vehicles_.find(state.agv_id);
-  if (known != vehicles_.end()) known->second.state.set(state, now);
+  if (known == vehicles_.end()) return expect(state.agv_id);
+
+  known->second.state.set(state, now);
+}
+
+void TrafficPlanner::set_goal(const Goal& goal) {
+  goals_.set_goal(goal);
+
+  // Later, a goal for a vehicle that is not there holds up nobody.
+  if (!began_ && !goal.is_cancelled && goal.agv_id != fleet::kAnyVehicle) expect(goal.agv_id);
+}
+
+void TrafficPlanner::expect(const std::string& agv_id) {
+  if (vehicles_.count(agv_id) > 0 || !expected_.insert(agv_id).second) return;
+  coordinator_->expect(agv_id);
 }
 
 void TrafficPlanner::set_navigation(const NavigationStatus& navigation, Stamp now) {
@@ -97,6 +116,7 @@ void TrafficPlanner::set_navigation(const NavigationStatus& navigation, Stamp no
   Entry& entry = known->second;
   entry.navigation = navigation;
   entry.navigation_arrived = now;
+  if (std::exchange(entry.is_signed_off, false)) coordinator_->set_vehicle(navigation.agv_id, entry.kind);
   tell_coordinator(entry, navigation.agv_id, now);
 
   const bool is_there = navigation.phase == Phase::kArrived && navigation.goal_id == entry.planned_goal;
@@ -133,16 +153,28 @@ void TrafficPlanner::tell_coordinator(Entry& entry, const std::string& agv_id, S
   coordinator_->hear(report, time::seconds(now));
 }
 
-void TrafficPlanner::take_in_the_unheard(Stamp now) {
-  for (auto& [agv_id, entry] : vehicles_) {
-    if (entry.is_heard || !entry.state.seen()) continue;
+std::optional<geometry::Pose2> TrafficPlanner::last_pose(const Entry& entry) {
+  if (!entry.state.seen()) return std::nullopt;
+  return entry.state.any()->motion.base_in_map;
+}
 
-    traffic::Report report;
-    report.agv_id = agv_id;
-    report.base_in_map = entry.state.any()->motion.base_in_map;
-    entry.is_heard = true;
-    coordinator_->hear(report, time::seconds(now));
-  }
+void TrafficPlanner::sign_off(const std::string& agv_id, Stamp now) {
+  expected_.erase(agv_id);
+  const auto known = vehicles_.find(agv_id);
+  if (known == vehicles_.end()) return coordinator_->sign_off(agv_id, std::nullopt, time::seconds(now));
+
+  Entry& entry = known->second;
+  const bool is_heard = entry.navigation && now - entry.navigation_arrived <= from_seconds(kSilentS);
+  if (is_heard || entry.is_signed_off) return;
+
+  entry.is_signed_off = true;
+  entry.is_heard = true;
+  coordinator_->sign_off(agv_id, last_pose(entry), time::seconds(now));
+}
+
+bool TrafficPlanner::are_all_heard() const {
+  return expected_.empty() &&
+         std::all_of(vehicles_.begin(), vehicles_.end(), [](const auto& vehicle) { return vehicle.second.is_heard; });
 }
 
 void TrafficPlanner::set_static_track(std::uint64_t track_id, const Disc& disc, Stamp now) {
@@ -191,13 +223,15 @@ void TrafficPlanner::take_over(Stamp now, bool after_another) {
   began_ = now;
 
   for (auto& [agv_id, entry] : vehicles_) {
-    entry.is_heard = false;
+    entry.is_heard = entry.is_signed_off;
     entry.plan.reset();
     entry.planned_goal.clear();
     entry.grant = {};
   }
 
   coordinator_ = new_coordinator();
+  for (const auto& [agv_id, entry] : vehicles_)
+    if (entry.is_signed_off) coordinator_->sign_off(agv_id, last_pose(entry), time::seconds(now));
 }
 
 FleetOrders TrafficPlanner::step(Stamp now, const OutOfTime& out_of_time) {
@@ -217,13 +251,9 @@ FleetOrders TrafficPlanner::step(Stamp now, const OutOfTime& out_of_time) {
 
   if (own) take_own_plan(std::move(*own), now, orders);
 
-  // Whoever was not heard may still have road from another leader.
-  const bool are_all_heard =
-      std::all_of(vehicles_.begin(), vehicles_.end(), [](const auto& vehicle) { return vehicle.second.is_heard; });
-  if (!are_all_heard) {
-    if (now - *began_ < from_seconds(kHearAllS)) return orders;
-    take_in_the_unheard(now);
-  }
+  // A vehicle that was not heard may still have road from another leader. Plans that know of all vehicles are better;
+  // later on there are plans, and no road, and each vehicle is told for which one it waits.
+  if (!are_all_heard() && now - *began_ < from_seconds(kHearAllS)) return orders;
 
   open_what_was_seen(now);
   const traffic::Orders joint = coordinator_->step(time::seconds(now));
@@ -356,14 +386,16 @@ fleet::TrafficStatus TrafficPlanner::status(Stamp now) const {
     const bool has_goal = !entry.planned_goal.empty();
     if (has_goal) ++status.with_goal;
 
-    const bool is_silent = entry.navigation && now - entry.navigation_arrived > from_seconds(2.0);
-    if (is_silent && entry.state.seen())
-      status.silent.push_back({agv_id, entry.state.any()->motion.base_in_map.position()});
+    const Stamp since = entry.navigation ? entry.navigation_arrived : began_.value_or(now);
+    const bool is_silent = !entry.is_signed_off && now - since > from_seconds(kSilentS);
+    if (is_silent) status.silent.push_back({agv_id, last_pose(entry).value_or(geometry::Pose2{}).position()});
 
     if (!has_goal || entry.grant.reason.empty()) continue;
     status.waiting.push_back({agv_id, entry.grant.waits_for.empty() ? "" : entry.grant.waits_for.front(),
                               entry.grant.reason, time::seconds(now - entry.waits_since)});
   }
+
+  for (const std::string& agv_id : expected_) status.silent.push_back({agv_id, {}});
 
   return status;
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,7 +50,8 @@ class TrafficPlanner {
 
   void set_vehicle(const fleet::Vehicle& vehicle);
   void set_state(const fleet::VehicleState& state, time::Stamp now);
-  void set_goal(const Goal& goal) { goals_.set_goal(goal); }
+  /// A vehicle that had its goal before this planner began takes part: see expect().
+  void set_goal(const Goal& goal);
   void set_navigation(const NavigationStatus& navigation, time::Stamp now);
 
   /// A static obstacle that the tracker sees. Where it stood stays closed after drop_track() until somebody has seen
@@ -58,7 +60,14 @@ class TrafficPlanner {
   void drop_track(std::uint64_t track_id, time::Stamp now);
   void set_coverage(const fleet::CoverageTile& tile, time::Stamp now) { seen_.set(tile, now); }
 
+  /// A vehicle that others speak of takes part, though its build is not known yet: it may be anywhere.
+  void expect(const std::string& agv_id);
+
+  /// A person says that the vehicle drives no more. Forgotten when it is heard again; nothing while it is heard.
+  void sign_off(const std::string& agv_id, time::Stamp now);
+
   /// Leads from now on. What vehicles may still drive is learned from their own words, and all plans are made anew.
+  /// Nothing is granted until each known vehicle was heard or signed off.
   /// @param after_another another planner led before
   void take_over(time::Stamp now, bool after_another);
 
@@ -89,6 +98,7 @@ class TrafficPlanner {
     std::optional<NavigationStatus> navigation;
     time::Stamp navigation_arrived{};
     bool is_heard{false};  // by the coordinator that is
+    bool is_signed_off{false};
 
     std::string planned_goal;  // of the newest plan with a way
     std::string reached_goal;  // by its own word; it may have been moved out of the way since
@@ -109,8 +119,10 @@ class TrafficPlanner {
   /// What the vehicle's newest words come to for the coordinator.
   void tell_coordinator(Entry& entry, const std::string& agv_id, time::Stamp now);
 
-  /// A vehicle that was never heard and is seen to stand there takes part as one that stands.
-  void take_in_the_unheard(time::Stamp now);
+  /// Where it was heard last.
+  static std::optional<geometry::Pose2> last_pose(const Entry& entry);
+
+  bool are_all_heard() const;
 
   /// A plan for one goal by the map alone: a goal for the traffic, or a plan that says why there is none.
   void take_own_plan(Plan plan, time::Stamp now, FleetOrders& orders);
@@ -139,6 +151,7 @@ class TrafficPlanner {
   std::uint64_t map_revision_{0};  // 0: no map yet
   grid::Cell map_high_{};
   std::map<std::string, Entry> vehicles_;
+  std::set<std::string> expected_;  // vehicles whose build is not known yet
   std::map<std::uint64_t, Standing> standing_;
   std::optional<time::Stamp> began_;  // to lead
   bool is_busy_{false};

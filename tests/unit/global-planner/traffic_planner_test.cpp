@@ -254,20 +254,95 @@ TEST_F(TrafficFleet, AnIdleVehicleInTheWayIsMovedWithoutAGoal) {
   EXPECT_EQ(newest_plan("agv-2").goal_in_map.position(), newest_plan("agv-2").waypoints_in_map.back());
 }
 
-TEST_F(TrafficFleet, ALeaderThatTookOverGrantsNothingUntilItHeardAllVehiclesOrWaited) {
-  arrive("agv-1", {1.0, 5.0, 0.0});
-  arrive("agv-2", {1.0, 1.0, 0.0});
-  send_goal("agv-1", "goal-1", {5.0, 5.0, 0.0});
-  run(0.5);
-  plans_.clear();
-  grants_.clear();
-  planner_.take_over(now_, true);
-  says_.erase("agv-2");
-  run(2.5);
-  EXPECT_TRUE(grants_.empty());
-  run(1.0);
-  ASSERT_EQ(grants_.count("agv-1"), 1U);
+/// Two vehicles, of which agv-2 falls silent with road ahead; then another planner leads.
+class TakenOver : public TrafficFleet {
+ protected:
+  TakenOver() {
+    arrive("agv-1", {1.0, 5.0, 0.0});
+    arrive("agv-2", {1.0, 1.0, 0.0});
+    send_goal("agv-1", "goal-1", {5.0, 5.0, 0.0});
+    send_goal("agv-2", "goal-2", {5.0, 1.0, 0.0});
+    run(0.5);
+    grants_.clear();
+    says_.erase("agv-2");
+    planner_.take_over(now_, true);
+  }
+
+  bool has_road(const std::string& id) const {
+    const auto grant = grants_.find(id);
+    return grant != grants_.end() && grant->second.limit_m > 0.0;
+  }
+
+  std::vector<std::string> silent() const {
+    std::vector<std::string> ids;
+    for (const fleet::SilentVehicle& vehicle : planner_.status(now_).silent) ids.push_back(vehicle.agv_id);
+    return ids;
+  }
+};
+
+TEST_F(TakenOver, NobodyHasRoadUntilEachVehicleWasHeard) {
+  run(30.0);
+  EXPECT_FALSE(has_road("agv-1"));
+  EXPECT_EQ(grants_.at("agv-1").waits_for, std::vector<std::string>{"agv-2"});
+  EXPECT_EQ(grants_.at("agv-1").reason.rfind("agv-2 was not heard yet", 0), 0U);
+  EXPECT_EQ(silent(), std::vector<std::string>{"agv-2"});
+
+  says_["agv-2"].agv_id = "agv-2";
+  run(1.5);
+  EXPECT_TRUE(has_road("agv-1"));
+  EXPECT_TRUE(has_road("agv-2"));
   EXPECT_EQ(newest_plan("agv-1").trigger, PlanTrigger::kTakeover);
+}
+
+TEST_F(TakenOver, AVehicleThatIsSignedOffHoldsWhereItStandsAndNobodyWaitsForIt) {
+  run(4.0);
+  planner_.sign_off("agv-2", now_);
+  run(1.5);
+  EXPECT_TRUE(has_road("agv-1"));
+  EXPECT_FALSE(has_road("agv-2"));
+  EXPECT_TRUE(silent().empty());
+
+  send_goal("agv-1", "goal-3", {1.2, 1.0, 0.0});
+  run(2.0);
+  EXPECT_FALSE(newest_plan("agv-1").goal_id == "goal-3") << "agv-2 stands there";
+
+  // Heard again, it takes part again.
+  says_["agv-2"].agv_id = "agv-2";
+  run(3.0);
+  EXPECT_TRUE(has_road("agv-2"));
+}
+
+TEST_F(TakenOver, ASignOffOutlivesTheNextTakeover) {
+  planner_.sign_off("agv-2", now_ + from_seconds(3.0));
+  planner_.take_over(now_, true);
+  run(4.0);
+  EXPECT_TRUE(has_road("agv-1"));
+}
+
+TEST_F(TakenOver, AVehicleThatIsHeardIsNotSignedOff) {
+  planner_.sign_off("agv-1", now_);
+  says_["agv-2"].agv_id = "agv-2";
+  run(1.5);
+  EXPECT_TRUE(has_road("agv-1"));
+}
+
+/// The goal of a vehicle that nobody hears was there before this planner, which has forgotten all.
+TEST_F(TrafficFleet, AVehicleThatOnlyItsGoalTellsOfMayBeAnywhere) {
+  send_goal("agv-9", "goal-9", {5.0, 9.0, 0.0});
+  send_goal("agv-1", "goal-1", {5.0, 5.0, 0.0});
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  run(10.0);
+  EXPECT_EQ(grants_.at("agv-1").limit_m, 0.0);
+  EXPECT_EQ(grants_.at("agv-1").waits_for, std::vector<std::string>{"agv-9"});
+
+  planner_.sign_off("agv-9", now_);
+  run(1.5);
+  EXPECT_GT(grants_.at("agv-1").limit_m, 0.0);
+
+  send_goal("agv-8", "goal-8", {5.0, 9.0, 0.0});
+  send_goal("agv-1", "goal-2", {1.0, 5.0, 0.0});
+  run(1.5);
+  EXPECT_EQ(newest_plan("agv-1").goal_id, "goal-2") << "a goal for a vehicle that is not there holds up nobody later";
 }
 
 FleetSettings as_printed() {

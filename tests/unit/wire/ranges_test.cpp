@@ -104,6 +104,7 @@ void expect_sound(const fleet::Grant& grant) {
   }
   for (const std::string& agv_id : grant.waits_for) expect_id(agv_id);
 }
+void expect_sound(const fleet::SignOff& sign_off) { expect_id(sign_off.agv_id); }
 void expect_sound(const fleet::TrafficStatus& status) {
   expect_id(status.source_id);
   for (const fleet::WaitingVehicle& waiting : status.waiting) {

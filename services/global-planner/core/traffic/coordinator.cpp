@@ -60,9 +60,10 @@ Orders Coordinator::step(double now_s) {
 
   grant_all();
 
+  // A silent vehicle is told nothing: it may have road that this leader does not know, and must go on naming its grant.
   Orders orders;
   for (auto& [id, vehicle] : vehicles_) {
-    if (vehicle.is_registered) tell_way(vehicle, orders);
+    if (vehicle.is_registered && !vehicle.is_silent) tell_way(vehicle, orders);
   }
 
   orders.events.swap(events_);

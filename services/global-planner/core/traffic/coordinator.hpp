@@ -95,6 +95,10 @@ class Coordinator {
   void set_map(const grid::ClearanceField& clearance, grid::Cell low, grid::Cell high);
   void set_vehicle(const std::string& agv_id, const Kind& kind);
 
+  /// A vehicle of which others speak takes part, though its build is not known yet: until it was heard, or signed off,
+  /// it may hold any floor, and nothing is granted.
+  void expect(const std::string& agv_id);
+
   /// The newest pose of the vehicle; makes it a part of the traffic once its kind and the map are known.
   void hear(const Report& report, double now_s);
 
@@ -105,8 +109,10 @@ class Coordinator {
   /// Something that stands on the floor and is in no map; an empty shape ends it.
   void set_standing(const std::string& name, const Shape& shape, double now_s);
 
-  /// A person says that the vehicle is gone.
-  void sign_off(const std::string& agv_id);
+  /// A person says that the vehicle, which is not heard, drives no more: it holds where it stands and nothing else, and
+  /// nobody waits for its word. Ends when it is heard again. A vehicle that is heard cannot be signed off.
+  /// @param last_seen_in_map where it stands; none: nobody knows, and it leaves the traffic
+  void sign_off(const std::string& agv_id, const std::optional<geometry::Pose2>& last_seen_in_map, double now_s);
 
   /// Works for one slice; call it again at once while `is_busy()`.
   Orders step(double now_s);
@@ -151,6 +157,7 @@ class Coordinator {
     bool is_heard{false};
     bool is_registered{false};
     bool is_silent{false};
+    bool is_signed_off{false};
     double blocked_since_s{-1.0};
     double blocked_until_s{-1.0};  // the closure that its word made ends then; negative: there is none
     double registering_s{-1e9};    // last try
@@ -184,6 +191,8 @@ class Coordinator {
   // coordinator_vehicles.cpp: registration, strays, silence
   void register_vehicle(VehicleEntry& vehicle, double now_s);
   void place_agent(VehicleEntry& vehicle, PlaceId place, std::uint64_t step, double now_s);
+  void take_in_anew(VehicleEntry& vehicle, double now_s);
+  void remove_vehicle(VehicleEntry& vehicle);
   bool escape(VehicleEntry& vehicle, double now_s);
   bool is_alone(const VehicleEntry& vehicle) const;
   void hear_progress(VehicleEntry& vehicle, double now_s);
@@ -214,6 +223,7 @@ class Coordinator {
 
   // coordinator_grants.cpp: grants and orders
   void grant_all();
+  std::string unheard() const;
   bool grant_next(VehicleEntry& vehicle);
   bool wants_road(const VehicleEntry& vehicle, const Agent& agent) const;
   void hold_end_of_grants(VehicleEntry& vehicle);
@@ -229,6 +239,7 @@ class Coordinator {
   Lock lock_;
   JointPlan plans_;
   std::map<std::string, VehicleEntry> vehicles_;
+  std::set<std::string> expected_;  // vehicles whose build is not known yet
   std::vector<std::string> events_;
   bool has_map_{false};
   bool is_busy_{false};

@@ -14,11 +14,18 @@ constexpr double kStepM = 1.0;  // about a step's length: road is granted in who
 
 }  // namespace
 
+/// A vehicle that was not heard yet: it may stand, and drive, anywhere. Empty: there is none.
+std::string Coordinator::unheard() const {
+  const auto found =
+      std::find_if(vehicles_.begin(), vehicles_.end(), [](const auto& vehicle) { return !vehicle.second.is_heard; });
+  if (found != vehicles_.end()) return found->first;
+
+  return expected_.empty() ? std::string() : *expected_.begin();
+}
+
 /// Road to all who may have some. A pass serves each vehicle until it wants no more or has to wait.
 void Coordinator::grant_all() {
-  // A vehicle that was not heard yet may stand, and drive, anywhere.
-  const auto unheard =
-      std::find_if(vehicles_.begin(), vehicles_.end(), [](const auto& vehicle) { return !vehicle.second.is_heard; });
+  const std::string missing = unheard();
 
   for (auto& [id, vehicle] : vehicles_) {
     if (!vehicle.is_registered) continue;
@@ -27,9 +34,9 @@ void Coordinator::grant_all() {
     vehicle.waits_for.clear();
     vehicle.reason.clear();
 
-    if (unheard != vehicles_.end()) {
-      vehicle.waits_for = {unheard->first};
-      vehicle.reason = unheard->first + " was not heard yet";
+    if (!missing.empty()) {
+      vehicle.waits_for = {missing};
+      vehicle.reason = missing + " was not heard yet: it may be anywhere until it is, or is signed off";
       continue;
     }
 

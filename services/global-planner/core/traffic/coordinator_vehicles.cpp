@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "services/global-planner/core/traffic/coordinator.hpp"
 
@@ -23,6 +24,7 @@ double length_m(const std::vector<Point2>& path) {
 }  // namespace
 
 void Coordinator::set_vehicle(const std::string& agv_id, const Kind& kind) {
+  expected_.erase(agv_id);
   VehicleEntry& vehicle = vehicles_[agv_id];
   if (vehicle.id == agv_id && vehicle.kind == kind) return;
 
@@ -36,6 +38,10 @@ void Coordinator::set_vehicle(const std::string& agv_id, const Kind& kind) {
     plans_.remove(agv_id);
     vehicle.is_registered = false;
   }
+}
+
+void Coordinator::expect(const std::string& agv_id) {
+  if (vehicles_.count(agv_id) == 0) expected_.insert(agv_id);
 }
 
 void Coordinator::hear(const Report& report, double now_s) {
@@ -57,18 +63,20 @@ void Coordinator::hear(const Report& report, double now_s) {
   vehicle.next_plan_id = std::max(vehicle.next_plan_id, report.plan_id + 1);
   vehicle.next_grant = std::max(vehicle.next_grant, report.grant_number + 1);
 
+  const bool was_signed_off = std::exchange(vehicle.is_signed_off, false);
   if (!vehicle.is_registered) return;
 
-  // It has road that this leader never gave: it was told by an earlier one, and is taken in anew. An old word of road
-  // that it has given back since names a grant of this leader.
+  if (was_signed_off) {
+    events_.push_back(vehicle.id + " was signed off, and is heard again");
+    take_in_anew(vehicle, now_s);
+    return;
+  }
+
+  // It has road that this leader never gave: it was told by an earlier one. An old word of road that it has given back
+  // since names a grant of this leader.
   if (has_others_grant && report.limit_step > plans_.find(vehicle.id)->granted) {
     events_.push_back(vehicle.id + " has road from an earlier leader");
-    vehicle.is_registered = false;
-    vehicle.registering_s = -1e9;
-    vehicle.lead_in = {};
-    vehicle.asked_back.reset();
-    lock_.forget(vehicle.id);
-    register_vehicle(vehicle, now_s);
+    take_in_anew(vehicle, now_s);
     return;
   }
 
@@ -82,6 +90,22 @@ void Coordinator::hear(const Report& report, double now_s) {
   hear_progress(vehicle, now_s);
   hear_answer(vehicle, now_s);
   end_exceptions(vehicle);
+}
+
+/// What was held for the vehicle ends, and what its newest word says is held.
+void Coordinator::take_in_anew(VehicleEntry& vehicle, double now_s) {
+  for (const std::string& other : vehicle.excepted) vehicles_.at(other).excepted.erase(vehicle.id);
+  vehicle.excepted.clear();
+  vehicle.lead_in = {};
+  vehicle.asked_back.reset();
+  vehicle.is_silent = false;
+  open("dead " + vehicle.id);
+  open("before " + vehicle.id);
+  lock_.forget(vehicle.id);
+
+  vehicle.is_registered = false;
+  vehicle.registering_s = -1e9;
+  register_vehicle(vehicle, now_s);
 }
 
 /// Frees what lies behind the vehicle. Where it stands at the end of its grants it goes on holding that place.
@@ -332,18 +356,46 @@ void Coordinator::look_for_silence(double now_s) {
   }
 }
 
-void Coordinator::sign_off(const std::string& agv_id) {
+void Coordinator::sign_off(const std::string& agv_id, const std::optional<Pose2>& last_seen_in_map, double now_s) {
+  expected_.erase(agv_id);
   const auto found = vehicles_.find(agv_id);
-  if (found == vehicles_.end()) return;
+  if (found == vehicles_.end() || found->second.is_signed_off) return;
 
-  for (const std::string& other : found->second.excepted) vehicles_.at(other).excepted.erase(agv_id);
-  if (found->second.is_registered) plans_.remove(agv_id);
+  VehicleEntry& vehicle = found->second;
+  if (vehicle.is_heard && now_s <= vehicle.heard_s + settings_.silent_s) {
+    events_.push_back(agv_id + " is heard, and was not signed off");
+    return;
+  }
+
+  events_.push_back(agv_id + " is signed off");
+  if (!last_seen_in_map) {
+    remove_vehicle(vehicle);
+    return;
+  }
+
+  vehicle.said.base_in_map = *last_seen_in_map;
+  vehicle.said.speed_mps = 0.0;
+  vehicle.said.limit_step = vehicle.said.step_done;
+  vehicle.said.held.clear();
+  vehicle.said.is_blocked = false;
+  vehicle.heard_s = -1e9;
+  vehicle.is_heard = true;
+  vehicle.is_signed_off = true;
+
+  take_in_anew(vehicle, now_s);
+  look_for_silence(now_s);
+}
+
+/// Nothing is kept of it.
+void Coordinator::remove_vehicle(VehicleEntry& vehicle) {
+  const std::string agv_id = vehicle.id;
+  for (const std::string& other : vehicle.excepted) vehicles_.at(other).excepted.erase(agv_id);
+  plans_.remove(agv_id);
 
   lock_.forget(agv_id);
   open("dead " + agv_id);
   open("before " + agv_id);
-  vehicles_.erase(found);
-  events_.push_back(agv_id + " is signed off");
+  vehicles_.erase(agv_id);
 }
 
 }  // namespace aisle::global_planner::traffic

@@ -140,5 +140,34 @@ TEST_F(CoordinatorTest, AVehicleThatStillMovesKeepsTheStepThatItIsIn) {
   EXPECT_EQ(coordinator_.plans().agents().at("agv-1").done, first);
 }
 
+/// agv-1 fell silent with road ahead. Signed off it holds its place alone, until it is heard with that road again.
+TEST_F(CoordinatorTest, ASignedOffVehicleHoldsItsPlaceUntilItIsHeardAgain) {
+  arrive("agv-1", {2.0, 5.0, 0.0});
+  arrive("agv-2", {18.0, 2.0, 0.0});
+  coordinator_.set_goal("agv-1", "goal-1", Pose2{15.0, 5.0, 0.0}, now_s_);
+  run(1.0);
+  const std::uint64_t first = ways_.at("agv-1").first_step, limit = grants_.at("agv-1").limit_step;
+  ASSERT_GE(limit, first + 2);
+  stand_behind("agv-1", first, limit);
+  const Report word = says_.at("agv-1");
+  const Point2 end = end_of_step("agv-1", limit - 1);
+
+  says_.erase("agv-1");
+  run(5.0);
+  EXPECT_TRUE(holds("agv-1", end)) << "silence frees nothing";
+
+  const std::uint64_t told = grants_.at("agv-1").number;
+  coordinator_.sign_off("agv-1", word.base_in_map, now_s_);
+  run(5.0);
+  EXPECT_TRUE(holds("agv-1", word.base_in_map.position()));
+  EXPECT_FALSE(holds("agv-1", end));
+  EXPECT_EQ(grants_.at("agv-1").number, told) << "it is told nothing while it is silent";
+
+  says_["agv-1"] = word;
+  says_["agv-1"].held = {{word.base_in_map, first}, {{end.x, end.y, 0.0}, limit - 1}};
+  run(0.3);
+  EXPECT_TRUE(holds("agv-1", end));
+}
+
 }  // namespace
 }  // namespace aisle::global_planner::traffic
