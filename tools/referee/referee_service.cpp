@@ -193,6 +193,10 @@ void RefereeService::take(const fleet::NavigationStatus& status, const Sender& f
                      (status.phase == Phase::kWaiting && status.reason != fleet::Reason::kNoGoal);
   judge_.navigation_arrived(news, waits);
   judge_.plan_named(status.agv_id, status.plan_id, news.t_s);
+
+  std::vector<geometry::Pose2> held_in_map;
+  for (const fleet::HeldPose& held : status.held) held_in_map.push_back(held.base_in_map);
+  judge_.road_said(status.agv_id, held_in_map, news.t_s);
 }
 
 void RefereeService::take(const fleet::MapEdit& edit, const Sender& from) {

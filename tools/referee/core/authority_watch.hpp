@@ -25,7 +25,7 @@ struct VehicleReport {
 
 /// A vehicle followed a command that it should have refused.
 struct AuthorityViolation {
-  enum class Kind { kForeignVehicle, kEpochWentBack, kSequenceWentBack, kStalePlan, kBeyondGrant };
+  enum class Kind { kForeignVehicle, kEpochWentBack, kSequenceWentBack, kStalePlan, kBeyondGrant, kFloorHeldTwice };
 
   Kind kind;
   std::string agv_id;

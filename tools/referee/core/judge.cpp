@@ -35,6 +35,7 @@ void Judge::body_seen(const BodySample& sample) {
   VehicleBook& book = vehicle(sample.id);
   book.row.shape = sample.shape;
   book.row.ahead_m = sample.ahead_m;
+  floor_.shape_seen(sample.id, sample.shape, sample.ahead_m);
 
   if (book.last_truth_s >= 0.0 && book.truth_boot == sample.boot_id) {
     book.row.truth_gap_ms_max = std::max(book.row.truth_gap_ms_max, (sample.t_s - book.last_truth_s) * kMilli);
@@ -124,6 +125,10 @@ void Judge::grant_arrived(const std::string& agv_id, std::uint64_t plan_id, doub
 
 void Judge::plan_named(const std::string& agv_id, std::uint64_t plan_id, double t_s) {
   authority_.plan_named(agv_id, plan_id, t_s);
+}
+
+void Judge::road_said(const std::string& agv_id, const std::vector<geometry::Pose2>& held_in_map, double t_s) {
+  floor_.road_said(agv_id, held_in_map, t_s);
 }
 
 void Judge::navigation_arrived(const GoalNews& news, bool waits) {
@@ -234,7 +239,8 @@ RunReport Judge::finish(double t_s) {
   report.contacts = contacts_.contacts();
   report.clearances = contacts_.clearances();
   report.violations = authority_.violations();
-  report.violations.insert(report.violations.end(), grants_.violations().begin(), grants_.violations().end());
+  for (const auto* more : {&grants_.violations(), &floor_.violations()})
+    report.violations.insert(report.violations.end(), more->begin(), more->end());
   std::stable_sort(report.violations.begin(), report.violations.end(),
                    [](const AuthorityViolation& a, const AuthorityViolation& b) { return a.t_s < b.t_s; });
 

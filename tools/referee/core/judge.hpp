@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/referee/core/floor_watch.hpp"
 #include "tools/referee/core/grant_watch.hpp"
 #include "tools/referee/core/run_report.hpp"
 
@@ -80,6 +81,9 @@ class Judge {
 
   /// The vehicle's status names the plan.
   void plan_named(const std::string& agv_id, std::uint64_t plan_id, double t_s);
+
+  /// See FloorWatch::road_said.
+  void road_said(const std::string& agv_id, const std::vector<geometry::Pose2>& held_in_map, double t_s);
   void command_arrived(const CommandNews& command);
   void goal_arrived(const GoalRecord& goal, bool cancelled);
   void navigation_arrived(const GoalNews& news, bool waits);
@@ -95,7 +99,9 @@ class Judge {
   bool is_over(double now_s) const;
   const ContactWatch& contacts() const { return contacts_; }
   const GoalBook& goals() const { return goals_; }
-  std::size_t violations() const { return authority_.violations().size() + grants_.violations().size(); }
+  std::size_t violations() const {
+    return authority_.violations().size() + grants_.violations().size() + floor_.violations().size();
+  }
   int vehicles_seen() const { return static_cast<int>(vehicles_.size()); }
 
   /// Closes the books. Scenario's name, seed and the like are the caller's.
@@ -142,6 +148,7 @@ class Judge {
   ContactWatch contacts_;
   AuthorityWatch authority_;
   GrantWatch grants_;
+  FloorWatch floor_;
   GoalBook goals_;
   Expectation expectation_;
   std::map<std::string, VehicleBook> vehicles_;
