@@ -9,4 +9,8 @@ namespace aisle::process {
 /// start.
 const std::atomic<bool>& stop_on_signals();
 
+/// From now on the first SIGINT or SIGTERM ends the process at once (128 + signal), also one that came already: for
+/// long work that is worth nothing before its end.
+void end_on_signals();
+
 }  // namespace aisle::process

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/process/exit_code.hpp"
+#include "common/process/signals.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/lab/experiments.hpp"
 
@@ -61,8 +62,10 @@ void add_tracking_options(Verb& verb, const Orders& orders) {
 }
 
 /// Runs the experiments and writes the page. Sentences that the figures do not bear out are left out of
-/// it, and named.
+/// it, and named. Nothing is written before all is measured: a signal ends it at once.
 int run(const Orders& orders, const std::function<Sentences(const Experiments&)>& write) {
+  process::end_on_signals();
+
   Experiments& experiments = orders->experiments;
   experiments.page = orders->page;
   experiments.maps = orders->maps;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/process/exit_code.hpp"
+#include "common/process/signals.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/progress_line.hpp"
 #include "tools/cli/text.hpp"
@@ -54,16 +55,16 @@ struct LabOrders {
 };
 
 int reproduce(const Cli& cli, const LabOrders& orders) {
+  process::end_on_signals();
   lab::Reproduction reproduction;
   reproduction.tables = lab::tables_named(orders.name);
   const auto seed = static_cast<unsigned>(orders.seed);
   reproduction.maps = {orders.maps, seed};
   reproduction.drives = {orders.drives, seed};
   ProgressLine progress;
-  const std::vector<lab::ReproducedRow> rows = lab::reproduce(
-      reproduction, [&](const std::string& what) { progress.tell(what); }, is_interrupted);
+  const std::vector<lab::ReproducedRow> rows =
+      lab::reproduce(reproduction, [&](const std::string& what) { progress.tell(what); });
   progress.clear();
-  if (is_interrupted()) return process::kNegative;
   std::printf("%s", cli.json ? (lab::json_of(rows, seed).dump() + "\n").c_str() : text_of(rows).c_str());
   return process::kDone;
 }

@@ -6,6 +6,7 @@
 
 #include "common/config/reader.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/process/signals.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/progress_line.hpp"
 #include "tools/cli/text.hpp"
@@ -22,6 +23,7 @@ struct CompareOrders {
 };
 
 int compare(const Cli& cli, const CompareOrders& orders) {
+  process::end_on_signals();
   lab::Comparison comparison;
   const auto seed = static_cast<unsigned>(orders.seed);
   comparison.map_kinds = lab::map_kinds_named(orders.maps);
@@ -30,10 +32,9 @@ int compare(const Cli& cli, const CompareOrders& orders) {
   if (comparison.planners.empty()) throw config::BadInput("--planners names no planner");
 
   ProgressLine progress;
-  const std::vector<lab::ComparedPlanner> rows = lab::compare(
-      comparison, [&](const std::string& what) { progress.tell(what); }, is_interrupted);
+  const std::vector<lab::ComparedPlanner> rows =
+      lab::compare(comparison, [&](const std::string& what) { progress.tell(what); });
   progress.clear();
-  if (is_interrupted()) return process::kNegative;
 
   std::printf("%s",
               cli.json ? (lab::json_of(rows, seed).dump() + "\n").c_str() : text_of_table(lab::rows_of(rows)).c_str());

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -95,6 +96,27 @@ TEST(Lab, ASweepIsNotMadeTwice) {
   EXPECT_EQ(nlohmann::json::parse(first.out()).size(), 9U);
   EXPECT_EQ(first.out(), second.out()) << "with the times of the first";
   std::filesystem::remove_all(folder);
+}
+
+/// Does the first signal end the program while it works? It has begun once it tells what it does.
+void expect_ended_by(int signal, const std::vector<std::string>& arguments) {
+  std::vector<std::string> command{test_support::program("aisle")};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  ChildProcess aisle(command);
+  ASSERT_TRUE(aisle.wait_for_output("\n", seconds(60))) << aisle.err();
+  aisle.signal(signal);
+  EXPECT_EQ(aisle.wait(seconds(5)), 128 + signal) << arguments[0] << ' ' << arguments[1] << ": " << aisle.err();
+}
+
+TEST(Lab, IsEndedByTheFirstSignalWhileItMeasures) {
+  const std::filesystem::path page = "/tmp/aisle-page-test-" + std::to_string(getpid()) + ".md";
+  const std::string maps = (test_support::source_folder() / "deploy/experiments").string();
+  expect_ended_by(SIGTERM, {"experiment", "all", "--maps", maps, "--page", page.string()});
+  expect_ended_by(SIGINT, {"experiment", "papers", "--maps", maps, "--page", page.string()});
+  EXPECT_FALSE(std::filesystem::exists(page)) << "not finished";
+
+  expect_ended_by(SIGTERM, {"lab", "reproduce", "all"});
+  expect_ended_by(SIGINT, {"lab", "compare", "all", "--planners", "astar theta"});
 }
 
 }  // namespace

@@ -108,6 +108,20 @@ TEST(OwnUsage, IsPlausible) {
   EXPECT_GT(cpu_time().count(), 0);
 }
 
+TEST(Signals, EndTheProcessAtOnceWhereNothingIsToBeSaved) {
+  const auto works = [](int before, int during) {
+    stop_on_signals();
+    if (before != 0) std::raise(before);
+    end_on_signals();
+    if (during != 0) std::raise(during);
+    std::exit(0);
+  };
+
+  EXPECT_EXIT(works(0, SIGTERM), ::testing::KilledBySignal(SIGTERM), "");
+  EXPECT_EXIT(works(0, SIGINT), ::testing::KilledBySignal(SIGINT), "");
+  EXPECT_EXIT(works(SIGINT, 0), ::testing::KilledBySignal(SIGINT), "") << "it came before";
+}
+
 TEST(Signals, FirstOneAsksToStop) {
   const std::atomic<bool>& stop = stop_on_signals();
   EXPECT_FALSE(stop.load());

@@ -109,11 +109,9 @@ Strings map_kinds_named(const std::string& name) {
   return found;
 }
 
-std::vector<ComparedPlanner> compare(const Comparison& orders, const Progress& progress,
-                                     const std::function<bool()>& is_interrupted) {
+std::vector<ComparedPlanner> compare(const Comparison& orders, const Progress& progress) {
   std::vector<ComparedPlanner> rows;
   for (const std::string& kind : orders.map_kinds) {
-    if (is_interrupted()) break;
     progress("planning on maps of " + kind);
     const Measured measured =
         measure_plans(kind, std::set<std::string>(orders.planners.begin(), orders.planners.end()), orders.maps);
@@ -176,7 +174,7 @@ std::string comparators_table(MapDraw maps, const Progress& progress) {
            {"li", "li-complex"}, {"wu", "wu"}, {"qu", "qu-maze"}, {"yu", "yu-3"}, {"wang", "wang-1"}}) {
     Comparison orders{{kind}, {paper, "astar", "theta"}, maps};
     for (const char* name : {"rrtstar", "informed-rrtstar", "bitstar"}) orders.planners.emplace_back(name);
-    const std::vector<ComparedPlanner> rows = compare(orders, progress, [] { return false; });
+    const std::vector<ComparedPlanner> rows = compare(orders, progress);
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return markdown_table(rows_of(all));

@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -41,10 +40,9 @@ std::vector<std::string> contestants_named(const std::vector<std::string>& typed
 /// @throws config::BadInput with the nearest name
 std::vector<std::string> map_kinds_named(const std::string& name);
 
-/// By kinds, then planners. Ends early, with the kinds measured until then, once `is_interrupted`.
+/// By kinds, then planners.
 /// @throws config::BadEnvironment for one of OMPL's planners where it is not built in
-std::vector<ComparedPlanner> compare(const Comparison& orders, const Progress& progress,
-                                     const std::function<bool()>& is_interrupted);
+std::vector<ComparedPlanner> compare(const Comparison& orders, const Progress& progress);
 
 /// Rows of a table, heading first, with times in microseconds.
 std::vector<std::vector<std::string>> rows_of(const std::vector<ComparedPlanner>& compared);

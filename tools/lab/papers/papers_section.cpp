@@ -106,7 +106,7 @@ FilledPage papers_section(const PapersExperiment& orders, const Progress& progre
   const auto seed = static_cast<unsigned>(orders.seed);
   reproduction.maps = {orders.maps, seed};
   reproduction.drives = {orders.drives, seed};
-  const std::vector<ReproducedRow> rows = reproduce(reproduction, progress, [] { return false; });
+  const std::vector<ReproducedRow> rows = reproduce(reproduction, progress);
   const VerdictCount counted = count(rows);
 
   Texts texts;

@@ -295,12 +295,10 @@ std::string reason(ClaimedDirection claim, double share) {
 
 std::string shown_figure(double figure) { return fmt::format("{:.4g}", figure); }
 
-std::vector<ReproducedRow> reproduce(const Reproduction& orders, const Progress& progress,
-                                     const std::function<bool()>& is_interrupted) {
+std::vector<ReproducedRow> reproduce(const Reproduction& orders, const Progress& progress) {
   Reproducing reproduced(orders, progress);
   std::vector<ReproducedRow> rows;
   for (const PublishedRow& row : published_rows()) {
-    if (is_interrupted()) break;
     const bool is_wanted = orders.tables.empty() ||
                            std::find(orders.tables.begin(), orders.tables.end(), row.table) != orders.tables.end();
     if (is_wanted && (!orders.is_wanted || orders.is_wanted(row))) rows.push_back(reproduced(row));

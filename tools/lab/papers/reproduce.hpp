@@ -51,9 +51,8 @@ Verdict judged(ClaimedDirection claim, double share);
 /// Why it is judged so; empty for the same direction.
 std::string reason(ClaimedDirection claim, double share);
 
-/// Makes every row of these tables again. Ends early, with the rows made until then, once `is_interrupted`.
-std::vector<ReproducedRow> reproduce(const Reproduction& orders, const Progress& progress,
-                                     const std::function<bool()>& is_interrupted);
+/// Makes every row of these tables again.
+std::vector<ReproducedRow> reproduce(const Reproduction& orders, const Progress& progress);
 
 /// A figure with as many digits as matter: "28.53", "0.4137", "1234".
 std::string shown_figure(double figure);
