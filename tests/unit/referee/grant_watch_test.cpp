@@ -104,5 +104,21 @@ TEST_F(Granted, IsNotTakenToBeOnItsWayBackTooSoon) {
   ASSERT_EQ(watch_.violations().size(), 1u);
 }
 
+/// The way passes one place twice, within what is looked at when a plan begins: only the first pass is granted. The
+/// vehicle, a little beside it, is nearer to the second.
+TEST_F(Granted, IsOnTheGrantedPassWhereItsWayPassesTwice) {
+  watch_.plan_arrived("agv-1", 10, {{0.0, 0.0}, {1.2, 0.0}, {1.2, 0.09}, {-3.0, 0.09}}, true);
+  watch_.grant_arrived("agv-1", 10, 1.0);
+  at_ = {0.9, 0.085};
+  drive_by(10);
+  drive_to({0.95, 0.085});
+  for (int i = 0; i < 50; ++i) watch_.vehicle_seen("agv-1", at_, now_s_ += 0.02);
+  EXPECT_TRUE(watch_.violations().empty());
+
+  drive_to({1.2, 0.09});
+  drive_to({0.5, 0.09});
+  EXPECT_EQ(watch_.violations().size(), 1U) << "it has gone round the end";
+}
+
 }  // namespace
 }  // namespace aisle::referee

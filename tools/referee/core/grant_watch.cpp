@@ -65,12 +65,25 @@ void GrantWatch::vehicle_seen(const std::string& agv_id, geometry::Point2 base_i
                                      vehicle.plan_id, found->second.limit_m)});
 }
 
-/// The nearest point of the way at or a little ahead of where it was: progress never falls. Where the way comes back
-/// over itself the vehicle is on the earlier part until it is clearly off it.
+/// Progress never falls. Where the way passes one place twice, the vehicle is on the part that was granted, as long as
+/// it is beside that part and not beyond its end.
 double GrantWatch::advance(GrantedPlan& plan, geometry::Point2 base_in_map) {
-  const std::vector<geometry::Point2>& way = plan.waypoints_in_map;
   const double most_m = plan.along_m + (plan.is_begun ? kAheadM : kFirstM);
-  double begin_m = 0.0, best_m = plan.along_m, nearest_m = std::numeric_limits<double>::infinity();
+  const double granted_m = plan.is_granted ? std::max(plan.limit_m + kSlackM, plan.along_m) : most_m;
+  plan.is_begun = true;
+
+  const Spot granted = nearest(plan, base_in_map, std::min(granted_m, most_m));
+  const bool is_beside_it = granted.beside_m < kTubeM && granted.along_m < granted_m;
+
+  plan.along_m = is_beside_it ? granted.along_m : nearest(plan, base_in_map, most_m).along_m;
+  return plan.along_m;
+}
+
+/// Of parts that are about equally near, the earliest.
+GrantWatch::Spot GrantWatch::nearest(const GrantedPlan& plan, geometry::Point2 base_in_map, double most_m) {
+  const std::vector<geometry::Point2>& way = plan.waypoints_in_map;
+  Spot best{plan.along_m, std::numeric_limits<double>::infinity()};
+  double begin_m = 0.0;
 
   for (std::size_t i = 1; i < way.size() && begin_m <= most_m; ++i) {
     const geometry::Point2 leg = way[i] - way[i - 1];
@@ -82,18 +95,13 @@ double GrantWatch::advance(GrantedPlan& plan, geometry::Point2 base_in_map) {
       const double on_leg_m = std::clamp((from.x * leg.x + from.y * leg.y) / length_m, low_m, high_m);
       const double beside_m = geometry::distance(base_in_map, way[i - 1] + (on_leg_m / length_m) * leg);
 
-      if (beside_m < nearest_m - kClearlyM) {
-        nearest_m = beside_m;
-        best_m = begin_m + on_leg_m;
-      }
+      if (beside_m < best.beside_m - kClearlyM) best = {begin_m + on_leg_m, beside_m};
     }
 
     begin_m += length_m;
   }
 
-  plan.is_begun = true;
-  plan.along_m = best_m;
-  return best_m;
+  return best;
 }
 
 }  // namespace aisle::referee

@@ -35,6 +35,7 @@ class GrantWatch {
   static constexpr double kGraceS = 0.3;  // until the word of a grant has come here, too
   static constexpr double kFirstM = 3.0;  // along a plan, within which it is when it begins to drive by it
   static constexpr double kAheadM = 0.6;  // of where it was on the plan's way
+  static constexpr double kTubeM = 0.15;  // so near to a part of the way it may be on it
 
  private:
   struct GrantedPlan {
@@ -53,8 +54,17 @@ class GrantWatch {
     bool is_told{false};
   };
 
+  /// A point of a way: how far along it is, and how far beside it the vehicle is.
+  struct Spot {
+    double along_m{0.0};
+    double beside_m{0.0};
+  };
+
   /// Puts the place on the plan's way. @returns how far along it is
   static double advance(GrantedPlan& plan, geometry::Point2 base_in_map);
+
+  /// The nearest point of the way between where the vehicle was and `most_m` along it.
+  static Spot nearest(const GrantedPlan& plan, geometry::Point2 base_in_map, double most_m);
 
   std::map<std::string, Followed> vehicles_;
   std::vector<AuthorityViolation> violations_;
