@@ -25,6 +25,7 @@ constexpr double kPathStepM = 0.2;         // between the points that path dista
 constexpr double kSpareStepM = 0.1;        // between the points whose room is looked at,
 constexpr double kLeastSpareAheadM = 1.0;  // so far on at least
 constexpr double kRoundingM = 1e-9;
+constexpr double kSamePointM = 0.01;
 constexpr double kTubeShare =
     0.5;  // of its half width: so far the way may bend away from the straight line to a target
 constexpr double kTubeStepM = 0.15;
@@ -70,7 +71,8 @@ Point2 target_in_tube(const OnWay& on_way, double ahead_m) {
   const double s_m = on_way.way.s_m();
   const double at_m = std::min({s_m + std::max(ahead_m, kLeastTargetM), on_way.most_m, route.length_m()});
   const double beyond_m = std::max(0.0, s_m + kShortestM - at_m);
-  const double yaw = route.heading_at(std::max(0.0, at_m - kLeastTargetM));
+  const double leg_m = std::clamp(at_m - s_m, kSamePointM, kLeastTargetM);  // none before where the vehicle is
+  const double yaw = route.heading_at(std::max(0.0, at_m - leg_m));
 
   return route.at(at_m) + beyond_m * Point2{std::cos(yaw), std::sin(yaw)};
 }

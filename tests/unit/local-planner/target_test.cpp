@@ -83,5 +83,20 @@ TEST_F(TargetOf, AVehicleThatLetsOthersPassKeepsToItsWayAside) {
   EXPECT_FALSE(sub_target_beside(on_way, scene, {4.5, 5.0}));
 }
 
+/// The plan goes on to the right by 0.14 m and turns back to the left there: the vehicle is half-way along that piece.
+TEST_F(TargetOf, LiesAheadOnAPieceOfTheWayThatIsShorterThanTheLookAhead) {
+  stage.give_plan({{3.0, 5.0}, {5.0, 5.0}, {5.0, 4.86}, {5.5, 6.0}});
+  stage.place({5.0, 4.93, 0.0});
+  const Moment moment = stage.moment();
+  Way way;
+  way.adopt_at(Lane(Route(stage.inputs.plan->waypoints_in_map)), stage.motion.base_now.position(), 2.07);
+  ASSERT_NEAR(way.s_m(), 2.07, 1e-6);
+
+  const Tube tube = tube_along(way.current(), way.s_m(), 2.14, 0.1);
+  const geometry::Point2 target = target_in_sight({moment, way, stage.around, {}, &tube, 2.14}, true);
+  EXPECT_NEAR(target.x, 5.0, 0.01);
+  EXPECT_LT(target.y, 4.86) << "on down the piece that it is on, not back along the one before";
+}
+
 }  // namespace
 }  // namespace aisle::local_planner
