@@ -14,6 +14,10 @@ constexpr double kWorthAskingS = 1.0;
 // A plan gives way to one by the roadmap only if that ends so much sooner.
 constexpr double kWorthChangingS = 0.5;
 
+// A way without a detour is taken if it ends no more than this later. Detours are looked for over so many steps.
+constexpr double kWorthADetourS = 0.5;
+constexpr std::size_t kLongestDetour = 6;
+
 // Those in the way of those in the way, and so on, so many times.
 constexpr std::size_t kMostAskedInTurn = 6;
 
@@ -62,12 +66,56 @@ std::optional<WayFinder::Choice> WayFinder::choose(const Agent& agent, const Vie
     return Choice{std::move(*legs), is_own_way, end_s};
   };
 
-  const auto road = choice(search_.find(from, {agent.goal, {}}, view), false);
+  auto found = search_.find(from, {agent.goal, {}}, view);
+  if (found) leave_out_detours(from, view, *found);
+
+  const auto road = choice(std::move(found), false);
   const std::vector<MotionId> motions = own_way_left(agent);
   if (motions.empty() || roadmap_.motion(motions.back()).to != agent.goal) return road;
 
   auto own = choice(search_.time(from, motions, view), true);
   return own && (!road || own->end_s <= road->end_s + own_way_bonus_s) ? own : road;
+}
+
+/// Where a vehicle has to wait, driving to and fro may bring it a moment sooner to where it wants to go: it waits
+/// instead.
+///
+/// How: from each place of the way the farthest place of it, a few steps on, is looked for that is one motion away, or
+/// is the same place. Without the steps between them the way is timed anew.
+void WayFinder::leave_out_detours(const Departure& from, const View& view, std::vector<Leg>& legs) {
+  for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
+    const PlaceId here = roadmap_.motion(legs[i].motion).from;
+    const std::size_t last = std::min(i + kLongestDetour, legs.size() - 1);
+
+    for (std::size_t j = last; j > i; --j) {
+      const PlaceId there = roadmap_.motion(legs[j].motion).to;
+      const MotionId direct = here == there ? kNoId : motion_between(here, there);
+      if (here != there && direct == kNoId) continue;
+
+      std::vector<MotionId> motions;
+      for (std::size_t k = 0; k < i; ++k) motions.push_back(legs[k].motion);
+      if (direct != kNoId) motions.push_back(direct);
+      for (std::size_t k = j + 1; k < legs.size(); ++k) motions.push_back(legs[k].motion);
+
+      auto timed = motions.empty() ? std::nullopt : search_.time(from, motions, view);
+      if (!timed || timed->back().end_s > legs.back().end_s + kWorthADetourS) continue;
+
+      legs = std::move(*timed);
+      break;
+    }
+  }
+}
+
+/// The shortest open one.
+MotionId WayFinder::motion_between(PlaceId from, PlaceId to) const {
+  MotionId best = kNoId;
+  for (const MotionId id : roadmap_.place(from).leaving) {
+    const Motion& motion = roadmap_.motion(id);
+    if (motion.to != to || !SpaceTimeSearch::may_drive(motion, roadmap_.place(from), roadmap_.place(to))) continue;
+    if (best == kNoId || motion.length_m < roadmap_.motion(best).length_m) best = id;
+  }
+
+  return best;
 }
 
 double WayFinder::alone_s(const Agent& agent) { return search_.alone_s(timetable_.granted_end(agent), agent.goal); }

@@ -70,6 +70,8 @@ class WayFinder {
 
   View view_of(const Agent& agent, double now_s, double soft_rest_s) const;
   std::optional<Choice> choose(const Agent& agent, const View& view, double own_way_bonus_s);
+  void leave_out_detours(const Departure& from, const View& view, std::vector<Leg>& legs);
+  MotionId motion_between(PlaceId from, PlaceId to) const;
   bool is_spare(const Agent& agent, PlaceId place, bool is_strict) const;
   bool find_rest(Agent& agent, double now_s, const Terms& terms, bool is_strict);
   PlaceId queue_place(const Agent& agent, double now_s);
