@@ -43,6 +43,10 @@ DriveRecorder::DriveRecorder(service::Shell& shell) : begun_(shell.now()) {
     VehicleEntry& vehicle = vehicles_[status.agv_id];
     vehicle.navigation = status;
     vehicle.navigation_arrived = from.arrived;
+
+    // Soon after, it may be moved out of the way, and names no goal then.
+    const bool has_ended = status.phase == fleet::Phase::kArrived || status.phase == fleet::Phase::kFailed;
+    if (has_ended && !status.goal_id.empty()) vehicle.ended_goal = status.goal_id;
   });
 }
 
@@ -118,10 +122,7 @@ Doing DriveRecorder::doing(VehicleEntry& vehicle, time::Stamp now) {
   using fleet::Reason;
   const fleet::NavigationStatus& says = *vehicle.navigation;
   const bool is_silent = now - vehicle.navigation_arrived > time::from_seconds(kSilentS);
-  const bool has_ended = says.phase == Phase::kArrived || says.phase == Phase::kFailed;
-  if (has_ended && !says.goal_id.empty()) vehicle.ended_goal = says.goal_id;
 
-  // A vehicle that is moved out of the way names no goal then.
   doing.has_open_goal = vehicle.ended_goal != vehicle.goal->id;
   doing.is_moving = vehicle.is_moving;
   doing.is_excused = is_silent || vehicle.is_held || says.reason == Reason::kObstacle ||
