@@ -20,7 +20,7 @@ def test_a_sweep_has_a_row_for_each_combination_in_order(ways: dict, papers: Pat
     table = aisle.sweep(aisle.plan, {"map": maps, "planner": ["astar", "theta"]}, **ways)
 
     assert list(table.planner) == ["astar", "theta"] * 2
-    assert list(table.map) == [str(maps[0])] * 2 + [str(maps[1])] * 2
+    assert list(table["map"]) == [str(maps[0])] * 2 + [str(maps[1])] * 2
     for row in table.itertuples():
         assert row.length_m == aisle.plan(row.map, planner=row.planner).length_m
 
@@ -118,7 +118,7 @@ def halls() -> list[aisle.Map]:
 
 def test_maps_of_the_same_size_are_told_apart() -> None:
     table = aisle.sweep(aisle.plan, {"map": halls()}, start=(2.25, 1.25), goal=(18.25, 1.25), progress=False)
-    assert len(table) == 2 and table.map.nunique() == 2
+    assert len(table) == 2 and table["map"].nunique() == 2
     assert table.length_m[0] == 16.0 < table.length_m[1]
 
 
