@@ -173,6 +173,8 @@ class Coordinator {
     std::optional<LeadIn> behind;  // the step behind it: it may be on the arc that leads out of it
     bool is_behind_own{false};     // that step was one of its own way
     std::optional<AskedBack> asked_back;
+    double asked_back_s{-1e9};                      // when it was asked last
+    double closed_since_s{-1.0};                    // floor that is granted to it; negative: it is open
     std::uint64_t refused_step{~std::uint64_t{0}};  // counted already
     std::set<std::string> excepted;                 // too near to these from the beginning
 
@@ -207,7 +209,8 @@ class Coordinator {
   void open(const std::string& name);
   void leave_closed_floor(double now_s);
   void look_for_blocks(double now_s);
-  void ask_back(VehicleEntry& vehicle, std::uint64_t limit_step);
+  bool may_ask_back(const VehicleEntry& vehicle, const Motion& motion, double now_s) const;
+  void ask_back(VehicleEntry& vehicle, std::uint64_t limit_step, double now_s);
   bool is_open(MotionId motion) const;
 
   // coordinator_plans.cpp: who is planned when

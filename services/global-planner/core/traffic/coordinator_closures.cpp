@@ -9,6 +9,8 @@ namespace {
 constexpr double kBlockedAfterS = 2.0;  // a vehicle that stands so long before something has it closed
 constexpr double kBlockLastsS = 30.0;   // after the last word of it: then a vehicle may look again
 constexpr double kBesideThingM = 0.05;
+constexpr double kAskAgainS = 1.0;  // between two questions for road, while the vehicle drives
+constexpr double kStandsMps = 0.02;
 
 }  // namespace
 
@@ -46,18 +48,39 @@ void Coordinator::leave_closed_floor(double now_s) {
     if (agent == nullptr || agent->is_frozen) continue;
 
     const std::size_t granted = agent->pending();
+    bool is_granted_floor_closed = false;
+
     for (std::size_t i = 0; i < agent->steps.size(); ++i) {
       if (is_open(agent->steps[i].motion)) continue;
 
+      if (i < granted) {
+        if (!is_granted_floor_closed && vehicle.closed_since_s < 0.0) vehicle.closed_since_s = now_s;
+        is_granted_floor_closed = true;
+
+        if (!may_ask_back(vehicle, roadmap_.motion(agent->steps[i].motion), now_s)) {
+          has_changed_ = true;  // looked at again
+          continue;
+        }
+      }
+
       // The step that it is in leads out of closed floor, or is driven to its end; the vehicle looks by itself.
-      if (i < granted && i > 0) ask_back(vehicle, agent->done + i);
+      if (i < granted && i > 0) ask_back(vehicle, agent->done + i, now_s);
 
       plans_.cut(id, now_s);
       plans_.find(id)->has_plan_to_goal = false;
       vehicle.tried_s = -1e9;
       break;
     }
+
+    if (!is_granted_floor_closed) vehicle.closed_since_s = -1.0;
   }
+}
+
+/// A thing that stands on granted floor may go on soon, and the vehicle sees it: its road is asked back after a while.
+/// A vehicle that drives and could not give back what was asked for is not asked again at once.
+bool Coordinator::may_ask_back(const VehicleEntry& vehicle, const Motion& motion, double now_s) const {
+  if (motion.is_blocked && now_s < vehicle.closed_since_s + kBlockedAfterS) return false;
+  return vehicle.said.speed_mps < kStandsMps || now_s >= vehicle.asked_back_s + kAskAgainS;
 }
 
 /// Something stands before a vehicle: after a while its floor is closed, and the vehicle gives back what it has.
@@ -85,7 +108,7 @@ void Coordinator::look_for_blocks(double now_s) {
       const Agent* agent = plans_.find(id);
       const bool has_lead_in = !vehicle.lead_in.path_in_map.empty();
       if ((has_lead_in || agent->granted > agent->done) && vehicle.said.plan_id == vehicle.way.plan_id) {
-        ask_back(vehicle, has_lead_in ? vehicle.said.step_done : agent->done);
+        ask_back(vehicle, has_lead_in ? vehicle.said.step_done : agent->done, now_s);
         vehicle.blocked_since_s = now_s;
       }
 
@@ -99,9 +122,10 @@ void Coordinator::look_for_blocks(double now_s) {
   }
 }
 
-void Coordinator::ask_back(VehicleEntry& vehicle, std::uint64_t limit_step) {
+void Coordinator::ask_back(VehicleEntry& vehicle, std::uint64_t limit_step, double now_s) {
   if (vehicle.asked_back && vehicle.asked_back->limit_step <= limit_step) return;
 
+  vehicle.asked_back_s = now_s;
   vehicle.asked_back = AskedBack{limit_step, 0};
   events_.push_back(vehicle.id + " is asked for its road from step " + std::to_string(limit_step) + " on");
 }

@@ -36,7 +36,10 @@ class CoordinatorTest : public testing::Test {
 
       const Orders orders = coordinator_.step(now_s_);
       for (const Way& way : orders.ways) ways_[way.agv_id] = way;
-      for (const GrantedRoad& grant : orders.grants) grants_[grant.agv_id] = grant;
+      for (const GrantedRoad& grant : orders.grants) {
+        if (grant.gives_back) ++asked_back_;
+        grants_[grant.agv_id] = grant;
+      }
     }
   }
 
@@ -76,7 +79,57 @@ class CoordinatorTest : public testing::Test {
   std::map<std::string, Report> says_;
   std::map<std::string, Way> ways_;
   std::map<std::string, GrantedRoad> grants_;  // the newest
+  int asked_back_{0};                          // how often vehicles were asked for road
 };
+
+/// agv-1 has road ahead and drives; agv-2 stands far away, so that road is granted a few metres ahead only.
+class ThingOnTheRoad : public CoordinatorTest {
+ protected:
+  ThingOnTheRoad() {
+    arrive("agv-1", {2.0, 5.0, 0.0});
+    arrive("agv-2", {18.0, 2.0, 0.0});
+    coordinator_.set_goal("agv-1", "goal-1", Pose2{15.0, 5.0, 0.0}, now_s_);
+    run(1.0);
+    first_ = ways_.at("agv-1").first_step;
+    stand_behind("agv-1", first_, grants_.at("agv-1").limit_step);
+    says_["agv-1"].speed_mps = 0.5;
+  }
+
+  /// In the middle of the third step, which is granted.
+  void put_thing() {
+    const Point2 at = end_of_step("agv-1", first_ + 2);
+    coordinator_.set_standing("thing", Shape({{at, at, 0.2}}), now_s_);
+  }
+
+  std::uint64_t first_{0};
+};
+
+TEST_F(ThingOnTheRoad, RoadIsNotAskedBackForAThingThatGoesOnSoon) {
+  ASSERT_GE(grants_.at("agv-1").limit_step, first_ + 3);
+  put_thing();
+  run(1.5);
+  coordinator_.set_standing("thing", {}, now_s_);
+  run(3.0);
+  EXPECT_EQ(asked_back_, 0);
+}
+
+TEST_F(ThingOnTheRoad, RoadIsAskedBackForAThingThatStays) {
+  put_thing();
+  run(2.5);
+  EXPECT_TRUE(grants_.at("agv-1").gives_back);
+  EXPECT_LE(grants_.at("agv-1").limit_step, first_ + 2);
+}
+
+/// It answers each time that it cannot stop before the end of what it has.
+TEST_F(ThingOnTheRoad, AVehicleThatCannotGiveBackIsAskedOnceASecondAtMost) {
+  put_thing();
+  for (int i = 0; i < 60; ++i) {
+    run(0.1);
+    says_["agv-1"].grant_number = grants_.at("agv-1").number;
+  }
+  EXPECT_GE(asked_back_, 2);
+  EXPECT_LE(asked_back_, 5);
+}
 
 /// agv-1 gives road back, and the floor at its new limit has been forced upon meanwhile by the road that agv-2 has from
 /// an earlier leader: agv-1 goes on holding where it comes to stand, also when the steps to it are behind it.
