@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 void silent(const std::string&) {}
 
 std::vector<ComparedPlanner> few(const std::vector<std::string>& planners, int maps = 6) {
-  return compare({{"wang-1"}, planners, {maps, 1}}, silent, [] { return false; });
+  return compare({{"wang-1"}, planners, {maps, 1}}, silent);
 }
 
 TEST(Compare, MeasuresEachPlannerOnTheSameMapsAgainstTheFirst) {

@@ -23,7 +23,7 @@ std::vector<ReproducedRow> few(const std::vector<std::string>& tables, unsigned 
   orders.tables = tables;
   orders.maps = {12, seed};
   orders.drives = {0, seed};
-  return reproduce(orders, silent, [] { return false; });
+  return reproduce(orders, silent);
 }
 
 const ReproducedRow& row_of(std::vector<ReproducedRow>&& rows, const std::string& name) = delete;  // it would dangle
