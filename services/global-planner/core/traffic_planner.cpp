@@ -370,8 +370,12 @@ void TrafficPlanner::take_grant(const traffic::GrantedRoad& road, Stamp now, Fle
 double TrafficPlanner::tube_m(const Entry& entry) const { return vehicles_.size() > 1 ? entry.kind.tube_m : 0.0; }
 
 std::vector<Point2> TrafficPlanner::own_way(const std::string& agv_id, Point2 from_in_map, Point2 to_in_map) {
+  // The way's shape is wider than what the search keeps free: past what stands by so much more.
+  const traffic::Kind& kind = vehicles_.at(agv_id).kind;
+  const double wider_m = std::max(0.0, kind.tube_m + traffic::Coordinator::Settings{}.gap_m - settings_.margin_m);
   std::vector<Disc> standing;
-  for (const auto& [id, thing] : standing_) standing.push_back(thing.disc);
+  for (const auto& [id, thing] : standing_)
+    standing.push_back({thing.disc.center_in_map, thing.disc.radius_m + wider_m});
 
   return goals_.own_way(agv_id, from_in_map, to_in_map, standing, out_of_time_);
 }

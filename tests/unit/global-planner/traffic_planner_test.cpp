@@ -240,6 +240,19 @@ TEST_F(TrafficFleet, GoesAroundAStaticTrackUntilTheSpotWasSeenFree) {
   EXPECT_TRUE(is_near_its_way("agv-1", box.center_in_map, 0.1));
 }
 
+/// The search keeps margin_m from what stands, and the shapes of a way are wider than that.
+TEST_F(TrafficFleet, AVehiclesOwnWayLeadsAroundAStaticTrack) {
+  arrive("agv-1", {2.0, 5.0, 0.0});
+  planner_.set_static_track(7, {{5.0, 5.0}, 0.4}, now_);
+  send_goal("agv-1", "goal-1", {8.0, 5.0, 0.0});
+  run(1.0);
+
+  const Plan& plan = newest_plan("agv-1");
+  ASSERT_TRUE(plan.is_found());
+  EXPECT_EQ(std::count(plan.own_steps.begin(), plan.own_steps.end(), 0), 0);
+  EXPECT_LT(plan.length_m, 6.4) << "straight it is 6 m";
+}
+
 TEST_F(TrafficFleet, AnIdleVehicleInTheWayIsMovedWithoutAGoal) {
   block(0.0, 6.0, 10.0, 6.2);
   block(0.0, 3.8, 10.0, 4.0);

@@ -210,6 +210,7 @@ class Coordinator {
   void leave_closed_floor(double now_s);
   void look_for_blocks(double now_s);
   bool may_ask_back(const VehicleEntry& vehicle, const Motion& motion, double now_s) const;
+  bool has_way_round(VehicleEntry& vehicle, double now_s);
   void ask_back(VehicleEntry& vehicle, std::uint64_t limit_step, double now_s);
   bool is_open(MotionId motion) const;
 

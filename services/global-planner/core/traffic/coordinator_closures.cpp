@@ -57,14 +57,16 @@ void Coordinator::leave_closed_floor(double now_s) {
         if (!is_granted_floor_closed && vehicle.closed_since_s < 0.0) vehicle.closed_since_s = now_s;
         is_granted_floor_closed = true;
 
-        if (!may_ask_back(vehicle, roadmap_.motion(agent->steps[i].motion), now_s)) {
+        if (!may_ask_back(vehicle, roadmap_.motion(agent->steps[i].motion), now_s) ||
+            (is_alone(vehicle) && !has_way_round(vehicle, now_s))) {
           has_changed_ = true;  // looked at again
           continue;
         }
       }
 
       // The step that it is in leads out of closed floor, or is driven to its end; the vehicle looks by itself.
-      if (i < granted && i > 0) ask_back(vehicle, agent->done + i, now_s);
+      // A vehicle alone gives back all that it can: its next way leads round from farther away.
+      if (i < granted && i > 0) ask_back(vehicle, agent->done + (is_alone(vehicle) ? 1 : i), now_s);
 
       plans_.cut(id, now_s);
       plans_.find(id)->has_plan_to_goal = false;
@@ -81,6 +83,17 @@ void Coordinator::leave_closed_floor(double now_s) {
 bool Coordinator::may_ask_back(const VehicleEntry& vehicle, const Motion& motion, double now_s) const {
   if (motion.is_blocked && now_s < vehicle.closed_since_s + kBlockedAfterS) return false;
   return vehicle.said.speed_mps < kStandsMps || now_s >= vehicle.asked_back_s + kAskAgainS;
+}
+
+/// Is there another way to its goal from where the step that it is in ends? Without one, a vehicle alone drives on to
+/// what stands there, and says so when it has to stop. Looked for once a second at most; in between: no.
+bool Coordinator::has_way_round(VehicleEntry& vehicle, double now_s) {
+  if (!own_way_ || !vehicle.goal_in_map || !vehicle.kind.turns_on_the_spot()) return true;
+  if (now_s < vehicle.own_tried_s + kAskAgainS) return false;
+
+  vehicle.own_tried_s = now_s;
+  const Motion& motion = roadmap_.motion(plans_.find(vehicle.id)->steps.front().motion);
+  return !own_way_(vehicle.id, motion.path_in_map.back(), vehicle.goal_in_map->position()).empty();
 }
 
 /// Something stands before a vehicle: after a while its floor is closed, and the vehicle gives back what it has.

@@ -74,7 +74,10 @@ class CoordinatorTest : public testing::Test {
 
   grid::OccupancyGrid grid_;
   grid::ClearanceField clearance_;
-  Coordinator coordinator_{Coordinator::Settings{}, nullptr};
+  bool has_own_ways_{false};  // straight ones
+  Coordinator coordinator_{Coordinator::Settings{}, [this](const std::string&, Point2 from_in_map, Point2 to_in_map) {
+                             return has_own_ways_ ? std::vector<Point2>{from_in_map, to_in_map} : std::vector<Point2>{};
+                           }};
   double now_s_{100.0};
   std::map<std::string, Report> says_;
   std::map<std::string, Way> ways_;
@@ -129,6 +132,37 @@ TEST_F(ThingOnTheRoad, AVehicleThatCannotGiveBackIsAskedOnceASecondAtMost) {
   }
   EXPECT_GE(asked_back_, 2);
   EXPECT_LE(asked_back_, 5);
+}
+
+/// Only agv-1 is there. Something stands on its fourth step.
+class ThingBeforeALoneVehicle : public CoordinatorTest {
+ protected:
+  void drive_towards_thing() {
+    arrive("agv-1", {2.0, 5.0, 0.0});
+    coordinator_.set_goal("agv-1", "goal-1", Pose2{15.0, 5.0, 0.0}, now_s_);
+    run(1.0);
+    first_ = ways_.at("agv-1").first_step;
+    stand_behind("agv-1", first_, grants_.at("agv-1").limit_step);
+    says_["agv-1"].speed_mps = 0.5;
+
+    const Point2 at = end_of_step("agv-1", first_ + 3);
+    coordinator_.set_standing("thing", Shape({{at, at, 0.2}}), now_s_);
+    run(3.5);
+  }
+
+  std::uint64_t first_{0};
+};
+
+TEST_F(ThingBeforeALoneVehicle, GivesBackAllThatItCanWhereThereIsAWayRound) {
+  has_own_ways_ = true;
+  drive_towards_thing();
+  EXPECT_TRUE(grants_.at("agv-1").gives_back);
+  EXPECT_EQ(grants_.at("agv-1").limit_step, first_ + 1) << "it drives the step that it is in";
+}
+
+TEST_F(ThingBeforeALoneVehicle, KeepsItsRoadWhereThereIsNone) {
+  drive_towards_thing();
+  EXPECT_EQ(asked_back_, 0) << "it drives on to the thing, and says so there";
 }
 
 /// agv-1 gives road back, and the floor at its new limit has been forced upon meanwhile by the road that agv-2 has from
