@@ -10,7 +10,10 @@ constexpr double kRetimeS = 0.5;
 constexpr double kImproveS = 0.1;      // between two tries after one that helped
 constexpr double kSoonImproveS = 0.5;  // at most, after a change
 constexpr double kRarelyImproveS = 4.0;
+constexpr int kImproveTries = 6;                   // at a time, in small fleets; in large ones
+constexpr std::uint64_t kImproveExpanded = 2'000;  // states are enough
 constexpr double kSweepS = 2.0;
+constexpr double kSettleS = 0.2;  // after a goal: so long plans that make way for it may still become better
 
 JointPlan::Settings plan_settings(double gap_m) {
   JointPlan::Settings settings;
@@ -55,6 +58,7 @@ Orders Coordinator::step(double now_s) {
     retimed_s_ = now_s;
   }
 
+  is_settling_ = now_s < newest_goal_s_ + kSettleS;
   if (!is_busy_) retry_own_way(now_s);
   if (!is_busy_) improve(now_s);
 
@@ -77,10 +81,13 @@ std::uint64_t Coordinator::take_plan_id(const std::string& agv_id) {
 
 /// Tries that are in vain become rarer; a change makes them more frequent again.
 void Coordinator::improve(double now_s) {
-  if (now_s < improved_s_ + improve_every_s_) return;
+  if (!is_settling_ && now_s < improved_s_ + improve_every_s_) return;
 
   improved_s_ = now_s;
-  const bool is_better = plans_.improve(now_s, random_state_);
+  bool is_better = false;
+  const std::uint64_t most_expanded = plans_.expanded() + kImproveExpanded;
+  for (int i = 0; i < kImproveTries && !is_better && plans_.expanded() < most_expanded; ++i)
+    is_better = plans_.improve(now_s, random_state_);
   improve_every_s_ = is_better ? kImproveS : std::min(1.5 * improve_every_s_, kRarelyImproveS);
 }
 

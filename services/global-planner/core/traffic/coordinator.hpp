@@ -229,6 +229,7 @@ class Coordinator {
   void grant_all();
   std::string unheard() const;
   bool grant_next(VehicleEntry& vehicle);
+  bool makes_way(const Agent& agent) const;
   bool wants_road(const VehicleEntry& vehicle, const Agent& agent) const;
   void hold_end_of_grants(VehicleEntry& vehicle);
   void tell_reasons(VehicleEntry& vehicle);
@@ -254,6 +255,8 @@ class Coordinator {
   double retimed_s_{-1e9};
   double improved_s_{-1e9};
   double swept_s_{-1e9};
+  double newest_goal_s_{-1e9};  // when any vehicle was given its goal last
+  bool is_settling_{false};     // that was a moment ago
 };
 
 }  // namespace aisle::global_planner::traffic

@@ -66,12 +66,18 @@ bool Coordinator::wants_road(const VehicleEntry& vehicle, const Agent& agent) co
   return ahead < std::max(settings_.least_ahead_m, brakes + v * (kReactionS + settings_.latency_s) + kStepM);
 }
 
+/// Does it stand, and will begin by driving elsewhere than its own way to its goal?
+bool Coordinator::makes_way(const Agent& agent) const {
+  return agent.pending() == 0 && !agent.steps.empty() && !agent.steps.front().is_own_way;
+}
+
 /// The next step, when its links are done and the lock admits its floor. False: no more for now.
 bool Coordinator::grant_next(VehicleEntry& vehicle) {
   const Agent* agent = plans_.find(vehicle.id);
   const std::size_t granted = agent->pending();
   if (agent->is_frozen || vehicle.asked_back || granted >= agent->steps.size()) return false;
   if (!wants_road(vehicle, *agent)) return false;
+  if (is_settling_ && makes_way(*agent)) return false;
 
   if (!vehicle.excepted.empty()) {
     vehicle.waits_for.assign(vehicle.excepted.begin(), vehicle.excepted.end());

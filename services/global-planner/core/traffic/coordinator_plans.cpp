@@ -66,6 +66,7 @@ void Coordinator::set_goal(const std::string& agv_id, const std::string& goal_id
   vehicle.goal_id = goal_id;
   vehicle.goal_in_map = goal_in_map;
   vehicle.goal_since_s = now_s;
+  if (goal_in_map) newest_goal_s_ = now_s;
   vehicle.without_plan_s = now_s;
   vehicle.tried_s = -1e9;
   vehicle.reason.clear();

@@ -10,7 +10,9 @@ namespace {
 
 constexpr std::size_t kMostMembers = 12;
 constexpr std::size_t kMostImproved = 6;
-constexpr double kLeastLossS = 2.0;  // a plan that ends sooner after the free run is not improved
+constexpr double kMostPostponedS = 0.5;  // the oldest goal, by all that is improved while it is the oldest
+constexpr double kSameAgeS = 0.1;        // of goals that were given together
+constexpr double kLeastLossS = 2.0;      // a plan that ends sooner after the free run is not improved
 
 // No further order is tried after so many expanded states.
 constexpr std::uint64_t kMostExpanded = 12'000;
@@ -77,8 +79,7 @@ double GroupPlanner::least_sum_of_ends_s(const Members& order, std::size_t plann
 /// All members end their plans where their grants end; then one after the other plans anew.
 /// @param most_sum_s it is given up when the ends of those with goals come to more
 /// @return has the first one what it needs, and is nobody in the way of the others?
-bool GroupPlanner::plan_in_order(const Members& order, double now_s, double soft_rest_s, double most_sum_s) {
-  const WayFinder::Terms terms{soft_rest_s};
+bool GroupPlanner::plan_in_order(const Members& order, double now_s, const WayFinder::Terms& terms, double most_sum_s) {
   for (Agent* member : order) parts_.timetable.drop_from(*member, member->granted);
 
   Agent& first = *order.front();
@@ -105,7 +106,7 @@ bool GroupPlanner::plan(Agent& agent, double now_s) {
   for (std::size_t i = 0; i < kSoftRestsS.size() && parts_.search.expanded() < most_expanded; ++i) {
     if (i >= 3) shuffle(members, 1, random_state);
     parts_.timetable.begin_trial();
-    if (plan_in_order(members, now_s, kSoftRestsS[i])) {
+    if (plan_in_order(members, now_s, {kSoftRestsS[i]})) {
       parts_.timetable.keep_trial();
       for (Agent* member : members) {
         const bool makes_way = member != &agent && member->goal != kNoId && !member->has_plan_to_goal;
@@ -154,6 +155,31 @@ Agent* GroupPlanner::most_late(double now_s, std::uint64_t& random_state) {
   return worst;
 }
 
+std::size_t GroupPlanner::number_with_plan() const {
+  const auto& agents = parts_.timetable.agents();
+  return static_cast<std::size_t>(
+      std::count_if(agents.begin(), agents.end(), [](const auto& agent) { return agent.second.has_plan_to_goal; }));
+}
+
+/// The vehicle with the oldest goal; among those as old, the one that loses most. @pre one has a plan to its goal
+const Agent* GroupPlanner::oldest_with_plan(double now_s) {
+  double since_s = kForEver;
+  for (const auto& [id, agent] : parts_.timetable.agents())
+    if (agent.has_plan_to_goal) since_s = std::min(since_s, agent.goal_since_s);
+
+  const Agent* oldest = nullptr;
+  double most_s = 0.0;
+  for (const auto& [id, agent] : parts_.timetable.agents()) {
+    if (!agent.has_plan_to_goal || agent.goal_since_s > since_s + kSameAgeS) continue;
+
+    const double loss_s = lost_s(agent, now_s);
+    if (oldest != nullptr && loss_s <= most_s) continue;
+    oldest = &agent;
+    most_s = loss_s;
+  }
+  return oldest;
+}
+
 GroupPlanner::Members GroupPlanner::those_waited_for(Agent& agent) {
   Members members{&agent};
   for (std::size_t i = agent.pending(); i < agent.steps.size(); ++i)
@@ -165,21 +191,24 @@ GroupPlanner::Members GroupPlanner::those_waited_for(Agent& agent) {
   return members;
 }
 
+/// How: those that meet on their own ways may both have to leave them, as two that come from either end of an aisle: an
+/// own way keeps to its middle. So every other try is by the roadmap alone, whose ways lie side by side.
 bool GroupPlanner::improve(double now_s, std::uint64_t& random_state) {
   Agent* late = most_late(now_s, random_state);
   if (late == nullptr || lost_s(*late, now_s) < kLeastLossS) return false;
 
   Members members = those_waited_for(*late);
   shuffle(members, 0, random_state);
+  WayFinder::Terms terms{parts_.settings.soft_rest_s};
+  terms.is_roadmap_only = random_below(random_state, 2) == 0;
 
-  const Agent* oldest = nullptr;
-  std::size_t with_plan = 0;
-  for (const auto& [id, agent] : parts_.timetable.agents()) {
-    if (!agent.has_plan_to_goal) continue;
-    ++with_plan;
-    if (oldest == nullptr || is_older(&agent, oldest)) oldest = &agent;
-  }
+  const Agent* oldest = oldest_with_plan(now_s);
+  const std::size_t with_plan = number_with_plan();
   const double oldest_end_s = parts_.timetable.end_s(*oldest, now_s);
+  double postponed_s = 0.0;
+  JointPlan::Patience& patience = parts_.patience;
+  if (patience.agent != oldest->number || patience.goal_since_s != oldest->goal_since_s)
+    patience = {oldest->number, oldest->goal_since_s, 0.0};
   const double before_s = sum_of_ends_s(now_s);
 
   // As long as all members keep their goals; whether others lose is seen in the end.
@@ -189,17 +218,18 @@ bool GroupPlanner::improve(double now_s, std::uint64_t& random_state) {
   const double most_sum_s = all_have_plans ? least_sum_of_ends_s(members, members.size(), now_s) : kForEver;
 
   parts_.timetable.begin_trial();
-  bool is_better = plan_in_order(members, now_s, parts_.settings.soft_rest_s, most_sum_s);
+  bool is_better = plan_in_order(members, now_s, terms, most_sum_s);
   if (is_better) {
-    std::size_t with_plan_now = 0;
-    for (const auto& [id, agent] : parts_.timetable.agents()) with_plan_now += agent.has_plan_to_goal ? 1 : 0;
-    is_better = with_plan_now >= with_plan && parts_.timetable.end_s(*oldest, now_s) <= oldest_end_s &&
+    postponed_s = std::max(0.0, parts_.timetable.end_s(*oldest, now_s) - oldest_end_s);
+    is_better = number_with_plan() >= with_plan && patience.spent_s + postponed_s <= kMostPostponedS &&
                 sum_of_ends_s(now_s) < before_s - 0.1;
   }
-  if (is_better)
+  if (is_better) {
+    patience.spent_s += postponed_s;
     parts_.timetable.keep_trial();
-  else
+  } else {
     parts_.timetable.undo_trial();
+  }
   return is_better;
 }
 

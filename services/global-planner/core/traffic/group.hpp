@@ -23,12 +23,14 @@ class GroupPlanner {
   using Members = std::vector<Agent*>;
 
   Members those_in_the_way(Agent& agent, double now_s);
-  bool plan_in_order(const Members& order, double now_s, double soft_rest_s, double most_sum_s = kForEver);
+  bool plan_in_order(const Members& order, double now_s, const WayFinder::Terms& terms, double most_sum_s = kForEver);
   double least_sum_of_ends_s(const Members& order, std::size_t planned, double now_s);
   Agent* most_late(double now_s, std::uint64_t& random_state);
   Members those_waited_for(Agent& agent);
   double lost_s(const Agent& agent, double now_s);
   double sum_of_ends_s(double now_s) const;
+  std::size_t number_with_plan() const;
+  const Agent* oldest_with_plan(double now_s);
 
   JointPlan::Parts& parts_;
 };

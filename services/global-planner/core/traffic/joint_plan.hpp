@@ -149,6 +149,13 @@ class JointPlan {
   /// Circles that retime() found: stays 0, or there is a fault.
   std::uint64_t circles() const { return circles_; }
 
+  /// How much the oldest goal was postponed for the sake of others since it became the oldest.
+  struct Patience {
+    std::uint32_t agent{kNoId};
+    double goal_since_s{0.0};
+    double spent_s{0.0};
+  };
+
   struct Parts;  // what is reserved, the search, and those that plan with them; see parts.hpp
 
  private:

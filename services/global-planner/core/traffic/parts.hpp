@@ -26,6 +26,7 @@ struct JointPlan::Parts {
   Timetable timetable;
   SpaceTimeSearch search;
   WayFinder ways;
+  Patience patience;
 };
 
 }  // namespace aisle::global_planner::traffic

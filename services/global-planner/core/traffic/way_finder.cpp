@@ -57,8 +57,8 @@ void WayFinder::remember_own_way(const Agent& agent, std::vector<MotionId> motio
   own_ways_[agent.id] = std::move(motions);
 }
 
-/// The own way if it ends at most `own_way_bonus_s` later than the roadmap's.
-std::optional<WayFinder::Choice> WayFinder::choose(const Agent& agent, const View& view, double own_way_bonus_s) {
+/// The own way if it ends at most `terms.own_way_bonus_s` later than the roadmap's.
+std::optional<WayFinder::Choice> WayFinder::choose(const Agent& agent, const View& view, const Terms& terms) {
   const Departure from = departure(agent, view.now_s);
   const auto choice = [&](std::optional<std::vector<Leg>> legs, bool is_own_way) -> std::optional<Choice> {
     if (!legs) return std::nullopt;
@@ -70,11 +70,11 @@ std::optional<WayFinder::Choice> WayFinder::choose(const Agent& agent, const Vie
   if (found) leave_out_detours(from, view, *found);
 
   const auto road = choice(std::move(found), false);
-  const std::vector<MotionId> motions = own_way_left(agent);
+  const std::vector<MotionId> motions = terms.is_roadmap_only ? std::vector<MotionId>{} : own_way_left(agent);
   if (motions.empty() || roadmap_.motion(motions.back()).to != agent.goal) return road;
 
   auto own = choice(search_.time(from, motions, view), true);
-  return own && (!road || own->end_s <= road->end_s + own_way_bonus_s) ? own : road;
+  return own && (!road || own->end_s <= road->end_s + terms.own_way_bonus_s) ? own : road;
 }
 
 /// Where a vehicle has to wait, driving to and fro may bring it a moment sooner to where it wants to go: it waits
@@ -121,12 +121,12 @@ MotionId WayFinder::motion_between(PlaceId from, PlaceId to) const {
 double WayFinder::alone_s(const Agent& agent) { return search_.alone_s(timetable_.granted_end(agent), agent.goal); }
 
 bool WayFinder::go(Agent& agent, double now_s, const Terms& terms) {
-  auto best = choose(agent, view_of(agent, now_s, kForEver), terms.own_way_bonus_s);
+  auto best = choose(agent, view_of(agent, now_s, kForEver), terms);
   const double start_s = departure(agent, now_s).time_s;
   const bool is_late = best && best->end_s - start_s > 1.5 * alone_s(agent) + settings_.late_s;
 
   if (!best || is_late) {
-    auto over_rests = choose(agent, view_of(agent, now_s, terms.soft_rest_s), terms.own_way_bonus_s);
+    auto over_rests = choose(agent, view_of(agent, now_s, terms.soft_rest_s), terms);
     if (over_rests && (!best || over_rests->end_s + kWorthAskingS < best->end_s)) best = std::move(over_rests);
   }
   if (!best || best->end_s > terms.latest_end_s - (best->is_own_way ? 0.0 : kWorthChangingS)) return false;

@@ -22,6 +22,7 @@ class WayFinder {
     double soft_rest_s{6.0};      // how long others' rests count
     double own_way_bonus_s{0.0};  // how much later than the roadmap's an own way may end
     double latest_end_s{kForEver};
+    bool is_roadmap_only{false};  // own ways are not tried
   };
 
   /// Where and when the agent's plan may change.
@@ -69,7 +70,7 @@ class WayFinder {
   };
 
   View view_of(const Agent& agent, double now_s, double soft_rest_s) const;
-  std::optional<Choice> choose(const Agent& agent, const View& view, double own_way_bonus_s);
+  std::optional<Choice> choose(const Agent& agent, const View& view, const Terms& terms);
   void leave_out_detours(const Departure& from, const View& view, std::vector<Leg>& legs);
   MotionId motion_between(PlaceId from, PlaceId to) const;
   bool is_spare(const Agent& agent, PlaceId place, bool is_strict) const;

@@ -256,5 +256,38 @@ TEST_F(CoordinatorTest, ASignedOffVehicleHoldsItsPlaceUntilItIsHeardAgain) {
   EXPECT_TRUE(holds("agv-1", end));
 }
 
+/// Two that begin at either end of an aisle of 2.4 m, with goals at the other end. Own ways keep to its middle.
+TEST(Meeting, VehiclesThatMeetOnTheirOwnWaysPassSideBySide) {
+  const grid::OccupancyGrid grid(grid::Geometry{240, 24, 0.1, {}});
+  const grid::ClearanceField clearance(grid);
+  Coordinator coordinator{Coordinator::Settings{}, [](const std::string&, Point2 from, Point2 to) {
+                            return std::vector<Point2>{from, to};
+                          }};
+  coordinator.set_map(clearance, {0, 0}, {239, 23});
+  const std::map<std::string, Pose2> starts{{"agv-1", {2.5, 1.2, 0.0}}, {"agv-2", {19.5, 1.2, 3.14}}};
+  for (const auto& [id, start] : starts) coordinator.set_vehicle(id, test_support::cart());
+
+  // The goals come one after the other, as messages do, and a step is made after each.
+  std::map<std::string, Way> ways;
+  const auto step = [&](double now_s) {
+    for (const auto& [id, start] : starts) {
+      Report report;
+      report.agv_id = id;
+      report.base_in_map = start;
+      coordinator.hear(report, now_s);
+    }
+    for (const Way& way : coordinator.step(now_s).ways) ways[way.agv_id] = way;
+  };
+  step(100.0);
+  coordinator.set_goal("agv-1", "east", Pose2{22.0, 1.2, 0.0}, 102.0);
+  step(102.0);
+  coordinator.set_goal("agv-2", "west", Pose2{2.0, 1.2, 0.0}, 102.0);
+  for (int i = 0; i <= 10; ++i) step(102.0 + 0.05 * i);
+
+  EXPECT_LT(ways.at("agv-1").step_ends_m.back(), 20.5);
+  EXPECT_LT(ways.at("agv-2").step_ends_m.back(), 18.5) << "it does not turn back to let the other pass";
+  EXPECT_TRUE(ways.at("agv-2").leads_to_goal);
+}
+
 }  // namespace
 }  // namespace aisle::global_planner::traffic
