@@ -18,6 +18,7 @@ using time::Stamp;
 constexpr double kTubeM = 0.10;         // of a vehicle that turns on the spot
 constexpr double kTubeSteeredM = 0.12;  // of one that does not: its far corner swings
 constexpr double kHearAllS = 3.0;       // after it began to lead, it plans nothing for so long until all were heard
+constexpr double kGatherS = 0.2;        // and for so long after each new vehicle, until it has planned once
 constexpr double kSilentS = 2.0;
 constexpr double kSameDiscM = 0.1;  // a track that moved or grew less is where it was
 
@@ -177,6 +178,14 @@ bool TrafficPlanner::are_all_heard() const {
          std::all_of(vehicles_.begin(), vehicles_.end(), [](const auto& vehicle) { return vehicle.second.is_heard; });
 }
 
+bool TrafficPlanner::is_gathering(Stamp now) {
+  if (has_gathered_) return false;
+
+  if (vehicles_.size() != std::exchange(gathered_, vehicles_.size())) gathered_last_ = now;
+  has_gathered_ = now - gathered_last_ >= from_seconds(kGatherS);
+  return !has_gathered_;
+}
+
 void TrafficPlanner::set_static_track(std::uint64_t track_id, const Disc& disc, Stamp now) {
   constexpr std::size_t kMostTracks = 1024;
   const auto known = standing_.find(track_id);
@@ -220,6 +229,7 @@ void TrafficPlanner::open_what_was_seen(Stamp now) {
 
 void TrafficPlanner::take_over(Stamp now, bool after_another) {
   if (after_another) goals_.take_over();
+  has_gathered_ = has_gathered_ || after_another;
   began_ = now;
 
   for (auto& [agv_id, entry] : vehicles_) {
@@ -254,6 +264,7 @@ FleetOrders TrafficPlanner::step(Stamp now, const OutOfTime& out_of_time) {
   // A vehicle that was not heard may still have road from another leader. Plans that know of all vehicles are better;
   // later on there are plans, and no road, and each vehicle is told for which one it waits.
   if (!are_all_heard() && now - *began_ < from_seconds(kHearAllS)) return orders;
+  if (is_gathering(now)) return orders;
 
   open_what_was_seen(now);
   const traffic::Orders joint = coordinator_->step(time::seconds(now));

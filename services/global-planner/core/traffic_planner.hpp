@@ -124,6 +124,9 @@ class TrafficPlanner {
 
   bool are_all_heard() const;
 
+  /// At the beginning vehicles become known one after the other: are there still new ones?
+  bool is_gathering(time::Stamp now);
+
   /// A plan for one goal by the map alone: a goal for the traffic, or a plan that says why there is none.
   void take_own_plan(Plan plan, time::Stamp now, FleetOrders& orders);
 
@@ -154,6 +157,9 @@ class TrafficPlanner {
   std::set<std::string> expected_;  // vehicles whose build is not known yet
   std::map<std::uint64_t, Standing> standing_;
   std::optional<time::Stamp> began_;  // to lead
+  bool has_gathered_{false};          // the vehicles that were there when it began
+  std::size_t gathered_{0};           // vehicles known at `gathered_last_`, when the newest of them was new
+  time::Stamp gathered_last_{};
   bool is_busy_{false};
   OutOfTime out_of_time_;  // of the newest step
   std::vector<std::string> events_;

@@ -173,6 +173,17 @@ TEST_F(TrafficFleet, SaysThatAGoalIsCancelledAndPlansForTheNext) {
   EXPECT_EQ(newest_plan("agv-1").goal_id, "goal-2");
 }
 
+/// agv-2 becomes known 0.1 s after agv-1, and stands on its way.
+TEST_F(TrafficFleet, AFleetThatBeginsTogetherIsKnownBeforeTheFirstRoadIsGranted) {
+  send_goal("agv-1", "goal-1", {9.0, 5.0, 0.0});
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  arrive("agv-2", {2.5, 5.0, 0.0});
+  EXPECT_EQ(grants_.count("agv-1"), 0U);
+  run(0.5);
+  EXPECT_GT(grants_.at("agv-1").limit_m, 0.0);
+  EXPECT_FALSE(grants_.at("agv-1").gives_back);
+}
+
 TEST_F(TrafficFleet, AmongOthersAVehicleKeepsToItsTube) {
   arrive("agv-1", {1.0, 5.0, 0.0});
   send_goal("agv-1", "goal-1", {9.0, 5.0, 0.0});

@@ -195,6 +195,7 @@ class Coordinator {
   void place_agent(VehicleEntry& vehicle, PlaceId place, std::uint64_t step, double now_s);
   void take_in_anew(VehicleEntry& vehicle, double now_s);
   void remove_vehicle(VehicleEntry& vehicle);
+  void ask_back_around(const VehicleEntry& newcomer, const Shape& body, double now_s);
   bool escape(VehicleEntry& vehicle, double now_s);
   bool is_alone(const VehicleEntry& vehicle) const;
   void hear_progress(VehicleEntry& vehicle, double now_s);

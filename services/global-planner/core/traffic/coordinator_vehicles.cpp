@@ -229,6 +229,7 @@ void Coordinator::register_vehicle(VehicleEntry& vehicle, double now_s) {
   if (has_road) body.add(swept_shape(vehicle.kind, lead_in.path_in_map, lead_in.headings_rad));
 
   lock_.force(vehicle.id, body);
+  ask_back_around(vehicle, body, now_s);
   const PlaceId place = roadmap_.temporary_place(vehicle.kind_id, end);
   if (place == kNoId) return;
 
@@ -251,6 +252,21 @@ void Coordinator::register_vehicle(VehicleEntry& vehicle, double now_s) {
   }
 
   events_.push_back(vehicle.id + " takes part in the traffic");
+}
+
+/// Road that others were granted before the newcomer was heard, and that meets its body or its road, is asked back.
+void Coordinator::ask_back_around(const VehicleEntry& newcomer, const Shape& body, double now_s) {
+  for (const std::string& id : lock_.holders(newcomer.id, body)) {
+    const Agent* agent = plans_.find(id);
+    if (agent == nullptr) continue;
+
+    for (std::size_t i = 0; i < agent->pending(); ++i) {
+      if (!meet(agent->steps[i].shape, body, settings_.gap_m)) continue;
+
+      ask_back(vehicles_.at(id), agent->done + i, now_s);
+      break;
+    }
+  }
 }
 
 /// A vehicle that began too near to others drives, straight and never nearer to them, to a place that is free of all.
@@ -302,15 +318,19 @@ bool Coordinator::escape(VehicleEntry& vehicle, double now_s) {
   return true;
 }
 
-/// While two are too near to each other, one of them leaves and the other holds.
+/// While two are too near to each other, one of them leaves and the other holds. First both have given back what road
+/// they were asked for.
 void Coordinator::part_near_ones(double now_s) {
+  const auto is_driving = [](const VehicleEntry& vehicle) {
+    return !vehicle.lead_in.path_in_map.empty() || vehicle.asked_back.has_value();
+  };
+
   for (auto& [id, vehicle] : vehicles_) {
     if (vehicle.excepted.empty() || now_s < vehicle.registering_s + kRegisterS) continue;
 
     const bool is_parting =
-        !vehicle.lead_in.path_in_map.empty() ||
-        std::any_of(vehicle.excepted.begin(), vehicle.excepted.end(),
-                    [&](const std::string& other) { return !vehicles_.at(other).lead_in.path_in_map.empty(); });
+        is_driving(vehicle) || std::any_of(vehicle.excepted.begin(), vehicle.excepted.end(),
+                                           [&](const std::string& other) { return is_driving(vehicles_.at(other)); });
 
     vehicle.registering_s = now_s;
     if (!is_parting) escape(vehicle, now_s);

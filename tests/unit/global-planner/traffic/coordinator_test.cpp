@@ -227,6 +227,38 @@ TEST_F(CoordinatorTest, AVehicleThatStillMovesKeepsTheStepThatItIsIn) {
   EXPECT_EQ(coordinator_.plans().agents().at("agv-1").done, first);
 }
 
+/// agv-1 was granted road to where agv-2 stands, before agv-2 was heard.
+class Newcomer : public CoordinatorTest {
+ protected:
+  Newcomer() {
+    arrive("agv-1", {2.0, 5.0, 0.0});
+    arrive("agv-9", {18.0, 2.0, 0.0});
+    coordinator_.set_goal("agv-1", "goal-1", Pose2{15.0, 5.0, 0.0}, now_s_);
+    run(1.0);
+    first_ = ways_.at("agv-1").first_step;
+    const Point2 there = end_of_step("agv-1", first_ + 1);
+    stand_behind("agv-1", first_, grants_.at("agv-1").limit_step);
+    arrive("agv-2", {there.x, there.y, 0.0});
+    coordinator_.set_goal("agv-2", "goal-2", Pose2{15.0, 8.0, 0.0}, now_s_);
+  }
+
+  /// Does agv-2 have road?
+  bool drives() const { return grants_.count("agv-2") > 0 && grants_.at("agv-2").limit_m > 0.0; }
+
+  std::uint64_t first_{0};
+};
+
+TEST_F(Newcomer, IsNotGrantedRoadUntilOthersHaveGivenBackTheirsAroundIt) {
+  run(3.0);
+  EXPECT_TRUE(grants_.at("agv-1").gives_back);
+  EXPECT_LE(grants_.at("agv-1").limit_step, first_ + 1);
+  EXPECT_FALSE(drives());
+
+  stand_behind("agv-1", first_, first_);
+  run(3.0);
+  EXPECT_TRUE(drives());
+}
+
 /// agv-1 fell silent with road ahead. Signed off it holds its place alone, until it is heard with that road again.
 TEST_F(CoordinatorTest, ASignedOffVehicleHoldsItsPlaceUntilItIsHeardAgain) {
   arrive("agv-1", {2.0, 5.0, 0.0});
