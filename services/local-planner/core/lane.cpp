@@ -20,7 +20,6 @@ constexpr int kRounds = 30;
 constexpr double kBendShare = 0.35;
 constexpr double kTargetShare = 0.04;
 constexpr double kWallShare = 0.2;  // of what a point lacks of being roomy
-constexpr double kRoomyM = 0.3;     // between the vehicle and the walls: there it hardly slows down
 constexpr double kRoundingM = 1e-9;
 constexpr double kBetweenPointsM = 0.03;  // between two points the lane may be so much nearer to walls
 
@@ -174,7 +173,7 @@ Lane make_lane(const std::vector<Point2>& waypoints_in_map, const grid::Clearanc
   // Relax, and keep the result only if it is safe.
   const double needed = radius_m + settings.margin_m;
   std::vector<Point2> points = plan;
-  relax(points, plan, clearance, needed, radius_m + kRoomyM);
+  relax(points, plan, clearance, needed, radius_m + settings.roomy_m);
 
   return {is_safe(points, plan, clearance, needed) ? points : plan, plan_m};
 }

@@ -10,6 +10,7 @@ namespace aisle::local_planner {
 /// How a lane is made of a plan's turning points.
 struct LaneSettings {
   double margin_m{0.10};  // a lane keeps this from walls, where the plan itself does
+  double roomy_m{0.3};    // with so much between vehicle and walls it hardly slows down; 0: walls do not slow it
 };
 
 /// The way to drive, and how far along the plan each of its points lies.

@@ -14,7 +14,9 @@ constexpr double kAtEndM = 0.05;     // or at its end, with the last point behin
 
 }  // namespace
 
-WayKeeper::WayKeeper(const Settings& settings, bool knows_path) : lane_(settings.lane), knows_path_(knows_path) {}
+WayKeeper::WayKeeper(const Settings& settings, bool knows_path) : lane_(settings.lane), knows_path_(knows_path) {
+  if (!settings.slows_on_the_way) lane_.roomy_m = 0.0;
+}
 
 Adoption WayKeeper::adopt(const Moment& moment, const Road& road, Way& way) {
   const Plan& plan = *moment.inputs.plan;

@@ -118,6 +118,14 @@ TEST(Lane, KeepsAwayFromWallsThatWouldSlowItDown) {
   EXPECT_GT(clearance.clearance_m(lane.at(0.5 * lane.length_m())), kRadius + 0.25);
 }
 
+TEST(Lane, KeepsToThePlanBesideWallsThatDoNotSlowItDown) {
+  const grid::ClearanceField clearance(aisle(3.0));
+  LaneSettings settings;
+  settings.roomy_m = 0.0;
+  const Route lane = make_lane({{1.0, 3.96}, {19.0, 3.96}}, clearance, kRadius, settings).route;
+  EXPECT_NEAR(lane.at(0.5 * lane.length_m()).y, 3.96, 1e-6);
+}
+
 TEST(SpeedProfile, CanBeBrakedAlong) {
   const grid::ClearanceField clearance(hall(20.0, 10.0));
   const Route route(resample({{2.0, 2.0}, {8.0, 2.0}, {8.0, 8.0}, {15.0, 8.0}}, 0.2));
