@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace aisle::local_planner {
@@ -40,6 +41,18 @@ double cap_beside_standing_mps(const Moment& moment, const Mover& mover) {
   if (!mover.has_walked) return std::numeric_limits<double>::infinity();
 
   return kCreepMps + std::max(0.0, moment.gap_then_m(mover) - kBesidePersonM);
+}
+
+/// Is it behind the vehicle, and will be for the next second, however slowly the vehicle drives on? Of what stands,
+/// where the vehicle drives away from it: behind its middle.
+bool stays_behind(const Moment& moment, const Mover& mover) {
+  const geometry::Pose2& then = moment.motion.base_then;
+  if (!mover.may_walk) return geometry::from_map(then, mover.position_in_map).x < 0.0;
+
+  return std::all_of(std::begin(kPersonAheadS), std::end(kPersonAheadS), [&](double t_s) {
+    const Point2 there = mover.position_in_map + t_s * mover.velocity_in_map;
+    return geometry::from_map(then, there).x < -moment.vehicle.reach_m();
+  });
 }
 
 /// By the gap to where a walker is nearest within the next second.
@@ -119,8 +132,10 @@ double speed_cap_mps(const SpeedQuestion& question, const Settings& settings) {
       if (mover.velocity_in_map != Point2{})
         cap = std::min(cap, cap_before_crossing_mps(question, mover, s_m, settings.comfort_mps2));
 
-  for (const Mover& mover : question.around.movers)
+  for (const Mover& mover : question.around.movers) {
+    if (!way.backs_off() && stays_behind(moment, mover)) continue;
     cap = std::min(cap, mover.may_walk ? cap_beside_person_mps(moment, mover) : cap_beside_standing_mps(moment, mover));
+  }
 
   return cap;
 }

@@ -31,7 +31,7 @@ struct SpeedQuestion {
 /// - in a tube, what brakes in comfort before each place of the way that a walker comes to in the next seconds, if the
 ///   vehicle is not through well before;
 /// - what the distance to each person allows: 0.25 m/s beside one, 0.5 m/s more a metre of gap; and a creep beside
-///   what stood for long and came there on its feet.
+///   what stood for long and came there on its feet. Who is behind the vehicle, and stays there, does not count.
 double speed_cap_mps(const SpeedQuestion& question, const Settings& settings);
 
 }  // namespace aisle::local_planner

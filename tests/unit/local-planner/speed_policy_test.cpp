@@ -73,6 +73,16 @@ TEST_F(SpeedCap, CreepsBesideWhatStoodForLongOnlyWhereItOnceWalked) {
   EXPECT_NEAR(cap(), kCreepMps, 1e-9);
 }
 
+TEST_F(SpeedCap, CountsNobodyWhoIsBehindAndStaysThere) {
+  const double free_mps = cap();
+  stage.around.movers = {mover({2.5, 5.3}, true, true), mover({2.8, 5.6}, false, true)};
+  EXPECT_EQ(cap(), free_mps);
+  stage.around.movers[0].velocity_in_map = {1.0, 0.0};
+  EXPECT_LT(cap(), free_mps) << "it catches up";
+  stage.around.movers = {mover({2.8, 5.6}, true, true)};
+  EXPECT_LT(cap(), free_mps) << "beside the vehicle";
+}
+
 TEST_F(SpeedCap, BrakesInATubeBeforeWhereAWalkerComesToTheWay) {
   Mover walker = mover({4.2, 2.4}, true, true);
   walker.velocity_in_map = {0.0, 1.5};
