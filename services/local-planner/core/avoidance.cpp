@@ -24,7 +24,7 @@ const char* told(Detour::Kind kind) {
     case Detour::Kind::kAroundThing:
       return "detour around an obstacle";
     case Detour::Kind::kPastWalker:
-      return "past somebody who walks ahead";
+      return "past somebody who walks on the lane";
     case Detour::Kind::kBackToLane:
       break;
   }

@@ -33,15 +33,18 @@ constexpr double kWalksForS = 3.0;    // they are looked at for so long,
 constexpr double kWalkStepS = 0.5;
 constexpr double kBesideWalkerM = 0.35;  // and passed with so much room
 
-/// Does somebody walk ahead along the lane, so slowly that the vehicle would drive behind them?
-bool is_slow_ahead(const Mover& mover, const Moment& moment, const Way& way) {
+/// Does somebody walk ahead along the lane, towards the vehicle, or so slowly that it would drive behind them? On a
+/// detour those who come towards it are being passed already.
+bool is_to_be_passed(const Mover& mover, const Moment& moment, const Way& way) {
   const double mps = geometry::norm(mover.velocity_in_map);
-  if (mps == 0.0 || mps > kSlowShare * moment.vehicle.limits.max_speed_mps) return false;
+  if (mps == 0.0) return false;
 
   const double s_m = way.lane().project(mover.position_in_map, way.s_m(), way.s_m() + kLookForObstaclesM);
   const double yaw = way.lane().heading_at(s_m);
   const double along_mps = geometry::dot(mover.velocity_in_map, {std::cos(yaw), std::sin(yaw)});
-  return along_mps > kAlongCosine * mps && s_m > way.s_m();
+  const bool is_slow = mps <= kSlowShare * moment.vehicle.limits.max_speed_mps;
+  const bool comes_towards = along_mps < -kAlongCosine * mps && !way.is_on_detour();
+  return s_m > way.s_m() && (comes_towards || (is_slow && along_mps > kAlongCosine * mps));
 }
 
 /// With what stands nearest to where the lane is obstructed.
@@ -110,7 +113,7 @@ std::optional<Detour> Detours::search_past_walkers(const Moment& moment, const S
   with_walkers.standing_discs = around.standing_discs;
   const std::size_t standing = with_walkers.standing_discs.size();
   for (const Mover& mover : around.movers)
-    if (is_slow_ahead(mover, moment, way))
+    if (is_to_be_passed(mover, moment, way))
       for (double t_s = 0.0; t_s <= kWalksForS; t_s += kWalkStepS)
         with_walkers.standing_discs.push_back(
             {mover.position_in_map + t_s * mover.velocity_in_map, mover.radius_m + kBesideWalkerM});

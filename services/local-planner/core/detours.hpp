@@ -26,10 +26,10 @@ struct Detour {
   enum class Kind { kAroundThing, kPastWalker, kBackToLane } kind{Kind::kAroundThing};
 };
 
-/// Looks for a way around what stands on the lane, past somebody who walks ahead on it more slowly, or back to the lane
-/// where the vehicle is off it, five times a second: the lattice search to a point of the lane behind what obstructs
-/// it, with the usual room, then with less. A walker is looked at as standing wherever they will be in the next
-/// seconds.
+/// Looks for a way around what stands on the lane, past somebody who walks ahead on it more slowly or towards the
+/// vehicle, or back to the lane where the vehicle is off it, five times a second: the lattice search to a point of the
+/// lane behind what obstructs it, with the usual room, then with less. A walker is looked at as standing wherever they
+/// will be in the next seconds.
 class Detours {
  public:
   explicit Detours(const LaneSettings& lane) : lane_(lane) {}
