@@ -91,5 +91,28 @@ TEST(PrintedSetup, DrivesTheSameTwiceAndAnUnknownBoxMakesNoNewPlan) {
   EXPECT_EQ(sim::drive(setup).result.trace_hash, outcome.result.trace_hash);
 }
 
+/// No leader grants road: the planner publishes the path as the paper has it.
+TEST(PrintedSetup, HasNeitherALimitNorATube) {
+  int with_plan = 0;
+  sim::Hooks hooks;
+  hooks.watch = [&](const sim::Snapshot& now) {
+    const local_planner::Output& output = now.outputs[0];
+    EXPECT_NE(output.reason, local_planner::Reason::kNoGrant);
+    EXPECT_EQ(output.road.limit_step, 0U);
+    EXPECT_EQ(output.road.grant_number, 0U);
+    EXPECT_TRUE(output.road.held.empty());
+
+    if (now.plans[0] == nullptr) return;
+    ++with_plan;
+    EXPECT_TRUE(now.plans[0]->step_ends_m.empty());
+    EXPECT_EQ(now.plans[0]->tube_m, 0.0);
+  };
+
+  sim::Setup setup = setup_of({"wang", "wang-1"});
+  setup.scenario.duration_s = 20.0;
+  EXPECT_GT(sim::drive(setup, {}, hooks).result.distance_m, 5.0);
+  EXPECT_GT(with_plan, 0);
+}
+
 }  // namespace
 }  // namespace aisle::lab
