@@ -105,7 +105,7 @@ LocalPlanner::Decision LocalPlanner::decide(const Moment& moment) {
   const double gate_m = is_in_tube && std::isfinite(road_.gate_m()) ? way_.lane_m(road_.gate_m())
                                                                     : std::numeric_limits<double>::infinity();
   if (is_in_tube)
-    way_.progress_at(moment.here(), way_.lane_m(road_.progress_m()), gate_m);
+    way_.progress_at(moment.here(), way_.lane_m(road_.progress_m()), gate_m, way_.lane_m(road_.least_m()));
   else
     way_.progress(moment.here());
 

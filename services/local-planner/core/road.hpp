@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -46,6 +47,10 @@ class Road {
 
   /// Along the plan.
   double progress_m() const { return progress_m_; }
+
+  /// The same, where it is at least: at the end of the steps that it has done, which may be told a tube's half width
+  /// before.
+  double least_m() const { return std::max(0.0, end_of_steps_below_m(step_done_) - tube_m()); }
 
   /// The plan's polyline.
   const Route& way() const { return way_; }

@@ -74,9 +74,10 @@ double Way::s_near_m(Point2 p_in_map, double most_m) const {
   return current().project(p_in_map, s_m(), std::max(s_m(), std::min(s_m() + kSoonAheadM, most_m)));
 }
 
-void Way::progress_at(Point2 position_in_map, double about_m, double most_m) {
+void Way::progress_at(Point2 position_in_map, double about_m, double most_m, double least_m) {
   const double ahead_m = std::min(about_m + kSoonAheadM, most_m);
-  lane_.s_m = lane_.route.project(position_in_map, std::min(about_m - kNearlyM, ahead_m), ahead_m);
+  const double from_m = std::max(about_m - kNearlyM, least_m);
+  lane_.s_m = lane_.route.project(position_in_map, std::min(from_m, ahead_m), ahead_m);
 }
 
 void Way::progress(Point2 position_in_map) {

@@ -62,8 +62,9 @@ class Way {
   /// Moves s on to where the vehicle is.
   void progress(geometry::Point2 position_in_map);
 
-  /// The same near a place on the lane that is known, and not beyond `most_m` of it.
-  void progress_at(geometry::Point2 position_in_map, double about_m, double most_m);
+  /// The same near a place on the lane that is known, not beyond `most_m` of it, and not before `least_m`: the way may
+  /// come back beside itself.
+  void progress_at(geometry::Point2 position_in_map, double about_m, double most_m, double least_m = 0.0);
 
   /// Computes the speeds of new routes; does nothing when they are known.
   void profile(const grid::ClearanceField& clearance, double radius_m, const ProfileLimits& limits);

@@ -84,6 +84,15 @@ TEST(Way, KnowsWhereThePlansPointsLieOnItBehindADetourToo) {
   EXPECT_NEAR(way.lane().at(way.lane_m(12.0)).x, 12.0, 1e-9);
 }
 
+TEST(Way, IsNotLookedForBeforeWhatIsDone) {
+  Way way;
+  way.adopt_at(Lane(Route({{0.0, 0.0}, {2.0, 0.0}, {0.0, 0.1}})), {2.0, 0.0}, 2.0);
+  way.progress_at({1.85, 0.0}, 2.0, 2.0);
+  EXPECT_NEAR(way.lane_s_m(), 1.85, 1e-9);
+  way.progress_at({1.85, 0.0}, 2.0, 2.0, 2.0);
+  EXPECT_NEAR(way.lane_s_m(), 2.0, 1e-9) << "it turns back there";
+}
+
 TEST(Way, IsLookedForWhereTheRoadKnowsItToBe) {
   Way way;
   way.adopt(Lane(Route({{0.0, 0.0}, {5.0, 0.0}, {0.0, 0.001}})), {0.0, 0.0}, false);  // out and back
