@@ -36,17 +36,6 @@ constexpr double kStandsAfterS = 1.0;  // a person who stands so long is a thing
 constexpr double kCourtesyM = 0.5;
 constexpr std::size_t kRoadsKept = 4;
 
-Kind kind_of(const scenario::Vehicle& vehicle) {
-  Kind kind;
-  kind.footprint = vehicle.footprint();
-  kind.limits.model = vehicle.kinematic_model();
-  kind.limits.axle = vehicle.axle;
-  kind.limits.max_speed_mps = vehicle.max_speed_mps;
-  kind.turning_radius_m = 2.0 * kinematics::least_turning_radius_m(kind.limits);
-  if (!kind.turns_on_the_spot()) kind.tube_m = 0.12;
-  return kind;
-}
-
 std::vector<Point2> granted_part(const Way& way, double limit_m) {
   std::vector<Point2> part;
   double along = 0.0;
@@ -72,6 +61,17 @@ std::vector<Point2> granted_part(const Way& way, double limit_m) {
 }
 
 }  // namespace
+
+Kind kind_of(const scenario::Vehicle& vehicle) {
+  Kind kind;
+  kind.footprint = vehicle.footprint();
+  kind.limits.model = vehicle.kinematic_model();
+  kind.limits.axle = vehicle.axle;
+  kind.limits.max_speed_mps = vehicle.max_speed_mps;
+  kind.turning_radius_m = 2.0 * kinematics::least_turning_radius_m(kind.limits);
+  if (!kind.turns_on_the_spot()) kind.tube_m = 0.12;
+  return kind;
+}
 
 /// A vehicle with its mission, and what was told to it.
 struct KinematicSite::Unit {
@@ -385,6 +385,7 @@ void KinematicSite::serve_goals(double now_s) {
     ++unit->reached;
     ++run_.goals;
     run_.last_goal_s = now_s;
+    run_.reached_s[id].push_back(now_s);
     unit->is_told = false;
     unit->idle_until_s = now_s + settings_.pause_s;
     coordinator_->set_goal(id, "", std::nullopt, now_s);
@@ -438,6 +439,7 @@ TrafficRun KinematicSite::run() {
     if (tick % kTicksAStep == 0) send_orders(now_s);
     if (tick % kTicksALook == 0) judge(now_s);
     if (settings_.watch && tick % 20 == 0) settings_.watch(now_s, *coordinator_);
+    if (settings_.goes_on && tick % 20 == 0 && !settings_.goes_on()) break;
   }
 
   run_.duration_s = tick * kTickS;
@@ -458,6 +460,7 @@ TrafficRun KinematicSite::run() {
   if (!step_ms_.empty()) {
     run_.step_ms_p99 = step_ms_[step_ms_.size() * 99 / 100];
     run_.step_ms_most = step_ms_.back();
+    run_.step_ms_mean = 1e3 * run_.all_steps_s / static_cast<double>(step_ms_.size());
   }
 
   return run_;

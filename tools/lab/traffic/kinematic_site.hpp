@@ -45,6 +45,7 @@ struct TrafficRunSettings {
   double pause_s{0.5};                  // at a goal
   double restart_of_the_leader_s{0.0};  // it forgets everything then; 0: never
   std::function<void(double now_s, const global_planner::traffic::Coordinator&)> watch;  // once a second
+  std::function<bool()> goes_on;  // asked once a second; false: the run ends there
 };
 
 /// How a run went.
@@ -62,12 +63,17 @@ struct TrafficRun {
   double step_ms_p99{0.0}, step_ms_most{0.0}, all_steps_s{0.0};  // computing time of the coordinator
   std::vector<std::string> findings;
   std::vector<std::string> events;
+  std::map<std::string, std::vector<double>> reached_s;  // of each vehicle, when it reached its goals
+  double step_ms_mean{0.0};
 
   bool is_clean() const { return contacts + wall_contacts + off_road + held_twice == 0 && refused + circles == 0; }
   double goals_per_vehicle_hour(std::size_t vehicles) const {
     return 3600.0 * goals / (duration_s * static_cast<double>(vehicles));
   }
 };
+
+/// The kind of a scenario's vehicle, as the traffic sees it.
+global_planner::traffic::Kind kind_of(const scenario::Vehicle& vehicle);
 
 /// Runs the scenario with vehicles that follow their granted road exactly, the coordinator of the traffic, and a lossy
 /// line between them. No scans, no tracker, no processes: only the traffic is judged.
