@@ -57,6 +57,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_experiment_local(experiment, cli);
   add_experiment_suite(experiment, cli);
   add_experiment_tracking(experiment, cli);
+  add_experiment_traffic(experiment, cli);
 
   CLI::App& lab = *add_group("lab", "the five papers' tables and figures made again; parameters; sweeps");
   add_lab_list(lab, cli);

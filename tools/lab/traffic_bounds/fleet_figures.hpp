@@ -32,7 +32,7 @@ struct ReachedFigures {
 
 /// Each vehicle to one goal, beside the free runs and beside a multi-agent plan without delays.
 struct OneShotFigures {
-  int goals{0};                  // reached
+  int goals{0};                  // reached, by the fleet and alone
   double makespan_s{0.0};        // until the last one is there
   double alone_makespan_s{0.0};  // of the slowest free run
   double ends_s{0.0};            // sum of times

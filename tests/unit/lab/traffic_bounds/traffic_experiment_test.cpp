@@ -43,6 +43,17 @@ TEST(TrafficExperiment, TheSameSeedGivesTheSameTables) {
   for (const FleetRow& row : a.rows) EXPECT_EQ(row.reached->findings, 0);
 }
 
+TEST(TrafficExperiment, OneShotHasItsFreeRunsWhereTheRunsAreShort) {
+  TrafficExperiment experiment;
+  experiment.vehicles = {1};
+  experiment.seconds = 10.0;
+  const FloorFigures floor = measure_floor(small_floor(), experiment, {});
+
+  ASSERT_TRUE(floor.rows.at(0).one_shot);
+  EXPECT_EQ(floor.rows[0].one_shot->goals, 1);
+  EXPECT_GT(floor.rows[0].one_shot->alone_ends_s, 0.0);
+}
+
 TEST(TrafficExperiment, EndsWithCompleteRowsWhenItIsStopped) {
   TrafficExperiment experiment;
   experiment.vehicles = {1};
