@@ -14,8 +14,9 @@
 namespace aisle::local_planner {
 namespace {
 
-constexpr double kWaitsBeforeM = 0.2;    // so near before an obstacle that closes its way the vehicle stays
-constexpr double kAtLimitM = 0.1;        // so near before its limit it is there
+constexpr double kWaitsBeforeM = 0.2;  // so near before an obstacle that closes its way the vehicle stays
+constexpr double kAtLimitM = 0.1;      // so near before its limit it is there
+constexpr double kStandsAtLimitMps = 0.005;
 constexpr double kBlockedInTubeS = 2.0;  // what stands in a tube for so long closes it
 constexpr double kComesBackMps = 0.2;    // into its tube
 constexpr double kWalkersWithinM = 8.0;  // farther away nobody is met within the dynamic window's horizon
@@ -116,9 +117,15 @@ LocalPlanner::Decision LocalPlanner::decide(const Moment& moment) {
   return drive({moment, way_, around, follower_.in_force(), &tube, gate_m}, ruling);
 }
 
+/// Where it stands, once all steps are done: where the way turns back at the limit, the leg behind lies ahead of it.
 double LocalPlanner::stop_at_m() const {
   const double along_plan_m = road_.stop_at_m();
-  return std::isfinite(along_plan_m) ? way_.lane_m(along_plan_m) : along_plan_m;
+  if (!std::isfinite(along_plan_m)) return along_plan_m;
+
+  const double limit_m = way_.lane_m(along_plan_m);
+  const bool stands_at_limit =
+      road_.tube_m() > 0.0 && road_.is_driven() && std::abs(follower_.in_force().linear_mps) < kStandsAtLimitMps;
+  return stands_at_limit ? std::min(limit_m, way_.lane_s_m()) : limit_m;
 }
 
 /// The vehicle may not drive: it brakes, and says why.

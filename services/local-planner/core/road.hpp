@@ -52,6 +52,9 @@ class Road {
   /// before.
   double least_m() const { return std::max(0.0, end_of_steps_below_m(step_done_) - tube_m()); }
 
+  /// Has it done all the steps that it may drive?
+  bool is_driven() const { return has_steps() && step_done_ >= limit_step_; }
+
   /// The plan's polyline.
   const Route& way() const { return way_; }
 

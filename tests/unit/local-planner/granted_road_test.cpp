@@ -190,6 +190,23 @@ TEST(GrantedRoad, OnTheFreeFloorItHasALimitToo) {
   EXPECT_EQ(drive.output.reason, Reason::kNoGrant);
 }
 
+/// The road ends where the way turns back: the leg behind lies ahead of the vehicle once it has turned.
+TEST(GrantedRoad, WhereTheWayTurnsBackItStaysAtItsLimit) {
+  for (const double beside_m : {0.0, 0.06, 0.12, 0.2}) {
+    Drive drive(hall(20.0, 10.0), {7.0, 5.0, 0.0});
+    give_road(drive, {{7.0, 5.0}, {8.0, 5.0}, {9.0, 5.0}, {8.0, 5.0 + beside_m}, {7.0, 5.0 + beside_m}, {3.0, 5.0}});
+    grant(drive, 2, "agv-2");
+    ASSERT_TRUE(drive.until(20.0, [&] { return drive.output.road.step_done == 2U; }));
+
+    double farthest_m = 0.0;
+    drive.until(10.0, [&] {
+      farthest_m = std::max(farthest_m, geometry::distance(drive.base.position(), {9.0, 5.0}));
+      return false;
+    });
+    EXPECT_LT(farthest_m, 0.15) << beside_m;
+  }
+}
+
 TEST(GrantedRoad, OutOfItsTubeItSaysSoAndComesBack) {
   Drive drive(hall(20.0, 10.0), {3.0, 5.3, 0.0});
   give_road(drive, {{3.0, 5.0}, {6.0, 5.0}, {9.0, 5.0}});
