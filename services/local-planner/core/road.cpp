@@ -288,7 +288,8 @@ std::uint64_t Road::lowest_limit(double speed_mps) const {
   const double stop_m =
       progress_m_ + (stands ? 0.0 : kinematics::stopping_distance_m(speed_mps, comfort_mps2_) + kReactionS * speed_mps);
   const bool is_on_arc = is_on_arc_into_next_step();
-  if (stands && !is_on_arc) return step_done_;
+  const bool is_asked_for_all = wanted_limit_step_ <= step_done_;  // then its place is all that is held for it
+  if (stands && (!is_on_arc || is_asked_for_all)) return step_done_;
 
   for (std::uint64_t step = step_done_ + (is_on_arc ? 1 : 0); step < end_step(); ++step)
     if (stop_m <= end_of_steps_below_m(step + 1)) return step + 1;

@@ -162,6 +162,21 @@ TEST_F(OnRoad, AnArcThatWasBegunStays) {
   EXPECT_EQ(report().limit_step, 14U) << "its floor is the next step's";
 }
 
+/// Warehouse, seed 10: before a person who stood for good, the vehicle kept the way that it could not drive.
+TEST_F(OnRoad, OnceItStandsOnAnArcItGivesAllBackThatIsAskedFor) {
+  grant(14);
+  drive_to({8.6, 2.0}, 0.5);
+  stage.inputs.grant->number = ++grants;
+  stage.inputs.grant->limit_step = 12;
+  stage.inputs.grant->gives_back = true;
+  follow(0.5);
+  EXPECT_EQ(report().limit_step, 14U) << "it drives";
+
+  follow(0.0);
+  EXPECT_EQ(report().limit_step, 12U);
+  EXPECT_LE(road.stop_at_m(), report().progress_m);
+}
+
 TEST_F(OnRoad, AnArcKeepsAwayFromWalls) {
   grid::OccupancyGrid grid = hall(20.0, 10.0);
   block(grid, 3.0, 2.4, 8.6, 10.0);
