@@ -52,19 +52,22 @@ double Route::heading_at(double s_m) const {
 double Route::project(Point2 p, double from_s_m, double to_s_m) const {
   const double from = std::clamp(from_s_m, 0.0, length_m());
   double best_s = from;
-  double best = geometry::distance(p, at(from));
+  const Point2 off = p - at(from);
+  double best_m2 = geometry::dot(off, off);
 
   if (points_.size() < 2) return best_s;
 
   // The foot on each segment that touches [from, to], t = (p - a) . (b - a) / |b - a|^2 within [0, 1].
   for (std::size_t i = segment_at(from); i + 1 < points_.size() && along_m_[i] <= to_s_m; ++i) {
     const Point2 ab = points_[i + 1] - points_[i];
+    const double length_m = along_m_[i + 1] - along_m_[i];
     const double t = std::clamp(geometry::dot(p - points_[i], ab) / geometry::dot(ab, ab), 0.0, 1.0);
 
-    const double s = std::clamp(along_m_[i] + t * (along_m_[i + 1] - along_m_[i]), from, std::max(from, to_s_m));
-    const double d = geometry::distance(p, at(s));
-    if (d < best) {
-      best = d;
+    const double s = std::clamp(along_m_[i] + t * length_m, from, std::max(from, to_s_m));
+    const Point2 beside = p - (points_[i] + std::clamp((s - along_m_[i]) / length_m, 0.0, 1.0) * ab);
+    const double m2 = geometry::dot(beside, beside);
+    if (m2 < best_m2) {
+      best_m2 = m2;
       best_s = s;
     }
   }
