@@ -20,6 +20,7 @@ constexpr double kTubeSteeredM = 0.12;  // of one that does not: its far corner 
 constexpr double kHearAllS = 3.0;       // after it began to lead, it plans nothing for so long until all were heard
 constexpr double kGatherS = 0.2;        // and for so long after each new vehicle, until it has planned once
 constexpr double kSilentS = 2.0;
+constexpr double kMovesMps = 0.02;
 constexpr double kSameDiscM = 0.1;  // a track that moved or grew less is where it was
 
 traffic::Kind kind_of(const fleet::Vehicle& vehicle, const FleetSettings& settings) {
@@ -39,6 +40,24 @@ traffic::Shape shape_of(const Disc& disc) {
 }
 
 std::string track_name(std::uint64_t track_id) { return "track " + std::to_string(track_id); }
+
+/// Numbers that a vehicle can have come to, and a road of a length that it can have been granted: what a vehicle says
+/// it holds is held, step by step.
+bool is_credible(const NavigationStatus& says) {
+  constexpr std::uint64_t kHighest = std::uint64_t{1} << 53;
+  constexpr std::uint64_t kMostSteps = 4096;  // of a plan, as in the IDL
+  constexpr double kLongestLegM = 200.0;
+
+  const std::uint64_t highest = std::max({says.step_done, says.limit_step, says.grant_number, says.plan_id});
+  if (highest > kHighest || says.limit_step > says.step_done + kMostSteps) return false;
+
+  for (std::size_t i = 1; i < says.held.size(); ++i) {
+    const Point2 from = says.held[i - 1].base_in_map.position(), to = says.held[i].base_in_map.position();
+    if (geometry::distance(from, to) > kLongestLegM) return false;
+  }
+
+  return true;
+}
 
 double length_m(const std::vector<Point2>& way) {
   double sum_m = 0.0;
@@ -131,7 +150,13 @@ void TrafficPlanner::set_navigation(const NavigationStatus& navigation, Stamp no
 void TrafficPlanner::tell_coordinator(Entry& entry, const std::string& agv_id, Stamp now) {
   const fleet::VehicleState* state = entry.state.fresh(now, from_seconds(settings_.state_life_s));
   if (state == nullptr || !entry.navigation) return;
+  if (!is_credible(*entry.navigation)) {
+    if (!std::exchange(entry.is_incredible, true))
+      events_.push_back(agv_id + ": its status tells of more steps or road than a plan can have: not believed");
+    return;
+  }
 
+  entry.is_incredible = false;
   const NavigationStatus& says = *entry.navigation;
   traffic::Report report;
   report.agv_id = agv_id;
@@ -166,7 +191,10 @@ void TrafficPlanner::sign_off(const std::string& agv_id, Stamp now) {
 
   Entry& entry = known->second;
   const bool is_heard = entry.navigation && now - entry.navigation_arrived <= from_seconds(kSilentS);
-  if (is_heard || entry.is_signed_off) return;
+  const fleet::VehicleState* state = entry.state.fresh(now, from_seconds(settings_.state_life_s));
+  const bool moves = state != nullptr && geometry::norm(geometry::Point2{state->motion.twist.linear_mps,
+                                                                         state->motion.twist.sideways_mps}) > kMovesMps;
+  if (is_heard || moves || entry.is_signed_off) return;
 
   entry.is_signed_off = true;
   entry.is_heard = true;

@@ -99,6 +99,7 @@ class TrafficPlanner {
     time::Stamp navigation_arrived{};
     bool is_heard{false};  // by the coordinator that is
     bool is_signed_off{false};
+    bool is_incredible{false};  // its newest status is not believed
 
     std::string planned_goal;  // of the newest plan with a way
     std::string reached_goal;  // by its own word; it may have been moved out of the way since

@@ -114,6 +114,32 @@ class TrafficFleet : public testing::Test {
   std::map<std::string, fleet::Grant> grants_;  // the newest
 };
 
+TEST_F(TrafficFleet, AStatusThatTellsOfMoreRoadThanThereCanBeIsNotBelieved) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  arrive("agv-2", {1.0, 8.0, 0.0});
+  run(0.5);
+
+  fleet::NavigationStatus& bad = says_["agv-2"];
+  const fleet::NavigationStatus good = bad;
+  bad.held = {{{1.0, 8.0, 0.0}, 0}, {{2.0, 8.0, 0.0}, 1}};
+  bad.limit_step = std::uint64_t{1} << 62;
+  run(0.3);
+  bad = good;
+  bad.held = {{{1.0, 8.0, 0.0}, 0}, {{1e6, 8.0, 0.0}, 0}};
+  run(0.3);
+  bad = good;
+  bad.grant_number = ~std::uint64_t{0};
+  run(0.3);
+
+  const std::vector<std::string> events = planner_.take_events();
+  const auto is_told = [](const std::string& event) { return event.find("not believed") != std::string::npos; };
+  EXPECT_EQ(std::count_if(events.begin(), events.end(), is_told), 1) << "once";
+  bad = good;
+  send_goal("agv-2", "goal-2", {5.0, 8.0, 0.0});
+  run(1.0);
+  EXPECT_TRUE(grants_.count("agv-2")) << "believed again, it drives";
+}
+
 TEST_F(TrafficFleet, AloneAVehicleIsGrantedItsOwnWayToTheEndAndAnyFloorBesideIt) {
   arrive("agv-1", {1.0, 5.0, 0.0});
   send_goal("agv-1", "goal-1", {19.0, 5.0, 0.0});
