@@ -136,7 +136,7 @@ void GlobalPlannerService::keep_lead() {
       plans_.claim(leadership_.epoch(), strength);
       grants_.claim(leadership_.epoch(), strength);
       statuses_.claim(leadership_.epoch(), strength);
-      fleet_.take_over(now, leadership_.epoch() > 1);
+      fleet_.take_over(now, leadership_.epoch());
       shell_.log().info("leads, epoch {}", leadership_.epoch());
       work_soon_();
     }

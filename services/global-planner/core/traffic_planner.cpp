@@ -146,10 +146,11 @@ void TrafficPlanner::set_navigation(const NavigationStatus& navigation, Stamp no
   }
 }
 
-/// A status without a pose, or with one that is long gone, says nothing of where the vehicle is.
+/// A status without a pose, or with one that is long gone, says nothing of where the vehicle is; of a vehicle that has
+/// not heard of this leader yet it does not say all that the vehicle may come to drive.
 void TrafficPlanner::tell_coordinator(Entry& entry, const std::string& agv_id, Stamp now) {
   const fleet::VehicleState* state = entry.state.fresh(now, from_seconds(settings_.state_life_s));
-  if (state == nullptr || !entry.navigation) return;
+  if (state == nullptr || !entry.navigation || entry.navigation->traffic_epoch < epoch_) return;
   if (!is_credible(*entry.navigation)) {
     if (!std::exchange(entry.is_incredible, true))
       events_.push_back(agv_id + ": its status tells of more steps or road than a plan can have: not believed");
@@ -255,7 +256,9 @@ void TrafficPlanner::open_what_was_seen(Stamp now) {
   }
 }
 
-void TrafficPlanner::take_over(Stamp now, bool after_another) {
+void TrafficPlanner::take_over(Stamp now, std::uint32_t epoch) {
+  const bool after_another = epoch > 1;
+  epoch_ = epoch;
   if (after_another) goals_.take_over();
   has_gathered_ = has_gathered_ || after_another;
   began_ = now;

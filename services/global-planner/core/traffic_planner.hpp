@@ -67,9 +67,10 @@ class TrafficPlanner {
   void sign_off(const std::string& agv_id, time::Stamp now);
 
   /// Leads from now on. What vehicles may still drive is learned from their own words, and all plans are made anew.
-  /// Nothing is granted until each known vehicle was heard or signed off.
-  /// @param after_another another planner led before
-  void take_over(time::Stamp now, bool after_another);
+  /// Nothing is granted until each known vehicle was heard or signed off. A status counts from when it names this
+  /// epoch: until then the vehicle may still take grants of the planner that led before.
+  /// @param epoch above 1: another planner led before
+  void take_over(time::Stamp now, std::uint32_t epoch);
 
   /// Works for one slice; to be called again at once while is_busy().
   FleetOrders step(time::Stamp now, const OutOfTime& out_of_time);
@@ -161,6 +162,7 @@ class TrafficPlanner {
   bool has_gathered_{false};          // the vehicles that were there when it began
   std::size_t gathered_{0};           // vehicles known at `gathered_last_`, when the newest of them was new
   time::Stamp gathered_last_{};
+  std::uint32_t epoch_{0};  // that it leads with
   bool is_busy_{false};
   OutOfTime out_of_time_;  // of the newest step
   std::vector<std::string> events_;

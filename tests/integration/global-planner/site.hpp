@@ -59,6 +59,9 @@ class Site {
       if (info.kind != SampleKind::kData) return;
       grants[sample.agv_id().to_string()] = sample;
     });
+    bus.on<topics::TrafficStatus>([this](const aisle::TrafficStatus& sample, const SampleInfo& info) {
+      if (info.kind == SampleKind::kData) epoch_ = std::max(epoch_, sample.by().epoch());
+    });
     bus.every(50ms, [this] { publish_states(); });
   }
 
@@ -156,11 +159,11 @@ class Site {
     aisle::NavigationStatus status;
     status.agv_id(id);
     stamp(status.by());
+    status.traffic_epoch(epoch_);
     const auto grant = grants.find(id);
     if (grant != grants.end()) {
       status.plan_id(grant->second.plan_id());
       status.grant_number(grant->second.number());
-      status.traffic_epoch(grant->second.by().epoch());
     }
     navigations_.write(status);
   }
@@ -174,6 +177,7 @@ class Site {
   bus::Writer<topics::NavigationStatus> navigations_;
   bus::Writer<topics::ServiceHealth> healths_;
   std::map<std::string, geometry::Pose2> poses_;
+  std::uint32_t epoch_{0};  // of the newest leader that was heard
 };
 
 }  // namespace aisle::global_planner

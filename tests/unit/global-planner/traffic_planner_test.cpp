@@ -315,8 +315,22 @@ class TakenOver : public TrafficFleet {
     run(0.5);
     grants_.clear();
     says_.erase("agv-2");
-    planner_.take_over(now_, true);
+    lead_with(2);
   }
+
+  /// The new leader and its epoch are heard by all who speak.
+  void lead_with(std::uint32_t epoch) {
+    planner_.take_over(now_, epoch);
+    for (auto& [id, status] : says_) status.traffic_epoch = epoch;
+    epoch_ = epoch;
+  }
+
+  void speak_again(const std::string& id) {
+    says_[id].agv_id = id;
+    says_[id].traffic_epoch = epoch_;
+  }
+
+  std::uint32_t epoch_{0};
 
   bool has_road(const std::string& id) const {
     const auto grant = grants_.find(id);
@@ -337,7 +351,7 @@ TEST_F(TakenOver, NobodyHasRoadUntilEachVehicleWasHeard) {
   EXPECT_EQ(grants_.at("agv-1").reason.rfind("agv-2 was not heard yet", 0), 0U);
   EXPECT_EQ(silent(), std::vector<std::string>{"agv-2"});
 
-  says_["agv-2"].agv_id = "agv-2";
+  speak_again("agv-2");
   run(1.5);
   EXPECT_TRUE(has_road("agv-1"));
   EXPECT_TRUE(has_road("agv-2"));
@@ -357,21 +371,35 @@ TEST_F(TakenOver, AVehicleThatIsSignedOffHoldsWhereItStandsAndNobodyWaitsForIt) 
   EXPECT_FALSE(newest_plan("agv-1").goal_id == "goal-3") << "agv-2 stands there";
 
   // Heard again, it takes part again.
-  says_["agv-2"].agv_id = "agv-2";
+  speak_again("agv-2");
   run(3.0);
   EXPECT_TRUE(has_road("agv-2"));
 }
 
 TEST_F(TakenOver, ASignOffOutlivesTheNextTakeover) {
   planner_.sign_off("agv-2", now_ + from_seconds(3.0));
-  planner_.take_over(now_, true);
+  lead_with(3);
   run(4.0);
   EXPECT_TRUE(has_road("agv-1"));
 }
 
+/// Its word is of before the takeover: a grant of the former leader may still reach it.
+TEST_F(TakenOver, AWordOfAVehicleThatHasNotHeardOfTheNewLeaderDoesNotCount) {
+  speak_again("agv-2");
+  says_["agv-2"].traffic_epoch = 1;
+  run(5.0);
+  EXPECT_FALSE(has_road("agv-1"));
+  EXPECT_FALSE(has_road("agv-2"));
+
+  says_["agv-2"].traffic_epoch = 2;
+  run(1.5);
+  EXPECT_TRUE(has_road("agv-1"));
+  EXPECT_TRUE(has_road("agv-2"));
+}
+
 TEST_F(TakenOver, AVehicleThatIsHeardIsNotSignedOff) {
   planner_.sign_off("agv-1", now_);
-  says_["agv-2"].agv_id = "agv-2";
+  speak_again("agv-2");
   run(1.5);
   EXPECT_TRUE(has_road("agv-1"));
 }
