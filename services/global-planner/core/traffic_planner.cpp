@@ -39,6 +39,10 @@ traffic::Shape shape_of(const Disc& disc) {
   return traffic::Shape({traffic::Capsule{disc.center_in_map, disc.center_in_map, disc.radius_m}});
 }
 
+double speed_mps(const fleet::VehicleState& state) {
+  return std::hypot(state.motion.twist.linear_mps, state.motion.twist.sideways_mps);
+}
+
 std::string track_name(std::uint64_t track_id) { return "track " + std::to_string(track_id); }
 
 /// Numbers that a vehicle can have come to, and a road of a length that it can have been granted: what a vehicle says
@@ -162,7 +166,7 @@ void TrafficPlanner::tell_coordinator(Entry& entry, const std::string& agv_id, S
   traffic::Report report;
   report.agv_id = agv_id;
   report.base_in_map = state->motion.base_in_map;
-  report.speed_mps = std::hypot(state->motion.twist.linear_mps, state->motion.twist.sideways_mps);
+  report.speed_mps = speed_mps(*state);
 
   report.plan_id = says.plan_id;
   report.step_done = says.step_done;
@@ -193,8 +197,7 @@ void TrafficPlanner::sign_off(const std::string& agv_id, Stamp now) {
   Entry& entry = known->second;
   const bool is_heard = entry.navigation && now - entry.navigation_arrived <= from_seconds(kSilentS);
   const fleet::VehicleState* state = entry.state.fresh(now, from_seconds(settings_.state_life_s));
-  const bool moves = state != nullptr && geometry::norm(geometry::Point2{state->motion.twist.linear_mps,
-                                                                         state->motion.twist.sideways_mps}) > kMovesMps;
+  const bool moves = state != nullptr && speed_mps(*state) > kMovesMps;
   if (is_heard || moves || entry.is_signed_off) return;
 
   entry.is_signed_off = true;

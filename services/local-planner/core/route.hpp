@@ -7,7 +7,7 @@
 
 namespace aisle::local_planner {
 
-/// Between the points of lanes, detours and ways aside.
+/// Between the points of lanes, detours and ways back.
 inline constexpr double kRouteStepM = 0.2;
 
 /// A polyline in map that is driven along, addressed by its arc length s in metres from its first point.

@@ -61,7 +61,7 @@ TEST_F(TargetOf, TheAimHoldsTheWayAheadOnlyForCriticsThatAskForIt) {
   EXPECT_NEAR(of_wu.sub_target_in_map.x, 3.6, 1e-9);
 }
 
-TEST_F(TargetOf, AVehicleThatLetsOthersPassKeepsToItsWayAside) {
+TEST_F(TargetOf, AVehicleThatBacksOffKeepsToItsWayBack) {
   stage.around.movers = {Mover{}};
   stage.around.movers[0].position_in_map = {6.0, 5.0};
   stage.around.movers[0].velocity_in_map = {-1.0, 0.0};
