@@ -81,6 +81,26 @@ struct MapEditResult {
   static constexpr const char* kWhy = "the answer to each edit";
 };
 
+struct ZoneEdit {
+  using Sample = aisle::ZoneEdit;
+
+  static constexpr const char* kName = "zone_edit";
+  static constexpr const char* kKey = "edit_id";
+  static auto key(Sample& sample) { return std::tie(sample.edit_id()); }
+  static constexpr Qos kQos = kQueue;
+  static constexpr const char* kWhy = "each edit of a zone counts; it is answered by map_edit_result";
+};
+
+struct MapZones {
+  using Sample = aisle::MapZones;
+
+  static constexpr const char* kName = "map_zones";
+  static constexpr const char* kKey = "map_id";
+  static auto key(Sample& sample) { return std::tie(sample.map_id()); }
+  static constexpr Qos kQos = kState;
+  static constexpr const char* kWhy = "all zones of the map, written again when one changes; late joiners get them";
+};
+
 struct VehicleInfo {
   using Sample = aisle::VehicleInfo;
 
@@ -241,9 +261,9 @@ struct ServiceHealth {
 template <class... Topics>
 struct List {};
 
-using All = List<MapInfo, MapTile, MapRequest, MapEdit, MapEditResult, VehicleInfo, VehicleState, Scan, Goal, Plan,
-                 Grant, TrafficStatus, SignOff, Track, TrackingStatus, Coverage, VelocityCommand, NavigationStatus,
-                 WorldObstacle, ServiceHealth>;
+using All = List<MapInfo, MapTile, MapRequest, MapEdit, MapEditResult, ZoneEdit, MapZones, VehicleInfo, VehicleState,
+                 Scan, Goal, Plan, Grant, TrafficStatus, SignOff, Track, TrackingStatus, Coverage, VelocityCommand,
+                 NavigationStatus, WorldObstacle, ServiceHealth>;
 
 template <class... Topics, class Function>
 void for_each(List<Topics...>, Function&& function) {

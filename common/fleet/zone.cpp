@@ -160,7 +160,7 @@ std::optional<Zone::Kind> find_zone_kind(const std::string& word) {
 }
 
 std::string refusal_of(const Zone& zone) {
-  if (!is_id(zone.id)) return "id: use 1 to 60 letters, digits, '-', '_' and '.'";
+  if (!is_id(zone.id)) return "zone_id: use 1 to 60 letters, digits, '-', '_' and '.'";
 
   std::string reason = refusal_of_shape(zone);
   if (!reason.empty()) return reason;

@@ -96,6 +96,102 @@ std::optional<fleet::MapEditResult::Outcome> from_wire(aisle::EditOutcome outcom
   return std::nullopt;
 }
 
+aisle::ZoneKind to_wire(fleet::Zone::Kind kind) {
+  switch (kind) {
+    case fleet::Zone::Kind::kKeepOut:
+      return ZoneKind::ZONE_KEEP_OUT;
+    case fleet::Zone::Kind::kSpeed:
+      return ZoneKind::ZONE_SPEED;
+    case fleet::Zone::Kind::kOneWay:
+      return ZoneKind::ZONE_ONE_WAY;
+    case fleet::Zone::Kind::kNoStopping:
+      return ZoneKind::ZONE_NO_STOPPING;
+    case fleet::Zone::Kind::kOneVehicle:
+      return ZoneKind::ZONE_ONE_VEHICLE;
+    case fleet::Zone::Kind::kParking:
+      return ZoneKind::ZONE_PARKING;
+  }
+
+  return {};
+}
+
+std::optional<fleet::Zone::Kind> from_wire(aisle::ZoneKind kind) {
+  switch (kind) {
+    case ZoneKind::ZONE_KEEP_OUT:
+      return fleet::Zone::Kind::kKeepOut;
+    case ZoneKind::ZONE_SPEED:
+      return fleet::Zone::Kind::kSpeed;
+    case ZoneKind::ZONE_ONE_WAY:
+      return fleet::Zone::Kind::kOneWay;
+    case ZoneKind::ZONE_NO_STOPPING:
+      return fleet::Zone::Kind::kNoStopping;
+    case ZoneKind::ZONE_ONE_VEHICLE:
+      return fleet::Zone::Kind::kOneVehicle;
+    case ZoneKind::ZONE_PARKING:
+      return fleet::Zone::Kind::kParking;
+  }
+
+  return std::nullopt;
+}
+
+aisle::ZoneAction to_wire(fleet::ZoneEdit::Action action) {
+  switch (action) {
+    case fleet::ZoneEdit::Action::kAdd:
+      return ZoneAction::ZONE_ADD;
+    case fleet::ZoneEdit::Action::kRemove:
+      return ZoneAction::ZONE_REMOVE;
+  }
+
+  return {};
+}
+
+std::optional<fleet::ZoneEdit::Action> from_wire(aisle::ZoneAction action) {
+  switch (action) {
+    case ZoneAction::ZONE_ADD:
+      return fleet::ZoneEdit::Action::kAdd;
+    case ZoneAction::ZONE_REMOVE:
+      return fleet::ZoneEdit::Action::kRemove;
+  }
+
+  return std::nullopt;
+}
+
+aisle::MapZone encode_zone(const fleet::Zone& zone) {
+  aisle::MapZone sample;
+  sample.zone_id(zone.id);
+  sample.kind(to_wire(zone.kind));
+
+  sample.shape(to_wire(zone.shape));
+  for (const geometry::Point2 point : zone.points_in_map) sample.points().push_back(encode(point));
+  sample.radius_m(zone.radius_m);
+
+  sample.max_speed_mps(zone.max_speed_mps);
+  sample.direction_rad(zone.direction_rad);
+
+  return sample;
+}
+
+/// The value itself says what is no zone; its reasons name the fields as the wire does.
+fleet::Zone decode_zone(const aisle::MapZone& sample, Checks& checks) {
+  fleet::Zone zone;
+  zone.id = sample.zone_id().to_string();
+  zone.kind = checks.known("kind", sample.kind(), from_wire(sample.kind()));
+  zone.shape = checks.known("shape", sample.shape(), from_wire(sample.shape()));
+
+  checks.count("points", sample.points().size(), 1, 64);
+  if (!checks.ok()) return zone;
+
+  for (const aisle::Point& point : sample.points()) zone.points_in_map.push_back({point.x_m(), point.y_m()});
+  zone.radius_m = sample.radius_m();
+  zone.max_speed_mps = sample.max_speed_mps();
+  zone.direction_rad = sample.direction_rad();
+
+  const std::string reason = fleet::refusal_of(zone);
+  checks.holds(reason.empty(), reason.c_str());
+
+  return zone;
+}
+
 /// Checks the sizes before anything is computed from them.
 grid::Tiling decode_tiling(const aisle::MapInfo& sample, Checks& checks) {
   checks.within("width_cells", sample.width_cells(), 1.0, kMaxEdgeCells)
@@ -303,6 +399,68 @@ Decoded<fleet::MapEditResult> decode(const aisle::MapEditResult& sample) {
   checks.id("edit_id", result.edit_id).optional_id("map_id", result.map_id);
 
   return checks.decoded(std::move(result));
+}
+
+aisle::ZoneEdit encode(const fleet::ZoneEdit& edit) {
+  aisle::ZoneEdit sample;
+  sample.edit_id(edit.edit_id);
+  sample.map_id(edit.map_id);
+
+  sample.action(to_wire(edit.action));
+  sample.zone(encode_zone(edit.zone));
+
+  return sample;
+}
+
+Decoded<fleet::ZoneEdit> decode(const aisle::ZoneEdit& sample) {
+  Checks checks;
+  fleet::ZoneEdit edit;
+
+  edit.edit_id = sample.edit_id().to_string();
+  edit.map_id = sample.map_id().to_string();
+  edit.action = checks.known("action", sample.action(), from_wire(sample.action()));
+  checks.id("edit_id", edit.edit_id).id("map_id", edit.map_id);
+
+  if (edit.action == fleet::ZoneEdit::Action::kAdd) {
+    edit.zone = decode_zone(sample.zone(), checks);
+  } else {
+    edit.zone.id = sample.zone().zone_id().to_string();
+    checks.id("zone_id", edit.zone.id);
+  }
+
+  return checks.decoded(std::move(edit));
+}
+
+aisle::MapZones encode(const fleet::MapZones& zones) {
+  aisle::MapZones sample;
+  sample.map_id(zones.map_id);
+  sample.revision(zones.revision);
+
+  for (const fleet::Zone& zone : zones.zones) {
+    if (sample.zones().size() == fleet::kMostZones) break;
+    sample.zones().push_back(encode_zone(zone));
+  }
+
+  return sample;
+}
+
+Decoded<fleet::MapZones> decode(const aisle::MapZones& sample) {
+  Checks checks;
+  fleet::MapZones zones{sample.map_id().to_string(), sample.revision(), {}};
+
+  checks.id("map_id", zones.map_id)
+      .holds(zones.revision > 0, "revision counts from 1")
+      .count("zones", sample.zones().size(), 0, fleet::kMostZones);
+
+  for (const aisle::MapZone& zone : sample.zones()) {
+    if (!checks.ok()) break;
+
+    fleet::Zone next = decode_zone(zone, checks);
+    checks.holds(zones.zones.empty() || zones.zones.back().id < next.id, "zones: zone_id does not ascend");
+    zones.zones.push_back(std::move(next));
+  }
+
+  return checks.decoded(std::move(zones));
 }
 
 }  // namespace aisle::wire

@@ -4,6 +4,7 @@
 
 #include "common/fleet/map_edit.hpp"
 #include "common/fleet/map_request.hpp"
+#include "common/fleet/zone.hpp"
 #include "common/grid/map_mirror.hpp"
 #include "common/wire/checks.hpp"
 #include "idl/map.hpp"
@@ -32,5 +33,16 @@ Decoded<fleet::MapEdit> decode(const aisle::MapEdit& sample);
 
 aisle::MapEditResult encode(const fleet::MapEditResult& result);
 Decoded<fleet::MapEditResult> decode(const aisle::MapEditResult& sample);
+
+aisle::ZoneEdit encode(const fleet::ZoneEdit& edit);
+
+/// Refused when the zone to be added is none (fleet::refusal_of). Of a zone to be removed only the id is read.
+Decoded<fleet::ZoneEdit> decode(const aisle::ZoneEdit& sample);
+
+/// Of more than 256 zones, the first are written.
+aisle::MapZones encode(const fleet::MapZones& zones);
+
+/// Refused when one of them is no zone, or their ids do not ascend.
+Decoded<fleet::MapZones> decode(const aisle::MapZones& sample);
 
 }  // namespace aisle::wire

@@ -240,7 +240,7 @@ TEST_F(CliSite, TopicListCountsWritersAndReaders) {
   const Outcome outcome = run({"topic", "list", "--wait", "4", "--json"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   const json rows = json::parse(outcome.out);
-  ASSERT_EQ(rows.size(), 20u);
+  ASSERT_EQ(rows.size(), 22u);
   for (const json& row : rows) {
     if (row["topic"] != "plan") continue;
     EXPECT_EQ(row["type"], "aisle::Plan");

@@ -50,8 +50,8 @@ TEST(Zone, RefusalsNameTheFieldAndTheLimit) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto refusal = [](const std::function<void(Zone&)>& change) { return refusal_with(rectangle(), change); };
 
-  EXPECT_EQ(refusal([](Zone& z) { z.id = "a b"; }), "id: use 1 to 60 letters, digits, '-', '_' and '.'");
-  EXPECT_EQ(refusal([](Zone& z) { z.id.assign(61, 'a'); }), "id: use 1 to 60 letters, digits, '-', '_' and '.'");
+  EXPECT_EQ(refusal([](Zone& z) { z.id = "a b"; }), "zone_id: use 1 to 60 letters, digits, '-', '_' and '.'");
+  EXPECT_EQ(refusal([](Zone& z) { z.id.assign(61, 'a'); }), "zone_id: use 1 to 60 letters, digits, '-', '_' and '.'");
   EXPECT_EQ(refusal([](Zone& z) { z.points_in_map.pop_back(); }),
             "points: a rectangle has 2 opposite corners, this has 1");
   EXPECT_EQ(refusal([](Zone& z) { z.points_in_map[1].x = 4.0; }), "points: the rectangle has no area");

@@ -185,6 +185,17 @@ void expect_sound(const fleet::MapEdit& edit) {
   expect_within(edit.radius_m, -1e6, 1e6);
 }
 void expect_sound(const fleet::MapEditResult& result) { expect_id(result.edit_id); }
+void expect_sound(const fleet::ZoneEdit& edit) {
+  expect_id(edit.edit_id);
+  expect_id(edit.zone.id);
+  if (edit.action == fleet::ZoneEdit::Action::kAdd) {
+    EXPECT_EQ(fleet::refusal_of(edit.zone), "");
+  }
+}
+void expect_sound(const fleet::MapZones& zones) {
+  expect_id(zones.map_id);
+  for (const fleet::Zone& zone : zones.zones) EXPECT_EQ(fleet::refusal_of(zone), "");
+}
 void expect_sound(const fleet::MapRequest& request) { expect_id(request.requester_id); }
 void expect_sound(const grid::MapSummary& summary) {
   expect_id(summary.map_id);

@@ -35,4 +35,25 @@ inline aisle::VehicleInfo sound_sample() {
   return sample;
 }
 
+/// A disc with a speed.
+inline void make_sound(aisle::MapZone& zone) {
+  zone.kind(aisle::ZoneKind::ZONE_SPEED);
+  zone.shape(aisle::EditShape::SHAPE_DISC);
+  zone.points().resize(1);
+  zone.direction_rad(0.0);
+}
+template <>
+inline aisle::ZoneEdit sound_sample() {
+  auto sample = bus_test::golden_sample<aisle::ZoneEdit>();
+  sample.action(aisle::ZoneAction::ZONE_ADD);
+  make_sound(sample.zone());
+  return sample;
+}
+template <>
+inline aisle::MapZones sound_sample() {
+  auto sample = bus_test::golden_sample<aisle::MapZones>();
+  for (aisle::MapZone& zone : sample.zones()) make_sound(zone);
+  return sample;
+}
+
 }  // namespace aisle::wire
