@@ -12,6 +12,7 @@
 #include "common/fleet/any_vehicle.hpp"
 #include "common/scenario/data_path.hpp"
 #include "common/scenario/scenario.hpp"
+#include "common/scenario/zone_file.hpp"
 
 namespace aisle::scenario {
 namespace {
@@ -268,6 +269,7 @@ struct ScenarioFile {
     recordings = read_list<RecordingEntry>(r, "recordings", value.recordings);
     read_list<BlockEntry>(r, "blocks", value.blocks);
     read_list<MapEditEntry>(r, "map_edits", value.map_edits);
+    read_zones(r, "zones", value.zones);
     check(r);
   }
 
@@ -329,6 +331,28 @@ struct ScenarioFile {
   }
 };
 
+/// The zones beside the map, and those of the scenario. @throws config::BadInput when an id is in both, or they are
+/// more than a map may have
+std::vector<fleet::Zone> joined(std::vector<fleet::Zone> of_map, std::vector<fleet::Zone> of_scenario,
+                                const std::filesystem::path& file) {
+  for (fleet::Zone& zone : of_scenario) {
+    const auto has_its_id = [&zone](const fleet::Zone& other) { return other.id == zone.id; };
+    if (std::any_of(of_map.begin(), of_map.end(), has_its_id)) {
+      throw config::BadInput(file.string() + ": zones: '" + zone.id +
+                             "' is also in the file of zones beside the map; give each its own id");
+    }
+
+    of_map.push_back(std::move(zone));
+  }
+
+  if (of_map.size() > fleet::kMostZones) {
+    throw config::BadInput(file.string() + ": zones: with those beside the map they are " +
+                           std::to_string(of_map.size()) + "; a map may have " + std::to_string(fleet::kMostZones));
+  }
+
+  return of_map;
+}
+
 }  // namespace
 
 kinematics::Model VehicleSetup::kinematic_model() const {
@@ -350,6 +374,7 @@ Scenario read_scenario(const std::filesystem::path& file) {
   Scenario scenario = std::move(read.value);
   if (scenario.name.empty()) scenario.name = file.stem().string();
   scenario.map_file = find_named_file(read.map, file);
+  scenario.zones = joined(read_zones_beside(scenario.map_file), std::move(scenario.zones), file);
 
   for (std::size_t i = 0; i < scenario.recordings.size(); ++i) {
     scenario.recordings[i].file = find_named_file(read.recordings[i].file, file);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "common/fleet/zone.hpp"
 #include "common/geometry/footprint.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/grid/formats/map_file.hpp"
@@ -110,6 +111,7 @@ struct Scenario {
   double person_clearance_m{0.0};  // the referee fails a run in which a vehicle and a person come nearer
   std::vector<Task> tasks;         // first the goals of missions for "any" vehicle, then the file's tasks
   std::vector<NamedPlace> places;
+  std::vector<fleet::Zone> zones;  // of the file beside the map (zone_file.hpp), then the scenario's
 
   /// Goals of missions (loops counted) and stops of tasks.
   int goal_count() const;
