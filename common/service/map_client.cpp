@@ -25,6 +25,10 @@ MapClient::MapClient(bus::Bus& bus, const std::string& requester_id, const Optio
     if (info.kind == bus::SampleKind::kData) take(sample);
   });
 
+  bus_.on<topics::MapZones>([this](const aisle::MapZones& sample, const bus::SampleInfo& info) {
+    if (info.kind == bus::SampleKind::kData) take(sample);
+  });
+
   bus_.every(kLookEvery, [this] { ask_for_missing(); });
 }
 
@@ -34,6 +38,8 @@ void MapClient::take(const aisle::MapInfo& sample) {
   if (!is_ours(summary->map_id)) return;
 
   map_id_ = summary->map_id;
+  map_source_ = sample.by().source_id().to_string();
+  if (zones_source_ != map_source_ && has_zones()) set_zones({});
   note(mirror_.take(*summary));
 }
 
@@ -41,6 +47,29 @@ void MapClient::take(const aisle::MapTile& sample) {
   auto tile = wire::decode(sample);
   if (!tile) return drop("map_tile: " + tile.reason());
   if (is_ours(tile->map_id)) note(mirror_.take(*tile));
+}
+
+/// Only the service that says the map says its zones, and an older word does not replace a newer one.
+void MapClient::take(const aisle::MapZones& sample) {
+  auto zones = wire::decode(sample);
+  if (!zones) return drop("map_zones: " + zones.reason());
+  if (!is_ours(zones->map_id)) return;
+
+  const std::string source_id = sample.by().source_id().to_string();
+  if (!map_source_.empty() && source_id != map_source_) return drop("map_zones: of another source: " + source_id);
+  if (zones->revision < zones_.revision) return drop("map_zones: of an older revision");
+
+  zones_source_ = source_id;
+  set_zones(*std::move(zones));
+}
+
+void MapClient::set_zones(fleet::MapZones zones) {
+  const bool is_change = zones.zones != zones_.zones;
+  zones_ = std::move(zones);
+  if (!is_change) return;
+
+  const std::size_t count = on_zones_.size();  // as for on_map_
+  for (std::size_t i = 0; i < count; ++i) on_zones_[i](zones_.zones);
 }
 
 bool MapClient::is_ours(const std::string& map_id) {

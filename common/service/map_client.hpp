@@ -7,16 +7,18 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/fleet/zone.hpp"
 #include "common/grid/clearance.hpp"
 #include "common/grid/map_mirror.hpp"
 
 namespace aisle::service {
 
-/// The site's map as a service uses it: follows `map_info` and `map_tile`, asks aisle-map for tiles
-/// that do not come, and calls back when a whole map of a new revision is there. Runs in the bus's
-/// loop; make it before the loop runs and keep it while the loop runs.
+/// The site's map as a service uses it: follows `map_info`, `map_tile` and `map_zones`, asks aisle-map for tiles
+/// that do not come, and calls back when a whole map of a new revision is there, or its zones changed. Runs in the
+/// bus's loop; make it before the loop runs and keep it while the loop runs.
 ///
 ///     service::MapClient map(bus, "mirror", {});  // a tool; services have Shell::map()
 ///     map.on_map([&](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low,
@@ -40,6 +42,9 @@ class MapClient {
   using OnMap =
       std::function<void(const grid::OccupancyGrid&, const grid::ClearanceField&, grid::Cell low, grid::Cell high)>;
 
+  /// All zones of the map, by id. The reference stays valid, and its content the same, until the next call.
+  using OnZones = std::function<void(const std::vector<fleet::Zone>&)>;
+
   /// `requester_id`: of this process, e.g. the shell's instance id.
   MapClient(bus::Bus& bus, const std::string& requester_id, const Options& options);
   MapClient(const MapClient&) = delete;
@@ -47,6 +52,16 @@ class MapClient {
 
   /// Called in the loop after each revision that became complete. Several handlers are called in turn.
   void on_map(OnMap handler) { on_map_.push_back(std::move(handler)); }
+
+  /// Called in the loop when the map's zones change, for the first time when they are heard first and are not empty.
+  /// Several handlers are called in turn.
+  void on_zones(OnZones handler) { on_zones_.push_back(std::move(handler)); }
+
+  /// Of the newest revision that was heard; empty before the first.
+  const std::vector<fleet::Zone>& zones() const { return zones_.zones; }
+
+  /// True once the map's zones were heard, be it that it has none.
+  bool has_zones() const { return zones_.revision > 0; }
 
   /// True once a whole map was there; from then on grid() and clearance() hold the newest whole map.
   bool has_map() const { return mirror_.revision() > 0; }
@@ -73,6 +88,10 @@ class MapClient {
  private:
   void take(const aisle::MapInfo& sample);
   void take(const aisle::MapTile& sample);
+  void take(const aisle::MapZones& sample);
+
+  /// Calls the handlers when the zones are others than before.
+  void set_zones(fleet::MapZones zones);
 
   /// Of the id that was asked for, or of the first that was heard.
   bool is_ours(const std::string& map_id);
@@ -95,6 +114,10 @@ class MapClient {
   grid::ClearanceField clearance_;
   std::uint64_t hash_{0};
   std::deque<OnMap> on_map_;  // a handler may add one: those before it stay where they are
+  std::deque<OnZones> on_zones_;
+  std::string map_source_;  // which wrote map_info; empty before the first
+  std::string zones_source_;
+  fleet::MapZones zones_;
   std::map<std::string, std::uint64_t> dropped_;
 };
 

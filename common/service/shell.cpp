@@ -278,7 +278,7 @@ bool Shell::is_alone() const { return state_->shared->shells.size() == 1; }
 void Shell::warn(const std::string& kind, const std::string& text) { state_->warn(kind, text); }
 
 /// Shells that want the same of the map share one client.
-MapClient& Shell::map(const MapClient::Options& options, MapClient::OnMap on_map) {
+MapClient& Shell::map(const MapClient::Options& options, MapClient::OnMap on_map, MapClient::OnZones on_zones) {
   auto& maps = state_->shared->maps;
   auto found = std::find_if(maps.begin(), maps.end(), [&](const auto& entry) { return entry.first == options; });
 
@@ -293,6 +293,12 @@ MapClient& Shell::map(const MapClient::Options& options, MapClient::OnMap on_map
     state_->map->on_map([this, on_map = std::move(on_map)](
                             const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell low,
                             grid::Cell high) { guarded([&] { on_map(grid, clearance, low, high); }); });
+  }
+
+  if (on_zones) {
+    state_->map->on_zones([this, on_zones = std::move(on_zones)](const std::vector<fleet::Zone>& zones) {
+      guarded([&] { on_zones(zones); });
+    });
   }
 
   return *found->second;

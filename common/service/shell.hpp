@@ -109,8 +109,8 @@ class Shell final : private detail::InboxOwner, private detail::OutboxOwner {
   }
 
   /// The site's map, one for all shells of a process that want the same of it. Its id, revision and hash are in the
-  /// health from then on. `on_map`: see MapClient::on_map().
-  MapClient& map(const MapClient::Options& options, MapClient::OnMap on_map = {});
+  /// health from then on. `on_map`, `on_zones`: see MapClient::on_map() and on_zones().
+  MapClient& map(const MapClient::Options& options, MapClient::OnMap on_map = {}, MapClient::OnZones on_zones = {});
 
   /// Calls `work` once each `period`, for the first time after one period. A loop that is late skips
   /// ticks.
