@@ -7,6 +7,19 @@ namespace aisle::fake_world {
 
 using geometry::Point2;
 
+namespace {
+
+/// Least distance in metres from the origin within the next `for_s` seconds, of a point that is at `offset` now and
+/// moves by `velocity`.
+double least_distance_m(Point2 offset, Point2 velocity, double for_s) {
+  const double speed2 = geometry::dot(velocity, velocity);
+  const double t_s = speed2 > 0.0 ? std::clamp(-geometry::dot(offset, velocity) / speed2, 0.0, for_s) : 0.0;
+
+  return geometry::norm(offset + t_s * velocity);
+}
+
+}  // namespace
+
 Walker::Walker(const scenario::Mover& mover, const Progress& progress) : mover_(mover), progress_(progress) {
   // Length along the way from the first waypoint to each one.
   lengths_m_.push_back(0.0);
@@ -19,10 +32,13 @@ Walker::Walker(const scenario::Mover& mover, const Progress& progress) : mover_(
   progress_.along_m = std::clamp(progress_.along_m, 0.0, length_m());
 }
 
-void Walker::step(double dt_s, const std::vector<geometry::Body>& vehicles) {
+void Walker::step(double dt_s, const std::vector<geometry::Body>& vehicles, const std::vector<Neighbour>& persons) {
   const bool at_the_end = !mover_.loop && progress_.along_m >= length_m();
+  const bool is_blocked =
+      (mover_.courteous && must_wait(vehicles)) ||
+      std::any_of(persons.begin(), persons.end(), [&](const Neighbour& person) { return must_let_pass(person); });
 
-  walks_ = !at_the_end && length_m() > 0.0 && !(mover_.courteous && must_wait(vehicles));
+  walks_ = !at_the_end && length_m() > 0.0 && !is_blocked;
 
   // Walking resets the patience; a walker that loops and has waited too long turns back.
   if (walks_) {
@@ -94,6 +110,22 @@ bool Walker::must_wait(const std::vector<geometry::Body>& vehicles) const {
     const bool is_near = geometry::distance_m(vehicle, here) < mover_.radius_m + kCourtesyM;
     return is_near && geometry::dot(ahead, vehicle.base_in_map.position() - here) > 0.0;
   });
+}
+
+bool Walker::must_let_pass(const Neighbour& person) const {
+  const Point2 offset = person.position_in_map - position_in_map();
+  const double apart_m = mover_.radius_m + person.radius_m + kPersonGapM;
+
+  // Close by and ahead: each step would lead nearer.
+  const Point2 ahead = direction_in_map();
+  if (geometry::norm(offset) < apart_m) return geometry::dot(ahead, offset) > 0.0;
+
+  // One that goes first is let pass where walking on would lead into it, and standing here does not.
+  if (!person.goes_first) return false;
+
+  const Point2 seen_walking = person.velocity_in_map - mover_.speed_mps * ahead;
+  return least_distance_m(offset, seen_walking, kForesightS) < apart_m &&
+         least_distance_m(offset, person.velocity_in_map, kForesightS) >= apart_m;
 }
 
 Motion Walker::motion() const { return {position_in_map(), walks_ ? mover_.speed_mps * direction_in_map() : Point2{}}; }

@@ -10,9 +10,17 @@ namespace aisle::fake_world {
 
 /// A scripted person: walks along its waypoints at its speed, to and fro when it loops, else to the end and stays
 /// there. Courteous ones stop short of a vehicle in their way, as people do, and turn back when they have waited too
-/// long.
+/// long. No walker walks through another person: it lets those pass that go first, and waits behind the others.
 class Walker {
  public:
+  /// Another person, as a walker sees them.
+  struct Neighbour {
+    geometry::Point2 position_in_map;
+    geometry::Point2 velocity_in_map;  // m/s; 0 while they stand
+    double radius_m{0.0};
+    bool goes_first{false};  // where the two would meet, the walker lets this person pass
+  };
+
   /// Metres walked from the first waypoint, and where to; what a restart needs to go on from here.
   struct Progress {
     double along_m{0.0};
@@ -23,8 +31,8 @@ class Walker {
   /// `mover.speed_mps` is taken as it is; varying it is the caller's part. @pre two or more waypoints
   Walker(const scenario::Mover& mover, const Progress& progress);
 
-  /// Walks on by dt_s seconds, or waits. `vehicles`: bodies in map. @pre dt_s >= 0
-  void step(double dt_s, const std::vector<geometry::Body>& vehicles);
+  /// Walks on by dt_s seconds, or waits. `vehicles`: bodies in map; `persons`: all others. @pre dt_s >= 0
+  void step(double dt_s, const std::vector<geometry::Body>& vehicles, const std::vector<Neighbour>& persons = {});
 
   /// Place and velocity now; velocity 0 while waiting and at the end.
   Motion motion() const;
@@ -39,6 +47,10 @@ class Walker {
 
   static constexpr double kPatienceS = 6.0;  // then a walker that loops turns back
 
+  static constexpr double kPersonGapM = 0.05;  // least free space between two persons
+
+  static constexpr double kForesightS = 1.5;  // so early a walker sees that it would meet a person that goes first
+
  private:
   /// Unit vector of the walk; 0 on a segment without length.
   geometry::Point2 direction_in_map() const;
@@ -47,6 +59,8 @@ class Walker {
   std::size_t segment() const;
   /// Is a vehicle ahead, nearer than kCourtesyM?
   bool must_wait(const std::vector<geometry::Body>& vehicles) const;
+  /// Would the next steps lead into this person?
+  bool must_let_pass(const Neighbour& person) const;
   void walk(double distance_m);
 
   scenario::Mover mover_;

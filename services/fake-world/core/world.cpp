@@ -75,10 +75,7 @@ void World::advance_to(double seconds, const std::vector<geometry::Body>& vehicl
   while (seconds_ < seconds) {
     const double dt_s = std::min(kLongestStepS, seconds - seconds_);
     seconds_ += dt_s;
-
-    for (Walker& walker : walkers_) {
-      if (seconds_ >= walker.mover().start_s) walker.step(dt_s, vehicles);
-    }
+    step_walkers(dt_s, vehicles);
   }
 
   // What is there now.
@@ -97,6 +94,43 @@ void World::advance_to(double seconds, const std::vector<geometry::Body>& vehicl
   std::set_difference(before.begin(), before.end(), present_.begin(), present_.end(), std::back_inserter(gone_));
 }
 
+template <class Visit>
+void World::visit_recorded(const Visit& visit) const {
+  for (std::size_t i = 0; i < people_.size(); ++i) {
+    const scenario::Recording& recording = scenario_.recordings[i];
+    const double t_s = recording.begin_s + seconds_;
+    if (t_s > recording.end_s) continue;
+
+    for (const RecordedPerson& person : people_[i]) {
+      if (const std::optional<Motion> motion = person.at(t_s)) visit(person.id(), *motion, recording.radius_m);
+    }
+  }
+}
+
+void World::step_walkers(double dt_s, const std::vector<geometry::Body>& vehicles) {
+  if (walkers_.empty()) return;
+
+  std::vector<Walker::Neighbour> recorded;
+  visit_recorded([&](const std::string&, const Motion& motion, double radius_m) {
+    recorded.push_back({motion.position_in_map, motion.velocity_in_map, radius_m, true});
+  });
+
+  for (std::size_t i = 0; i < walkers_.size(); ++i) {
+    if (seconds_ < walkers_[i].mover().start_s) continue;
+
+    // All persons but this one; those that the scenario names before it go first.
+    std::vector<Walker::Neighbour> others = recorded;
+    for (std::size_t j = 0; j < walkers_.size(); ++j) {
+      if (j == i) continue;
+
+      const Motion motion = walkers_[j].motion();
+      others.push_back({motion.position_in_map, motion.velocity_in_map, walkers_[j].mover().radius_m, j < i});
+    }
+
+    walkers_[i].step(dt_s, vehicles, others);
+  }
+}
+
 void World::show_walkers(const std::vector<geometry::Body>& vehicles) {
   for (const Walker& walker : walkers_) {
     const Motion motion = walker.motion();
@@ -107,18 +141,9 @@ void World::show_walkers(const std::vector<geometry::Body>& vehicles) {
 }
 
 void World::show_people(const std::vector<geometry::Body>& vehicles) {
-  for (std::size_t i = 0; i < people_.size(); ++i) {
-    const scenario::Recording& recording = scenario_.recordings[i];
-    const double t_s = recording.begin_s + seconds_;
-    if (t_s > recording.end_s) continue;
-
-    for (const RecordedPerson& person : people_[i]) {
-      if (const std::optional<Motion> motion = person.at(t_s)) {
-        show({person.id(), Kind::kPerson, disc(motion->position_in_map, recording.radius_m), motion->velocity_in_map},
-             vehicles);
-      }
-    }
-  }
+  visit_recorded([&](const std::string& id, const Motion& motion, double radius_m) {
+    show({id, Kind::kPerson, disc(motion.position_in_map, radius_m), motion.velocity_in_map}, vehicles);
+  });
 }
 
 void World::show(Thing thing, const std::vector<geometry::Body>& vehicles) {

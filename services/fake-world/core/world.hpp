@@ -33,7 +33,8 @@ struct Memory {
 
 /// All that moves or stands in a scenario beside its vehicles: walkers, recorded people and hidden blocks. By seed,
 /// walkers vary in speed (10 % each way) and in where on their way they begin. Nothing appears on top of a vehicle: it
-/// waits until the vehicle has left.
+/// waits until the vehicle has left. Walkers keep apart from all persons; where two walkers would meet, the one that
+/// the scenario names first goes first. Recorded people move as recorded.
 class World {
  public:
   /// @param people those of each recording, in the scenario's order
@@ -58,6 +59,13 @@ class World {
   static constexpr double kBirthGapM = 0.5;  // free space to each vehicle that a new thing needs
 
  private:
+  /// Moves all walkers by one step.
+  void step_walkers(double dt_s, const std::vector<geometry::Body>& vehicles);
+
+  /// Calls visit(id, motion, radius_m) for each recorded person that is there now.
+  template <class Visit>
+  void visit_recorded(const Visit& visit) const;
+
   /// Adds the thing unless it is new and too near to a vehicle.
   void show(Thing thing, const std::vector<geometry::Body>& vehicles);
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace aisle::fake_world {
 namespace {
 
@@ -74,6 +76,48 @@ TEST(Walker, TheOthersWalkOn) {
   Walker walker(mover, {});
   walk(walker, 3.0, {vehicle_at(3.0, 0.0)});
   EXPECT_NEAR(walker.motion().position_in_map.x, 3.0, 1e-6);
+}
+
+void walk_among(Walker& walker, double seconds, const std::vector<Walker::Neighbour>& persons) {
+  for (int i = 0; i < static_cast<int>(seconds * 50 + 0.5); ++i) walker.step(0.02, {}, persons);
+}
+
+TEST(Walker, WaitsBehindAPersonThatStandsOnItsWay) {
+  scenario::Mover mover = along_x(false);
+  mover.courteous = false;
+  Walker walker(mover, {});
+  walk_among(walker, 10.0, {{{3.0, 0.0}, {}, 0.25}});
+  const double gap_m = 3.0 - walker.motion().position_in_map.x - 2 * 0.25;
+  EXPECT_GT(gap_m, 0.0);
+  EXPECT_LE(gap_m, Walker::kPersonGapM);
+  EXPECT_EQ(walker.motion().velocity_in_map, (geometry::Point2{}));
+}
+
+TEST(Walker, TurnsBackBeforeAPersonThatStandsOnItsWay) {
+  Walker walker(along_x(true), {});
+  walk_among(walker, 2.5 + Walker::kPatienceS + 1.0, {{{3.0, 0.0}, {}, 0.25}});
+  EXPECT_LT(walker.motion().velocity_in_map.x, 0.0);
+}
+
+TEST(Walker, APersonBesideItsWayOrBehindHoldsNobodyUp) {
+  Walker walker(along_x(false), {});
+  walk_among(walker, 3.0, {{{-0.4, 0.0}, {}, 0.25}, {{2.0, 0.6}, {}, 0.25}, {{2.0, -0.6}, {}, 0.25, true}});
+  EXPECT_NEAR(walker.motion().position_in_map.x, 3.0, 1e-6);
+}
+
+TEST(Walker, LetsAPersonPassThatGoesFirst) {
+  Walker walker(along_x(false), {});
+  Walker::Neighbour other{{2.0, -2.0}, {0.0, 1.0}, 0.25, true};  // at (2, 0) after 2 s, as the walker
+  double least_m = 10.0;
+
+  for (int i = 0; i < 200; ++i) {
+    other.position_in_map.y += 0.02;
+    walker.step(0.02, {}, {other});
+    least_m = std::min(least_m, geometry::distance(walker.motion().position_in_map, other.position_in_map));
+  }
+
+  EXPECT_GE(least_m, 0.5);
+  EXPECT_GT(walker.motion().position_in_map.x, 2.0) << "and goes on";
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace aisle::fake_world {
 namespace {
@@ -97,6 +99,52 @@ TEST(World, NothingAppearsOnTopOfAVehicle) {
   EXPECT_THAT(ids(world), UnorderedElementsAre("walker", "box"));
   world.advance_to(3.7, {vehicle_at(5.5, 5.0)});
   EXPECT_THAT(ids(world), UnorderedElementsAre("walker", "box")) << "what is there stays";
+}
+
+/// Two walkers whose ways cross at (5, 0) at the same second, and the least distance between them in 20 s.
+double least_distance_of_two_m(std::vector<geometry::Point2> first, std::vector<geometry::Point2> second) {
+  scenario::Scenario scenario;
+  for (std::vector<geometry::Point2>* way : {&first, &second}) {
+    scenario::Mover mover;
+    mover.id = "walker-" + std::to_string(scenario.movers.size() + 1);
+    mover.speed_mps = 1.0;
+    mover.loop = false;
+    mover.courteous = false;
+    mover.waypoints_in_map = *way;
+    scenario.movers.push_back(mover);
+  }
+
+  World world(scenario, {}, 1, nullptr);
+  double least_m = 100.0;
+  for (double t_s = 0.1; t_s < 20.0; t_s += 0.1) {
+    world.advance_to(t_s, {});
+    least_m = std::min(least_m, geometry::distance(find(world, "walker-1").body.base_in_map.position(),
+                                                   find(world, "walker-2").body.base_in_map.position()));
+  }
+
+  return least_m;
+}
+
+TEST(World, NoPersonWalksThroughAnother) {
+  EXPECT_GE(least_distance_of_two_m({{0, 0}, {10, 0}}, {{5, -5}, {5, 5}}), 0.5) << "ways that cross";
+  EXPECT_GE(least_distance_of_two_m({{0, 0}, {10, 0}}, {{10, 0}, {0, 0}}), 0.5) << "head on";
+  EXPECT_GE(least_distance_of_two_m({{0, 0}, {5, 0}}, {{-5, 0}, {10, 0}}), 0.5) << "the first one stands at its end";
+}
+
+TEST(World, WalkersLetRecordedPeoplePass) {
+  scenario::Scenario scenario = yard();
+  scenario.movers[0].start_s = 0.0;
+  scenario.movers[0].loop = false;
+  std::vector<std::vector<RecordedPerson>> people(1);
+  people[0].emplace_back("person-1", std::vector<RecordedPerson::Row>{{10.0, {2, -2}}, {14.0, {2, 2}}});
+
+  World world(scenario, people, 1, nullptr);
+  for (double t_s = 0.1; t_s < 3.9; t_s += 0.1) {
+    world.advance_to(t_s, {});
+    EXPECT_GE(geometry::distance(find(world, "walker").body.base_in_map.position(),
+                                 find(world, "person-1").body.base_in_map.position()),
+              0.5);
+  }
 }
 
 TEST(World, TheSameSeedIsTheSameRun) {
