@@ -103,7 +103,7 @@ T at_some_time(Dice& dice) {
 
 bool FaultPlan::is_empty() const {
   return links.empty() && cuts.empty() && crashes.empty() && hangs.empty() && clock_jumps.empty() && disks.empty() &&
-         holds.empty() && slows.empty();
+         holds.empty() && slows.empty() && deaths.empty();
 }
 
 FaultPlan read_fault_plan(const std::filesystem::path& file) {

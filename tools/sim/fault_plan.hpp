@@ -166,9 +166,24 @@ struct Slow {
   }
 };
 
+/// One vehicle that `vehicle` names and that still lives ends for good: its processes say and hear nothing any more,
+/// and its body brakes and stays. `signed_off_after_s` later a person signs it off, as `aisle fleet sign-off` does, and
+/// again whenever the leader counts it among the silent.
+struct Death : Occasion {
+  std::string vehicle{"*"};  // "agv-1"
+  double signed_off_after_s{60.0};
+
+  template <class Reader>
+  void describe(Reader& r) {
+    Occasion::describe(r);
+    r.field("vehicle", vehicle).field("signed_off_after_s", signed_off_after_s, 0.0, LinkFault::kLongestS);
+  }
+};
+
 /// Everything that goes wrong in one run.
 struct FaultPlan {
-  double stop_s{60.0};  // then links are whole again, what was cut, hung or down comes back, and vehicles go as told
+  /// Then links are whole again, what was cut, hung or down comes back, and vehicles go as told; the dead stay dead.
+  double stop_s{60.0};
   std::vector<LinkFault> links;
   std::vector<Cut> cuts;
   std::vector<Crash> crashes;
@@ -177,6 +192,7 @@ struct FaultPlan {
   std::vector<DiskFault> disks;
   std::vector<Hold> holds;
   std::vector<Slow> slows;
+  std::vector<Death> deaths;
 
   template <class Reader>
   void describe(Reader& r) {
@@ -188,7 +204,8 @@ struct FaultPlan {
         .list("clock_jumps", clock_jumps)
         .list("disks", disks)
         .list("holds", holds)
-        .list("slows", slows);
+        .list("slows", slows)
+        .list("deaths", deaths);
   }
 
   /// Does nothing go wrong?

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "common/config/nearest_name.hpp"
 #include "common/scenario/variation.hpp"
@@ -40,6 +41,7 @@ class Layout {
     for (const DiskFault& disk : plan_.disks) add_disk(disk);
     for (const Hold& hold : plan_.holds) add_holds(hold);
     for (const Slow& slow : plan_.slows) add_slow(slow);
+    for (const Death& death : plan_.deaths) add_deaths(death);
 
     std::stable_sort(actions_.begin(), actions_.end(),
                      [](const FaultAction& a, const FaultAction& b) { return a.t_s < b.t_s; });
@@ -171,6 +173,23 @@ class Layout {
       add_on_vehicle(vehicle, slow.begin_s, slow.for_s, Kind::kSlow, Kind::kFast, slow.share);
   }
 
+  /// None where all that are named have died before.
+  void add_deaths(const Death& death) {
+    for (const double t_s : times_of(death)) {
+      std::vector<std::string> living;
+      for (const std::string& vehicle : vehicles_of(death.vehicle))
+        if (dead_.count(vehicle) == 0) living.push_back(vehicle);
+
+      if (living.empty()) return;
+
+      const std::string& vehicle = living[random_() % living.size()];
+      dead_.insert(vehicle);
+      ++faults_;
+      actions_.push_back({t_s, Kind::kDeath, vehicle, "", false, 0.0, faults_});
+      actions_.push_back({t_s + death.signed_off_after_s, Kind::kSignOff, vehicle, "", false, 0.0, faults_});
+    }
+  }
+
   /// From 0 on, below 1, in steps of a thousandth: the same on every machine.
   double share_drawn() { return static_cast<double>(random_() % 1000) / 1000.0; }
 
@@ -179,6 +198,7 @@ class Layout {
   const std::vector<std::string>& others_;
   std::mt19937_64 random_;
   int faults_{0};
+  std::set<std::string> dead_;
   std::vector<FaultAction> actions_;
 };
 
@@ -207,6 +227,10 @@ const char* name_of(FaultAction::Kind kind) {
       return "hold";
     case Kind::kSlow:
       return "slow";
+    case Kind::kDeath:
+      return "death";
+    case Kind::kSignOff:
+      return "sign_off";
     case Kind::kLinksChange:
     case Kind::kHeal:
     case Kind::kStart:

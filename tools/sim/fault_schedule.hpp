@@ -27,7 +27,9 @@ struct FaultAction {
     kHold,
     kLetGo,
     kSlow,
-    kFast
+    kFast,
+    kDeath,
+    kSignOff
   };
 
   double t_s{0.0};
@@ -45,7 +47,8 @@ const char* name_of(FaultAction::Kind kind);
 
 /// A plan laid out for one site: which process is hit when. Where a pattern names several processes, one is drawn for
 /// each occasion (vehicles are held, and are slow, all that are named); the draw depends on plan, names and seed only.
-/// In the order of time; nothing begins at or after the plan's stop_s, and what is still under way then ends there.
+/// In the order of time; nothing begins at or after the plan's stop_s, and what is still under way then ends there, but
+/// that the dead are signed off when they are.
 /// @param services names of the processes that may be hit by a pattern
 /// @param others further names that may be hit where the plan names them in full, or, as ends of cuts, by a pattern
 ///   that fits no service

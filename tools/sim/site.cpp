@@ -19,6 +19,7 @@
 #include "tools/sim/services.hpp"
 #include "tools/sim/spectator.hpp"
 #include "tools/sim/sqlite_on_disk.hpp"
+#include "tools/sim/supervisor.hpp"
 
 namespace aisle::sim {
 namespace {
@@ -207,8 +208,25 @@ class Site {
       case Kind::kSlow:
       case Kind::kFast:
         return hinder(find(action.process), action);
+      case Kind::kDeath:
+        return end_for_good(find(action.process), action.fault);
+      case Kind::kSignOff:
+        if (!supervisor_) supervisor_.emplace(network_);
+        supervisor_->sign_off(find(action.process).blueprint().agv_id);
+        return true;
     }
     return false;
+  }
+
+  /// Its body stays in the world, and says nothing to any service.
+  bool end_for_good(const Process& vehicle, int fault) {
+    const std::string& agv_id = vehicle.blueprint().agv_id;
+    for (const auto& process : processes_)
+      if (!process->blueprint().is_world && process->blueprint().agv_id == agv_id) take_down(*process, fault);
+
+    dead_.insert(vehicle.name());
+    set_links();
+    return true;
   }
 
   /// True when `fault` was the last of `faults`.
@@ -303,7 +321,7 @@ class Site {
     link.reorder = harm.reordered;
     if (harm.reordered > 0.0) link.hold_back = of_milliseconds(harm.reorder_ms);
     const auto cut = cuts_.find({from, to});
-    link.cut = cut != cuts_.end() && cut->second > 0;
+    link.cut = (cut != cuts_.end() && cut->second > 0) || dead_.count(from) > 0 || dead_.count(to) > 0;
     return link;
   }
 
@@ -390,6 +408,8 @@ class Site {
   std::map<std::string, nanoseconds> clock_offsets_;
   std::map<std::string, Burden> burdens_;                    // by process
   std::map<std::pair<std::string, std::string>, int> cuts_;  // how many cuts lie on each way now
+  std::set<std::string> dead_;                               // the processes that simulate dead vehicles
+  std::optional<Supervisor> supervisor_;                     // from the first sign-off on
   std::map<std::string, std::uint64_t> counts_;
 };
 

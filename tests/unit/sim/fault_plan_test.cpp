@@ -48,6 +48,8 @@ holds:
   - {vehicle: agv-1, begin_s: 13.0, every_s: 14.0, least_s: 15.0, most_s: 16.0}
 slows:
   - {vehicle: agv-2, begin_s: 17.0, for_s: 18.0, share: 0.7}
+deaths:
+  - {vehicle: agv-3, at_s: 19.0, signed_off_after_s: 20.0}
 )");
   EXPECT_EQ(plan.stop_s, 30.0);
   ASSERT_EQ(plan.links.size(), 1u);
@@ -69,6 +71,10 @@ slows:
   ASSERT_EQ(plan.slows.size(), 1u);
   EXPECT_EQ(plan.slows[0].for_s, 18.0);
   EXPECT_EQ(plan.slows[0].share, 0.7);
+  ASSERT_EQ(plan.deaths.size(), 1u);
+  EXPECT_EQ(plan.deaths[0].vehicle, "agv-3");
+  EXPECT_EQ(plan.deaths[0].at_s, 19.0);
+  EXPECT_EQ(plan.deaths[0].signed_off_after_s, 20.0);
   ASSERT_EQ(plan.disks.size(), 1u);
   EXPECT_EQ(plan.disks[0].kind, "torn");
 }

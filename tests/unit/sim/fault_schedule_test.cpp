@@ -117,6 +117,29 @@ TEST(FaultSchedule, TheVehiclesThatAreNamedAreSlow) {
   EXPECT_THROW(schedule(plan, kServices, kWorld, 1), config::BadInput);
 }
 
+TEST(FaultSchedule, EachDeathTakesAVehicleThatStillLivesAndItIsSignedOffLater) {
+  FaultPlan plan;
+  plan.stop_s = 100.0;
+  plan.deaths.resize(1);
+  plan.deaths[0].at_s = 3.0;
+  plan.deaths[0].every_s = 10.0;
+  const std::vector<std::string> world{"fake-vehicle-agv-1", "fake-vehicle-agv-2", "fake-world"};
+  std::map<int, FaultAction> deaths, sign_offs;
+
+  for (const FaultAction& action : schedule(plan, kServices, world, 1))
+    (action.kind == Kind::kDeath ? deaths : sign_offs)[action.fault] = action;
+
+  ASSERT_EQ(deaths.size(), 2u) << "then none is left";
+  ASSERT_EQ(sign_offs.size(), 2u);
+  EXPECT_NE(deaths.begin()->second.process, deaths.rbegin()->second.process);
+  for (const auto& [fault, death] : deaths) {
+    ASSERT_EQ(sign_offs.count(fault), 1u);
+    EXPECT_EQ(sign_offs[fault].kind, Kind::kSignOff);
+    EXPECT_EQ(sign_offs[fault].process, death.process);
+    EXPECT_EQ(sign_offs[fault].t_s, death.t_s + 60.0);
+  }
+}
+
 TEST(FaultSchedule, APartOfTheWorldIsHitWhereItIsNamedInFull) {
   FaultPlan plan;
   plan.crashes.resize(1);

@@ -311,6 +311,33 @@ TEST(SiteFaults, AVehicleThatAPersonHoldsComesLaterAndIsExcused) {
   EXPECT_LT(outcome.result.longest_standoff_s, 1.0) << outcome.result.longest_standoff;
 }
 
+TEST(SiteFaults, ADeadVehicleStaysWhereItIsUntilItIsSignedOffAndTheOtherPassesIt) {
+  FaultPlan plan;
+  plan.deaths.resize(1);
+  plan.deaths[0].vehicle = "agv-2";
+  plan.deaths[0].at_s = 6.0;
+  plan.deaths[0].signed_off_after_s = 10.0;
+  geometry::Pose2 dead_in_map, dead_at_end_in_map;
+  std::vector<std::string> said;
+
+  Hooks hooks;
+  hooks.goes_on = [](double t_s) { return t_s < 30.0; };
+  hooks.says = [&](const std::string& line) { said.push_back(line); };
+  hooks.watch = [&](const Snapshot& now) {
+    if (now.t_s < 9.0) dead_in_map = now.vehicles_in_map.at(1);
+    dead_at_end_in_map = now.vehicles_in_map.at(1);
+  };
+  const Outcome outcome = drive(hall_with_two_vehicles(1), faults_of(plan), hooks);
+
+  EXPECT_EQ(outcome.faults.at("death"), 1u);
+  EXPECT_EQ(outcome.faults.at("sign_off"), 1u);
+  EXPECT_THAT(said, ::testing::Contains(HasSubstr("agv-2 is signed off")));
+  EXPECT_EQ(dead_in_map.position(), dead_at_end_in_map.position());
+  EXPECT_EQ(outcome.result.reached, (std::vector<int>{1, 0}));
+  EXPECT_EQ(outcome.report.contacts_moving_vehicle(), 0);
+  EXPECT_TRUE(outcome.report.violations.empty());
+}
+
 TEST(SiteFaults, ASlowVehicleComesLater) {
   FaultPlan plan;
   plan.slows.push_back({"agv-1", 0.0, 60.0, 0.5});
