@@ -180,8 +180,9 @@ struct SignOff {
   static constexpr const char* kName = "sign_off";
   static constexpr const char* kKey = "agv_id";
   static auto key(Sample& sample) { return std::tie(sample.agv_id()); }
-  static constexpr Qos kQos = kState;
-  static constexpr const char* kWhy = "a person's word that a silent vehicle drives no more";
+  static constexpr Qos kQos{Reliability::kReliable, Durability::kVolatile, 1, 0, milliseconds{0},
+                            Ownership::kShared,     milliseconds{0}};
+  static constexpr const char* kWhy = "a person's word, now, that a silent vehicle drives no more";
 };
 
 struct Track {

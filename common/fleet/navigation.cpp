@@ -50,8 +50,6 @@ const char* name(Reason reason) {
       return "obstacle";
     case Reason::kVehicle:
       return "vehicle";
-    case Reason::kYielding:
-      return "yielding";
     case Reason::kOffPath:
       return "off path";
     case Reason::kUnreachable:

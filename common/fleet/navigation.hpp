@@ -24,7 +24,6 @@ enum class Reason {
   kPlanOutdated,
   kObstacle,
   kVehicle,
-  kYielding,
   kOffPath,
   kUnreachable,
   kCancelled,
@@ -64,16 +63,18 @@ struct NavigationStatus {
   std::vector<IntentPoint> intent;     // the way that it claims, from its stamp on, at most 64; offsets do not fall
 
   // Of a plan with steps. Steps count from the vehicle's registration, see Grant.
-  double progress_m{0.0};          // along the plan's waypoints, 0 to 1e9
-  std::uint64_t step_done{0};      // steps behind it: the number of the step that it is on, or stands before
-  std::uint64_t limit_step{0};     // it stops before this step at the latest
-  double limit_m{0.0};             // the same along the plan's waypoints, 0 to 1e9
-  std::uint64_t grant_number{0};   // that it obeys; 0: none
-  std::uint32_t traffic_epoch{0};  // of the planner that it obeys; 0: none
-  std::uint64_t heard_beat{0};     // newest TrafficStatus::beat of that planner
-  double stray_m{0.0};             // farthest that its outline is off its outline on the way, 0 to 1e6
-  bool wants_room{false};          // something is in the way that its tube is too narrow to pass
-  std::vector<HeldPose> held;      // from where it is to its limit, at most 32; steps do not fall
+  double progress_m{0.0};            // along the plan's waypoints, 0 to 1e9
+  std::uint64_t step_done{0};        // steps behind it: the number of the step that it is on, or stands before
+  std::uint64_t limit_step{0};       // it stops before this step at the latest
+  double limit_m{0.0};               // the same along the plan's waypoints, 0 to 1e9
+  std::uint64_t grant_number{0};     // that it obeys; 0: none
+  std::uint32_t traffic_epoch{0};    // of the planner that it obeys; 0: none
+  std::uint64_t heard_beat{0};       // newest TrafficStatus::beat of that planner
+  double stray_m{0.0};               // farthest that its outline is off its outline on the way, 0 to 1e6
+  bool wants_room{false};            // something is in the way that its tube is too narrow to pass
+  std::vector<HeldPose> held;        // from where it is to its limit, at most 32; steps do not fall
+  std::uint64_t traffic_boot_id{0};  // of the planner that it obeys; 0: none
+  std::uint64_t grant_boot_id{0};    // of the planner that gave that grant: numbers of one do not count for another
 };
 
 /// "driving"

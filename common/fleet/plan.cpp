@@ -30,8 +30,6 @@ const char* name(PlanTrigger trigger) {
       return "new goal";
     case PlanTrigger::kMapChanged:
       return "map changed";
-    case PlanTrigger::kTrack:
-      return "track";
     case PlanTrigger::kVehicleBlocked:
       return "vehicle blocked";
     case PlanTrigger::kTakeover:

@@ -12,7 +12,7 @@ namespace aisle::fleet {
 enum class PlanOutcome { kFound, kNoPath, kStartBlocked, kGoalBlocked, kOutOfMap, kOutOfTime, kCancelled };
 
 /// Why a plan was made, or repeated.
-enum class PlanTrigger { kNewGoal, kMapChanged, kTrack, kVehicleBlocked, kTakeover };
+enum class PlanTrigger { kNewGoal, kMapChanged, kVehicleBlocked, kTakeover };
 
 /// The way of one vehicle to its goal, from the global planner: a polyline in map for the vehicle's
 /// frame.

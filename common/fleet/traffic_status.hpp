@@ -35,6 +35,7 @@ struct TrafficStatus {
   std::uint64_t refused{0};             // steps refused by the lock although their order was right: a fault when not 0
   std::uint64_t circles{0};             // found in the order: a fault when not 0
   double share_of_places{0.0};          // of the roadmap's places that vehicles take, 0 to 1
+  std::vector<SilentVehicle> signed_off;  // by a person, and the place that each holds; at most 128
 };
 
 }  // namespace aisle::fleet

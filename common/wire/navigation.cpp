@@ -89,8 +89,6 @@ aisle::NavigationReason to_wire(fleet::Reason value) {
       return NavigationReason::REASON_OBSTACLE;
     case fleet::Reason::kVehicle:
       return NavigationReason::REASON_VEHICLE;
-    case fleet::Reason::kYielding:
-      return NavigationReason::REASON_YIELDING;
     case fleet::Reason::kOffPath:
       return NavigationReason::REASON_OFF_PATH;
     case fleet::Reason::kUnreachable:
@@ -134,8 +132,6 @@ std::optional<fleet::Reason> from_wire(aisle::NavigationReason value) {
       return fleet::Reason::kObstacle;
     case NavigationReason::REASON_VEHICLE:
       return fleet::Reason::kVehicle;
-    case NavigationReason::REASON_YIELDING:
-      return fleet::Reason::kYielding;
     case NavigationReason::REASON_OFF_PATH:
       return fleet::Reason::kOffPath;
     case NavigationReason::REASON_UNREACHABLE:
@@ -165,6 +161,8 @@ void decode_traffic(const aisle::NavigationStatus& sample, Checks& checks, fleet
   status.grant_number = sample.grant_number();
   status.traffic_epoch = sample.traffic_epoch();
   status.heard_beat = sample.heard_beat();
+  status.traffic_boot_id = sample.traffic_boot_id();
+  status.grant_boot_id = sample.grant_boot_id();
 
   status.stray_m = sample.stray_m();
   status.wants_room = sample.wants_room();
@@ -219,6 +217,8 @@ aisle::NavigationStatus encode(const fleet::NavigationStatus& status) {
   sample.grant_number(status.grant_number);
   sample.traffic_epoch(status.traffic_epoch);
   sample.heard_beat(status.heard_beat);
+  sample.traffic_boot_id(status.traffic_boot_id);
+  sample.grant_boot_id(status.grant_boot_id);
 
   sample.stray_m(status.stray_m);
   sample.wants_room(status.wants_room);

@@ -71,8 +71,6 @@ aisle::PlanTrigger to_wire(fleet::PlanTrigger value) {
       return PlanTrigger::TRIGGER_NEW_GOAL;
     case fleet::PlanTrigger::kMapChanged:
       return PlanTrigger::TRIGGER_MAP_CHANGED;
-    case fleet::PlanTrigger::kTrack:
-      return PlanTrigger::TRIGGER_TRACK;
     case fleet::PlanTrigger::kVehicleBlocked:
       return PlanTrigger::TRIGGER_VEHICLE_BLOCKED;
     case fleet::PlanTrigger::kTakeover:
@@ -88,8 +86,6 @@ std::optional<fleet::PlanTrigger> from_wire(aisle::PlanTrigger value) {
       return fleet::PlanTrigger::kNewGoal;
     case PlanTrigger::TRIGGER_MAP_CHANGED:
       return fleet::PlanTrigger::kMapChanged;
-    case PlanTrigger::TRIGGER_TRACK:
-      return fleet::PlanTrigger::kTrack;
     case PlanTrigger::TRIGGER_VEHICLE_BLOCKED:
       return fleet::PlanTrigger::kVehicleBlocked;
     case PlanTrigger::TRIGGER_TAKEOVER:

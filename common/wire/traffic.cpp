@@ -21,6 +21,28 @@ constexpr double kLongestWayM = 1e9;
 constexpr double kWidestExtraM = 100.0;
 constexpr double kLongestWaitS = 1e9;
 
+template <class Samples>
+void encode(const std::vector<fleet::SilentVehicle>& vehicles, Samples& samples) {
+  for (std::size_t i = 0; i < std::min(vehicles.size(), kMostSilent); ++i) {
+    aisle::SilentVehicle sample;
+    sample.agv_id(vehicles[i].agv_id);
+    sample.place_in_map(wire::encode(vehicles[i].place_in_map));
+    samples.push_back(sample);
+  }
+}
+
+template <class Samples>
+std::vector<fleet::SilentVehicle> decode(const Samples& samples, Checks& checks, const char* id_field,
+                                         const char* place_field) {
+  std::vector<fleet::SilentVehicle> vehicles;
+  for (const aisle::SilentVehicle& sample : samples) {
+    vehicles.push_back({sample.agv_id().to_string(), wire::decode(sample.place_in_map(), checks, place_field)});
+    checks.id(id_field, vehicles.back().agv_id);
+  }
+
+  return vehicles;
+}
+
 }  // namespace
 
 aisle::Grant encode(const fleet::Grant& grant) {
@@ -91,13 +113,18 @@ Decoded<fleet::Grant> decode(const aisle::Grant& sample) {
 aisle::SignOff encode(const fleet::SignOff& sign_off) {
   aisle::SignOff sample;
   sample.agv_id(sign_off.agv_id);
+  sample.has_place(sign_off.place_in_map.has_value());
+  if (sign_off.place_in_map) sample.place_in_map(encode(*sign_off.place_in_map));
+
   return sample;
 }
 
 Decoded<fleet::SignOff> decode(const aisle::SignOff& sample) {
   Checks checks;
-  fleet::SignOff sign_off{sample.agv_id().to_string()};
+  fleet::SignOff sign_off{sample.agv_id().to_string(), std::nullopt};
   checks.id("agv_id", sign_off.agv_id);
+  if (sample.has_place()) sign_off.place_in_map = decode(sample.place_in_map(), checks, "place_in_map");
+
   return checks.decoded(std::move(sign_off));
 }
 
@@ -118,12 +145,8 @@ aisle::TrafficStatus encode(const fleet::TrafficStatus& status) {
     sample.waiting().push_back(waiting);
   }
 
-  for (std::size_t i = 0; i < std::min(status.silent.size(), kMostSilent); ++i) {
-    aisle::SilentVehicle silent;
-    silent.agv_id(status.silent[i].agv_id);
-    silent.place_in_map(encode(status.silent[i].place_in_map));
-    sample.silent().push_back(silent);
-  }
+  encode(status.silent, sample.silent());
+  encode(status.signed_off, sample.signed_off());
 
   sample.slice_ms_p99(status.slice_ms_p99);
   sample.refused(status.refused);
@@ -151,6 +174,7 @@ Decoded<fleet::TrafficStatus> decode(const aisle::TrafficStatus& sample) {
   checks.id("source_id", status.source_id)
       .count("waiting", sample.waiting().size(), 0, kMostWaiting)
       .count("silent", sample.silent().size(), 0, kMostSilent)
+      .count("signed_off", sample.signed_off().size(), 0, kMostSilent)
       .finite("slice_ms_p99", status.slice_ms_p99)
       .within("share_of_places", status.share_of_places, 0.0, 1.0);
 
@@ -164,11 +188,8 @@ Decoded<fleet::TrafficStatus> decode(const aisle::TrafficStatus& sample) {
         .within("waiting.since_s", waiting.since_s(), 0.0, kLongestWaitS);
   }
 
-  for (const aisle::SilentVehicle& silent : sample.silent()) {
-    status.silent.push_back(
-        {silent.agv_id().to_string(), decode(silent.place_in_map(), checks, "silent.place_in_map")});
-    checks.id("silent.agv_id", status.silent.back().agv_id);
-  }
+  status.silent = decode(sample.silent(), checks, "silent.agv_id", "silent.place_in_map");
+  status.signed_off = decode(sample.signed_off(), checks, "signed_off.agv_id", "signed_off.place_in_map");
 
   return checks.decoded(std::move(status));
 }

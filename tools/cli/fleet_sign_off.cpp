@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "common/bus/topics.hpp"
@@ -61,7 +62,7 @@ int sign_off(const Cli& cli, const std::string& agv_id, double timeout_s) {
 
   const auto is_done = [&] { return leader.is_there() && !is_silent(leader, agv_id); };
   for (Seconds left{timeout_s}; left > Seconds::zero() && !is_interrupted(); left -= kRepeatAfter) {
-    auto sample = wire::encode(fleet::SignOff{agv_id});
+    auto sample = wire::encode(fleet::SignOff{agv_id, std::nullopt});
     sample.by(stamper.next());
     writer.write(sample);
 

@@ -104,7 +104,10 @@ void expect_sound(const fleet::Grant& grant) {
   }
   for (const std::string& agv_id : grant.waits_for) expect_id(agv_id);
 }
-void expect_sound(const fleet::SignOff& sign_off) { expect_id(sign_off.agv_id); }
+void expect_sound(const fleet::SignOff& sign_off) {
+  expect_id(sign_off.agv_id);
+  if (sign_off.place_in_map) expect_place(*sign_off.place_in_map);
+}
 void expect_sound(const fleet::TrafficStatus& status) {
   expect_id(status.source_id);
   for (const fleet::WaitingVehicle& waiting : status.waiting) {
@@ -112,6 +115,7 @@ void expect_sound(const fleet::TrafficStatus& status) {
     EXPECT_FALSE(Checks::has_control_characters(waiting.waits_for));
     expect_within(waiting.since_s, 0.0, 1e9);
   }
+  EXPECT_LE(status.signed_off.size(), 128U);
   for (const fleet::SilentVehicle& silent : status.silent) {
     expect_id(silent.agv_id);
     expect_place(silent.place_in_map);
