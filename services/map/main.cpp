@@ -19,6 +19,8 @@ int main(int argc, char** argv) {
     app.add_option("--map-id", config.map_id,
                    "name of the map on the site; by default the file's name without its ending");
     app.add_option("--scenario", config.scenario, "serve the map of this scenario file");
+    app.add_option("--zones", config.zones,
+                   "file of zones; by default NAME.zones.yaml beside the map file, and the scenario's");
     app.add_option("--journal", config.journal,
                    "SQLite file that keeps edits; without it they last until the process ends")
         ->envname("AISLE_MAP_JOURNAL");

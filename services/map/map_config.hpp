@@ -12,6 +12,7 @@ struct MapConfig {
   std::string map;       // map file
   std::string map_id;    // empty: the stem of the map file
   std::string scenario;  // scenario file; its map is served, with its options
+  std::string zones;     // file of zones; empty: NAME.zones.yaml beside the map when it is there, and the scenario's
   std::string journal;   // SQLite file; empty: edits last until the process ends
   double cell_m{1.0};    // edge of a Moving AI or text cell
   int subdivide{1};      // cells of the grid along a cell of the file
@@ -24,6 +25,7 @@ struct MapConfig {
     r.field("map", map)
         .field("map_id", map_id)
         .field("scenario", scenario)
+        .field("zones", zones)
         .field("journal", journal)
         .field("cell_m", cell_m, 1e-3, 1e3)
         .field("subdivide", subdivide, 1, 64)

@@ -18,17 +18,21 @@ MapService::MapService(service::Shell& shell, MapStore store)
     : shell_(shell),
       publication_(std::move(store)),
       tiles_(shell.outbox<topics::MapTile>()),
+      zones_(shell.outbox<topics::MapZones>()),
       info_(shell.outbox<topics::MapInfo>()),
       results_(shell.outbox<topics::MapEditResult>()),
       lines_left_(kLogLinesPerSecond),
       publish_soon_(shell.soon([this] { write(publication_.changes()); })) {
-  shell
-      .inbox<topics::MapEdit>([this](const fleet::MapEdit& edit, const service::Sender& from) {
-        answer(publication_.take(edit, from.by.source_id, shell_.wall_clock_ns()));
-      })
-      .on_refused([this](const std::string& edit_id, const std::string& reason) {
-        answer(publication_.refuse(edit_id, reason));
-      });
+  // Edits of cells and of zones are answered alike.
+  const auto take_edit = [this](const auto& edit, const service::Sender& from) {
+    answer(publication_.take(edit, from.by.source_id, shell_.wall_clock_ns()));
+  };
+  const auto refuse = [this](const std::string& edit_id, const std::string& reason) {
+    answer(publication_.refuse(edit_id, reason));
+  };
+
+  shell.inbox<topics::MapEdit>(take_edit).on_refused(refuse);
+  shell.inbox<topics::ZoneEdit>(take_edit).on_refused(refuse);
 
   shell.inbox<topics::MapRequest>([this](const fleet::MapRequest& request) { take(request); });
 
@@ -60,11 +64,13 @@ void MapService::answer(const fleet::MapEditResult& result) {
 }
 
 void MapService::write(const Batch& batch) {
-  // The order is the contract: tiles, then the summary that completes them, then the results.
+  // The order is the contract: tiles and zones, then the summary that completes them, then the results.
   const SiteMap& map = store().map();
 
   for (const int tile : batch.tiles) tiles_.write(map.tile(tile));
   shell_.count("tiles_written", batch.tiles.size());
+
+  if (batch.has_zones) zones_.write(store().zones());
 
   if (batch.has_summary) {
     info_.write(map.summary());

@@ -8,8 +8,9 @@
 namespace aisle::map {
 
 /// Serves the site's map. At the start it writes all tiles, then `map_info`. An edit is answered with the tiles that it
-/// changed, then `map_info`, then its result, in this order: whoever reads the result finds the map already changed.
-/// Mirrors which miss tiles ask for them by `map_request` and get them again. Runs in the shell's loop only.
+/// changed, then `map_info`, then its result, in this order (an edit of a zone with all zones instead of tiles):
+/// whoever reads the result finds the map already changed. Mirrors which miss tiles ask for them by `map_request` and
+/// get them again. Runs in the shell's loop only.
 class MapService {
  public:
   /// Registers topics and timers with `shell`, which must outlive this object, and writes the whole map.
@@ -27,12 +28,13 @@ class MapService {
   /// Counts and logs the result of an edit (at most 20 lines a second) and has it written with its tiles.
   void answer(const fleet::MapEditResult& result);
 
-  /// Tiles, then map_info, then results.
+  /// Tiles, then zones, then map_info, then results.
   void write(const Batch& batch);
 
   service::Shell& shell_;
   Publication publication_;
   service::Outbox<topics::MapTile> tiles_;
+  service::Outbox<topics::MapZones> zones_;
   service::Outbox<topics::MapInfo> info_;
   service::Outbox<topics::MapEditResult> results_;
   int lines_left_;                      // that the log takes for edits within this second

@@ -37,8 +37,11 @@ double thread_cpu_us() {
 /// Each function builds one service as its main() does, with the files on the process's simulated disk.
 std::shared_ptr<void> make_map(const Setup& setup, service::Shell& shell) {
   map::SiteMap base(kMapId, setup.grid);
-  auto journal = std::make_unique<map::Journal>(kJournalFile, kMapId, base.summary().hash, map::Journal::Options{});
-  return std::make_shared<map::MapService>(shell, map::MapStore(std::move(base), std::move(journal), {}));
+  auto journal = std::make_unique<map::Journal>(
+      kJournalFile, kMapId, base.summary().hash,
+      map::Journal::Options{map::Journal::Options{}.max_bytes, map::hash_of(setup.scenario.zones)});
+  return std::make_shared<map::MapService>(
+      shell, map::MapStore(std::move(base), std::move(journal), {}, setup.scenario.zones));
 }
 
 std::shared_ptr<void> make_global_planner(const Setup& setup, service::Shell& shell) {

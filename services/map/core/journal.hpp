@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "common/fleet/map_edit.hpp"
+#include "common/fleet/zone.hpp"
 
 struct sqlite3;
 
@@ -19,27 +21,28 @@ class JournalError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One accepted edit and the revision that it made.
+/// One accepted edit, of cells or of a zone, and the revision that it made.
 struct JournalEntry {
   std::uint64_t revision{0};
-  fleet::MapEdit edit;
+  fleet::MapEdit edit;  // of cells
   std::uint32_t changed_cells{0};
   std::string source_id;     // the client that asked for it
   std::int64_t stamp_ns{0};  // when it was accepted, since the Unix epoch; for people, nothing is computed from it
+  std::optional<fleet::ZoneEdit> zone_edit;  // of a zone: then `edit` says nothing
 };
 
 /// The accepted edits of one map, in SQLite: an entry is on the disk when append() returns, or not at all (write-ahead
 /// log, synchronous=FULL). Belongs to one map id and to one content of the map file, and to one process at a time.
 class Journal {
  public:
-  /// `max_bytes`: the file grows no further; then append() throws.
   struct Options {
-    std::int64_t max_bytes{256LL << 20};
+    std::int64_t max_bytes{256LL << 20};  // the file grows no further; then append() throws
+    std::uint64_t zones_hash{0};          // of the zones beside the map file, see hash_of()
   };
 
   /// Opens the journal or makes it. `base_hash`: of the map file's cells, see grid::map_hash.
-  /// @throws config::BadInput when the file is no journal, or one of another map or of another content of the map file;
-  /// config::BadEnvironment when it cannot be opened or written, or another process has it open
+  /// @throws config::BadInput when the file is no journal, or one of another map, or of another content of the map file
+  /// or of its zones; config::BadEnvironment when it cannot be opened or written, or another process has it open
   Journal(const std::filesystem::path& file, const std::string& map_id, std::uint64_t base_hash,
           const Options& options);
   ~Journal();
@@ -65,8 +68,12 @@ class Journal {
   /// Opens the file, takes it for this process alone and makes each commit durable.
   void open(const Options& options);
 
-  /// Makes the tables in a new file; in an old one checks schema, map id and hash. @throws config::BadInput
-  void bind_to_map(const std::string& map_id, std::uint64_t base_hash);
+  /// Makes the tables in a new file; in an old one checks schema, map id and hashes. @throws config::BadInput
+  void bind_to_map(const std::string& map_id, std::uint64_t base_hash, std::uint64_t zones_hash);
+
+  /// The entries of each table, by revision. @throws config::BadInput
+  std::vector<JournalEntry> cell_edits() const;
+  std::vector<JournalEntry> zone_edits() const;
 
   std::filesystem::path file_;
   std::unique_ptr<sqlite3, Close> database_;

@@ -37,15 +37,24 @@ Batch Publication::whole() const {
   batch.tiles.resize(static_cast<std::size_t>(store_.map().tiles()));
   std::iota(batch.tiles.begin(), batch.tiles.end(), 0);
 
+  batch.has_zones = true;
   batch.has_summary = true;
   return batch;
 }
 
 MapEditResult Publication::take(const fleet::MapEdit& edit, const std::string& source_id, std::int64_t stamp_ns) {
-  const std::uint64_t revision_before = store_.map().revision();
-  const MapStore::Answer answer = store_.take(edit, source_id, stamp_ns);
+  return note(store_.take(edit, source_id, stamp_ns));
+}
+
+MapEditResult Publication::take(const fleet::ZoneEdit& edit, const std::string& source_id, std::int64_t stamp_ns) {
+  return note(store_.take(edit, source_id, stamp_ns));
+}
+
+/// Only an edit that was applied now raised the revision.
+MapEditResult Publication::note(const MapStore::Answer& answer) {
   changed_tiles_.insert(answer.changed_tiles.begin(), answer.changed_tiles.end());
-  has_new_revision_ |= store_.map().revision() != revision_before;
+  has_new_revision_ |= answer.result.outcome == MapEditResult::Outcome::kApplied;
+  has_new_zones_ |= answer.zones_changed;
   results_.push_back(answer.result);
 
   return answer.result;
@@ -61,6 +70,7 @@ Batch Publication::changes() {
   Batch batch;
   batch.tiles.assign(changed_tiles_.begin(), changed_tiles_.end());
   changed_tiles_.clear();
+  batch.has_zones = std::exchange(has_new_zones_, false);
   batch.has_summary = std::exchange(has_new_revision_, false);
   batch.results = std::exchange(results_, {});
 

@@ -15,6 +15,7 @@ namespace aisle::map {
 /// What is written at once, in this order: the summary after its tiles, so that it completes a mirror; results last.
 struct Batch {
   std::vector<int> tiles;  // indices
+  bool has_zones{false};
   bool has_summary{false};
   std::vector<fleet::MapEditResult> results;
 };
@@ -43,10 +44,13 @@ class Publication {
   /// Applies the edit, or not; the result is also in the next changes(). See MapStore::take().
   fleet::MapEditResult take(const fleet::MapEdit& edit, const std::string& source_id, std::int64_t stamp_ns);
 
+  fleet::MapEditResult take(const fleet::ZoneEdit& edit, const std::string& source_id, std::int64_t stamp_ns);
+
   /// Answers an edit whose sample could not be decoded; `reason` goes to its sender. Nothing changes.
   fleet::MapEditResult refuse(const std::string& edit_id, const std::string& reason);
 
-  /// Tiles and results of all edits since the last call; the summary when the revision rose.
+  /// Tiles and results of all edits since the last call; the summary when the revision rose, the zones
+  /// when they changed.
   Batch changes();
 
   /// Notes what a mirror asks for; returns what was wrong with it, one reason each.
@@ -56,11 +60,15 @@ class Publication {
   Batch requested(int most_tiles);
 
  private:
+  /// Notes what is to be published of an edit's answer.
+  fleet::MapEditResult note(const MapStore::Answer& answer);
+
   MapStore store_;
 
   // For changes().
   std::set<int> changed_tiles_;
   bool has_new_revision_{false};
+  bool has_new_zones_{false};
   std::vector<fleet::MapEditResult> results_;
 
   // For requested().

@@ -68,8 +68,9 @@ TEST_F(MapProcess, KeepsItsEditsOverARestart) {
   const auto cells = site.map.grid().cells();
   process->signal(SIGTERM);
   EXPECT_EQ(process->wait(std::chrono::seconds(5)), 0);
-  EXPECT_THAT(process->err(), HasSubstr("map=floor cells=120x80 resolution_m=0.25 tiles=4 revision=1 edits=0 journal=" +
-                                        journal().string()));
+  EXPECT_THAT(process->err(),
+              HasSubstr("map=floor cells=120x80 resolution_m=0.25 tiles=4 revision=1 zones=0 edits=0 journal=" +
+                        journal().string()));
 
   process = start_on_floor(kDomain);
   Site fresh(kDomain, "fresh");
@@ -90,6 +91,31 @@ TEST_F(MapProcess, KeepsItsEditsOverARestart) {
       << site.map.revision() << " " << fresh.map.revision() << " " << fresh.results.count("two") << " "
       << process->wait(std::chrono::seconds(1)).value_or(-1) << process->err() << process->out();
   EXPECT_EQ(site.map.grid().cells(), fresh.map.grid().cells());
+}
+
+TEST_F(MapProcess, KeepsItsZonesOverARestart) {
+  std::ofstream(folder_.path() / "floor.zones.yaml")
+      << "zones:\n  - {id: office, kind: keep-out, rectangle: [1, 1, 3, 3]}\n";
+  const int domain = kDomain + 8;
+  Site site(domain);
+  auto process = start_on_floor(domain);
+  const auto run = [&](const std::function<bool()>& done) { return testing::run_until({&site.bus}, done); };
+  ASSERT_TRUE(run([&] { return site.map.is_complete() && site.map.has_zones() && site.can_send(); })) << process->err();
+  ASSERT_EQ(site.map.zones().size(), 1U);
+
+  fleet::ZoneEdit edit{"one", "floor", fleet::ZoneEdit::Action::kAdd, site.map.zones()[0]};
+  edit.zone.id = "kitchen";
+  site.send(edit);
+  ASSERT_TRUE(run([&] { return site.results.count("one") > 0; }));
+  EXPECT_EQ(site.results["one"].outcome, MapEditResult::Outcome::kApplied);
+  process->signal(SIGKILL);
+  process->wait(std::chrono::seconds(5));
+
+  process = start_on_floor(domain);
+  Site fresh(domain, "fresh");
+  ASSERT_TRUE(testing::run_until({&site.bus, &fresh.bus}, [&] { return fresh.map.zones().size() == 2; }))
+      << process->err();
+  EXPECT_EQ(fresh.map.zones()[0], edit.zone);
 }
 
 TEST_F(MapProcess, LosesNoAcknowledgedEditWhenKilledAtAnyTime) {

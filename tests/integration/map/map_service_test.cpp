@@ -89,6 +89,66 @@ TEST(MapService, MirrorsGetTheMapAndItsEdits) {
   EXPECT_EQ(late.map.revision(), 2U);
 }
 
+fleet::ZoneEdit add_zone(const std::string& edit_id, const std::string& zone_id) {
+  return {edit_id,
+          "floor",
+          fleet::ZoneEdit::Action::kAdd,
+          {zone_id, fleet::Zone::Kind::kKeepOut, fleet::Zone::Shape::kRectangle, {{1.0, 1.0}, {3.0, 4.0}}}};
+}
+
+TEST(MapService, MirrorsGetItsZonesAndTheirEdits) {
+  Service service(kDomain + 11);
+  Site site(kDomain + 11);
+  std::vector<bus::Bus*> buses{&service.bus, &site.bus};
+  std::vector<std::size_t> heard;
+  site.map.on_zones([&](const std::vector<fleet::Zone>& zones) { heard.push_back(zones.size()); });
+
+  ASSERT_TRUE(
+      testing::run_until(buses, [&] { return site.map.is_complete() && site.map.has_zones() && site.can_send(); }));
+  EXPECT_TRUE(heard.empty()) << "the map has none";
+
+  // A zone is there before its result is, and the map's revision counts it.
+  const fleet::ZoneEdit edit = add_zone("z1", "office");
+  site.send(edit);
+  ASSERT_TRUE(testing::run_until(buses, [&] { return site.results.count("z1") > 0 && site.map.revision() == 2; }));
+  EXPECT_EQ(site.results["z1"].outcome, MapEditResult::Outcome::kApplied);
+  EXPECT_EQ(site.map.zones(), std::vector<fleet::Zone>{edit.zone});
+
+  site.send(add_zone("z2", "office"));
+  ASSERT_TRUE(testing::run_until(buses, [&] { return site.results.count("z2") > 0; }));
+  EXPECT_EQ(site.results["z2"].detail, "zone 'office' is on this map already: remove it first, or take another id");
+
+  Site late(kDomain + 11, "late");
+  buses.push_back(&late.bus);
+  ASSERT_TRUE(testing::run_until(buses, [&] { return late.map.has_zones(); }));
+  EXPECT_EQ(late.map.zones(), site.map.zones());
+
+  fleet::ZoneEdit removal = add_zone("z3", "office");
+  removal.action = fleet::ZoneEdit::Action::kRemove;
+  site.send(removal);
+  ASSERT_TRUE(testing::run_until(buses, [&] { return late.map.zones().empty() && site.map.zones().empty(); }));
+  EXPECT_EQ(heard, (std::vector<std::size_t>{1, 0}));
+}
+
+TEST(MapClient, TakesZonesOnlyFromTheServiceThatSaysTheMap) {
+  Service service(kDomain + 12);
+  Site site(kDomain + 12);
+  bus::DdsBus other(local_settings(kDomain + 12, "intruder"));
+  auto writer = other.writer<topics::MapZones>();
+  const std::vector<bus::Bus*> buses{&service.bus, &site.bus, &other};
+
+  ASSERT_TRUE(testing::run_until(
+      buses, [&] { return site.map.is_complete() && site.map.has_zones() && writer.matched_readers() > 0; }));
+
+  aisle::MapZones sample = wire::encode(fleet::MapZones{"floor", 99, {add_zone("z", "forged").zone}});
+  sample.by().source_id("intruder");
+  writer.write(sample);
+
+  ASSERT_TRUE(testing::run_until(
+      buses, [&] { return site.map.dropped().count("map_zones: of another source: intruder") > 0; }));
+  EXPECT_TRUE(site.map.zones().empty());
+}
+
 TEST(MapClient, AHandlerMayAddHandlers) {
   Service service(kDomain + 10);
   Site site(kDomain + 10);

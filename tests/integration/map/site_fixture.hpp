@@ -31,18 +31,26 @@ class Site {
   explicit Site(int domain, const std::string& name = "mirror")
       : bus(local_settings(domain, name)), map(bus, name, {}) {
     edits_ = bus.writer<topics::MapEdit>();
+    zone_edits_ = bus.writer<topics::ZoneEdit>();
     bus.on<topics::MapEditResult>([this](const aisle::MapEditResult& sample, const bus::SampleInfo& info) {
       if (info.kind != bus::SampleKind::kData) return;
       const auto result = wire::decode(sample);
       if (result) results[result->edit_id] = *result;
     });
   }
-  bool can_send() const { return edits_.matched_readers() > 0; }
+  bool can_send() const { return edits_.matched_readers() > 0 && zone_edits_.matched_readers() > 0; }
   void send(const fleet::MapEdit& edit) { send_raw(wire::encode(edit)); }
   void send_raw(aisle::MapEdit sample) {
     sample.by().source_id("test");
     sample.by().sequence_number(++sent_);
     if (!edits_.write(sample)) std::fprintf(stderr, "write failed\n");
+  }
+
+  void send(const fleet::ZoneEdit& edit) {
+    aisle::ZoneEdit sample = wire::encode(edit);
+    sample.by().source_id("test");
+    sample.by().sequence_number(++sent_);
+    if (!zone_edits_.write(sample)) std::fprintf(stderr, "write failed\n");
   }
 
   bus::DdsBus bus;
@@ -51,6 +59,7 @@ class Site {
 
  private:
   bus::Writer<topics::MapEdit> edits_;
+  bus::Writer<topics::ZoneEdit> zone_edits_;
   std::uint64_t sent_{0};
 };
 

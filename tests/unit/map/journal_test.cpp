@@ -21,7 +21,7 @@ JournalEntry entry(std::uint64_t revision) {
                MapEdit::Shape::kPolygon,
                {{0.1, 1e-300}, {-2.5, 3.0}, {1.0 / 3.0, 7.0}},
                0.25};
-  return {revision, edit, 42, "dispatcher", 1234567890123456789};
+  return {revision, edit, 42, "dispatcher", 1234567890123456789, {}};
 }
 
 class JournalFile : public ::testing::Test {
