@@ -47,7 +47,7 @@ void Supervisor::look() {
   for (const fleet::SilentVehicle& vehicle : silent_) {
     if (signed_off_.count(vehicle.agv_id) == 0) continue;
 
-    auto sample = wire::encode(fleet::SignOff{vehicle.agv_id});
+    auto sample = wire::encode(fleet::SignOff{vehicle.agv_id, std::nullopt});
     sample.by(stamper_.next());
     writer_.write(sample);
   }

@@ -365,7 +365,7 @@ void TrafficPlanner::take_way(const traffic::Way& way, FleetOrders& orders) {
   plan.step_ends_m = way.step_ends_m;
   plan.headings_rad = way.headings_rad;
   plan.own_steps = way.own_steps;
-  plan.tube_m = tube_m(entry);
+  plan.tube_m = way.tube_m;
 
   events_.push_back(fmt::format("{}: plan {} to {} ({}): {:.2f} m, {} steps, {}", plan.agv_id, plan.id,
                                 plan.goal_id.empty() ? "a place of rest" : plan.goal_id, name(plan.trigger),
@@ -379,8 +379,7 @@ void TrafficPlanner::refresh(FleetOrders& orders) {
     if (!entry.plan || !entry.plan->is_found() || entry.grant.gives_back) continue;
 
     Plan& plan = *entry.plan;
-    const double tube = tube_m(entry);
-    if (plan.map_revision == map_revision_ && plan.tube_m == tube) continue;
+    if (plan.map_revision == map_revision_) continue;
 
     // Its goal is looked at first: it may have become one that cannot be reached.
     const Plan* own = goals_.plan_of(agv_id);
@@ -388,7 +387,6 @@ void TrafficPlanner::refresh(FleetOrders& orders) {
 
     plan.map_id = map_id_;
     plan.map_revision = map_revision_;
-    plan.tube_m = tube;
     orders.plans.push_back(plan);
   }
 }
@@ -411,8 +409,6 @@ void TrafficPlanner::take_grant(const traffic::GrantedRoad& road, Stamp now, Fle
   entry.grant = grant;
   orders.grants.push_back(std::move(grant));
 }
-
-double TrafficPlanner::tube_m(const Entry& entry) const { return vehicles_.size() > 1 ? entry.kind.tube_m : 0.0; }
 
 std::vector<Point2> TrafficPlanner::own_way(const std::string& agv_id, Point2 from_in_map, Point2 to_in_map) {
   // The way's shape is wider than what the search keeps free: past what stands by so much more.

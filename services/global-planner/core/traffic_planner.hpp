@@ -135,15 +135,12 @@ class TrafficPlanner {
   void take_way(const traffic::Way& way, FleetOrders& orders);
   void take_grant(const traffic::GrantedRoad& road, time::Stamp now, FleetOrders& orders);
 
-  /// Plans that go on under a new revision of the map, or with a tube of another width, are told anew. Not those whose
-  /// vehicle is asked for road: it gets another plan.
+  /// Plans that go on under a new revision of the map are told anew. Not those whose vehicle is asked for road: it gets
+  /// another plan.
   void refresh(FleetOrders& orders);
 
   /// Ends closures whose spot was seen free.
   void open_what_was_seen(time::Stamp now);
-
-  /// Width of the tube beside the vehicle's outline: alone on the floor it needs none.
-  double tube_m(const Entry& entry) const;
 
   std::vector<geometry::Point2> own_way(const std::string& agv_id, geometry::Point2 from_in_map,
                                         geometry::Point2 to_in_map);

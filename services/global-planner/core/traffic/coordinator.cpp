@@ -47,6 +47,7 @@ Orders Coordinator::step(double now_s) {
 
   part_near_ones(now_s);
   look_for_silence(now_s);
+  look_for_strays(now_s);
   look_for_blocks(now_s);
   if (has_changed_) leave_closed_floor(now_s);
 

@@ -50,6 +50,7 @@ struct Way {
   bool leads_to_goal{false};
   std::string goal_id;         // that the vehicle had when the way was made; empty: it is moved out of the way
   std::string own_or_roadmap;  // "own way", "roadmap", or "own way, roadmap"
+  double tube_m{0.0};          // beside the vehicle's outline; 0: as wide as the free floor, it is alone
 };
 
 /// How far a vehicle may drive on which plan.
@@ -185,6 +186,10 @@ class Coordinator {
     std::uint64_t next_grant{1};
     std::vector<std::string> waits_for;
     std::string reason;
+    bool is_off_road{false};            // its body is held as it is
+    double off_road_s{0.0};             // since when
+    double asked_around_s{-1e9};        // road of others that meets its body was asked for last
+    std::uint64_t newest_wide_plan{0};  // that it was told without a tube; 0: none
   };
 
   void improve(double now_s);
@@ -197,13 +202,22 @@ class Coordinator {
   void remove_vehicle(VehicleEntry& vehicle);
   void ask_back_around(const VehicleEntry& newcomer, const Shape& body, double now_s);
   bool escape(VehicleEntry& vehicle, double now_s);
-  bool is_alone(const VehicleEntry& vehicle) const;
+  bool is_alone() const { return vehicles_.size() + expected_.size() <= 1; }
   void hear_progress(VehicleEntry& vehicle, double now_s);
   void hear_answer(VehicleEntry& vehicle, double now_s);
   void look_for_silence(double now_s);
   void rebase(VehicleEntry& vehicle, double now_s);
   void part_near_ones(double now_s);
   void end_exceptions(VehicleEntry& vehicle);
+
+  // coordinator_strays.cpp: bodies off their road, and tubes
+  bool is_off_road(const VehicleEntry& vehicle) const;
+  void look_for_strays(double now_s);
+  void hold_body(VehicleEntry& vehicle, double now_s);
+  Shape floor_of_lead_in(const VehicleEntry& vehicle) const;
+  bool may_be_wide(const VehicleEntry& vehicle) const;
+  std::string wide_one() const;
+  double tube_m(const VehicleEntry& vehicle) const { return is_alone() ? 0.0 : vehicle.kind.tube_m; }
 
   // coordinator_closures.cpp: floor that is closed, and taking back
   void close(const std::string& name, const Shape& shape, double now_s);

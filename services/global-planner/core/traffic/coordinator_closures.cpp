@@ -58,7 +58,7 @@ void Coordinator::leave_closed_floor(double now_s) {
         is_granted_floor_closed = true;
 
         if (!may_ask_back(vehicle, roadmap_.motion(agent->steps[i].motion), now_s) ||
-            (is_alone(vehicle) && !has_way_round(vehicle, now_s))) {
+            (is_alone() && !has_way_round(vehicle, now_s))) {
           has_changed_ = true;  // looked at again
           continue;
         }
@@ -66,7 +66,7 @@ void Coordinator::leave_closed_floor(double now_s) {
 
       // The step that it is in leads out of closed floor, or is driven to its end; the vehicle looks by itself.
       // A vehicle alone gives back all that it can: its next way leads round from farther away.
-      if (i < granted && i > 0) ask_back(vehicle, agent->done + (is_alone(vehicle) ? 1 : i), now_s);
+      if (i < granted && i > 0) ask_back(vehicle, agent->done + (is_alone() ? 1 : i), now_s);
 
       plans_.cut(id, now_s);
       plans_.find(id)->has_plan_to_goal = false;

@@ -26,6 +26,7 @@ std::string Coordinator::unheard() const {
 /// Road to all who may have some. A pass serves each vehicle until it wants no more or has to wait.
 void Coordinator::grant_all() {
   const std::string missing = unheard();
+  const std::string wide = wide_one();
 
   for (auto& [id, vehicle] : vehicles_) {
     if (!vehicle.is_registered) continue;
@@ -40,6 +41,12 @@ void Coordinator::grant_all() {
       continue;
     }
 
+    if (!wide.empty() && wide != id) {
+      vehicle.waits_for = {wide};
+      vehicle.reason = wide + " was alone, and has not come into its tube yet";
+      continue;
+    }
+
     while (grant_next(vehicle)) {
     }
 
@@ -51,7 +58,7 @@ void Coordinator::grant_all() {
 bool Coordinator::wants_road(const VehicleEntry& vehicle, const Agent& agent) const {
   const std::size_t granted = agent.pending();
   if (granted >= settings_.most_steps_ahead) return false;
-  if (is_alone(vehicle)) return true;
+  if (is_alone()) return true;
 
   double ahead = 0.0;
   for (std::size_t i = 0; i < granted; ++i) ahead += roadmap_.motion(agent.steps[i].motion).length_m;
@@ -138,7 +145,7 @@ void Coordinator::hold_end_of_grants(VehicleEntry& vehicle) {
     if (!is_held) return;
   }
 
-  if (vehicle.lead_in.path_in_map.empty()) lock_.force(vehicle.id, Shape());
+  if (vehicle.lead_in.path_in_map.empty() && !vehicle.is_off_road) lock_.force(vehicle.id, Shape());
 }
 
 /// Why it has no (more) road, in words.
@@ -198,6 +205,7 @@ Way Coordinator::way_of(const VehicleEntry& vehicle, const Agent& agent) const {
     (step.is_own_way ? has_own : has_roadmap) = true;
   }
 
+  way.tube_m = tube_m(vehicle);
   way.own_or_roadmap = has_own && has_roadmap ? "own way, roadmap" : has_own ? "own way" : "roadmap";
   return way;
 }
@@ -217,11 +225,13 @@ void Coordinator::tell_way(VehicleEntry& vehicle, Orders& orders) {
   // A vehicle that is at its goal already gets a way of one point, so that it hears of the goal.
   const bool is_other_goal = agent->has_plan_to_goal && vehicle.way.goal_id != vehicle.goal_id;
   const bool has_nothing = agent->steps.empty() && vehicle.lead_in.path_in_map.empty();
-  const bool is_new = (is_other_goal || (!is_same && !has_nothing)) && !vehicle.asked_back;
+  const bool is_other_tube = vehicle.way.tube_m != tube_m(vehicle);
+  const bool is_new = (is_other_goal || ((!is_same || is_other_tube) && !has_nothing)) && !vehicle.asked_back;
 
   if (is_new) {
     vehicle.way = way_of(vehicle, *agent);
     vehicle.way.plan_id = vehicle.next_plan_id++;
+    if (is_alone()) vehicle.newest_wide_plan = vehicle.way.plan_id;
     vehicle.sent.clear();
     for (const Step& step : agent->steps) vehicle.sent.push_back(step.motion);
     orders.ways.push_back(vehicle.way);

@@ -98,6 +98,7 @@ void Coordinator::take_in_anew(VehicleEntry& vehicle, double now_s) {
   vehicle.excepted.clear();
   vehicle.lead_in = {};
   vehicle.asked_back.reset();
+  vehicle.is_off_road = false;
   vehicle.is_silent = false;
   open("dead " + vehicle.id);
   open("before " + vehicle.id);
@@ -120,7 +121,7 @@ void Coordinator::hear_progress(VehicleEntry& vehicle, double now_s) {
     if (done < behind) return;
 
     vehicle.lead_in = {};
-    lock_.force(vehicle.id, Shape());
+    if (!vehicle.is_off_road) lock_.force(vehicle.id, Shape());
   }
 
   if (done <= agent->done) return;
@@ -176,6 +177,7 @@ void Coordinator::rebase(VehicleEntry& vehicle, double now_s) {
   lock_.force(vehicle.id, body);
   lock_.give_back(vehicle.id, step);
   vehicle.lead_in = {};
+  vehicle.is_off_road = false;
   place_agent(vehicle, place, step, now_s);
   hold_end_of_grants(vehicle);
 }
@@ -254,7 +256,8 @@ void Coordinator::register_vehicle(VehicleEntry& vehicle, double now_s) {
   events_.push_back(vehicle.id + " takes part in the traffic");
 }
 
-/// Road that others were granted before the newcomer was heard, and that meets its body or its road, is asked back.
+/// Road that others were granted before the newcomer was heard, or before a body left its road, and that meets what it
+/// holds, is asked back.
 void Coordinator::ask_back_around(const VehicleEntry& newcomer, const Shape& body, double now_s) {
   for (const std::string& id : lock_.holders(newcomer.id, body)) {
     const Agent* agent = plans_.find(id);
@@ -353,11 +356,6 @@ void Coordinator::end_exceptions(VehicleEntry& vehicle) {
     vehicles_.at(*it).excepted.erase(vehicle.id);
     it = vehicle.excepted.erase(it);
   }
-}
-
-bool Coordinator::is_alone(const VehicleEntry& vehicle) const {
-  return std::none_of(vehicles_.begin(), vehicles_.end(),
-                      [&](const auto& other) { return other.first != vehicle.id && other.second.is_heard; });
 }
 
 /// A vehicle that is not heard keeps what it holds; others are planned round it.

@@ -288,6 +288,102 @@ TEST_F(CoordinatorTest, ASignedOffVehicleHoldsItsPlaceUntilItIsHeardAgain) {
   EXPECT_TRUE(holds("agv-1", end));
 }
 
+/// agv-1 has road ahead and says that it is off its path, beside the road that agv-2 will ask for.
+class BodyOffItsRoad : public ThingOnTheRoad {
+ protected:
+  BodyOffItsRoad() {
+    says_["agv-1"].base_in_map = beside_;
+    says_["agv-1"].stray_m = 1.0;
+    says_["agv-1"].speed_mps = 0.0;
+  }
+
+  const Pose2 beside_{2.0, 6.0, 0.0};
+};
+
+TEST_F(BodyOffItsRoad, IsHeldWhereItIsUntilItIsBack) {
+  EXPECT_FALSE(holds("agv-1", beside_.position()));
+  run(0.2);
+  EXPECT_TRUE(holds("agv-1", beside_.position()));
+  EXPECT_TRUE(holds("agv-1", {2.0, 5.0})) << "and its road as well";
+
+  says_["agv-1"].base_in_map = {2.0, 5.0, 0.0};
+  says_["agv-1"].stray_m = 0.0;
+  run(0.2);
+  EXPECT_FALSE(holds("agv-1", beside_.position()));
+}
+
+/// 1 m/s, and 2 m/s2 of which 0.7 count: 0.36 m to stop, and 0.3 m until it brakes.
+TEST_F(BodyOffItsRoad, IsHeldWithTheWayThatItTakesToStop) {
+  run(0.2);
+  const double reach_m = 0.35 + 0.1 + 0.35 + 0.1;
+  EXPECT_FALSE(holds("agv-1", {2.0, 6.0 + reach_m + 0.1}));
+  says_["agv-1"].speed_mps = 1.0;
+  run(0.2);
+  EXPECT_TRUE(holds("agv-1", {2.0, 6.0 + reach_m + 0.1}));
+}
+
+TEST_F(BodyOffItsRoad, HasRoadOfOthersThatMeetsItAskedBack) {
+  says_["agv-1"].base_in_map = {2.0, 5.0, 0.0};
+  says_["agv-1"].stray_m = 0.0;
+  coordinator_.set_goal("agv-2", "goal-2", Pose2{14.0, 2.0, 0.0}, now_s_);
+  run(1.0);
+  ASSERT_GT(grants_.at("agv-2").limit_step, ways_.at("agv-2").first_step);
+  ASSERT_FALSE(grants_.at("agv-2").gives_back);
+
+  const Point2 on_its_road = end_of_step("agv-2", ways_.at("agv-2").first_step);
+  says_["agv-1"].base_in_map = {on_its_road.x, on_its_road.y + 0.5, 0.0};
+  says_["agv-1"].stray_m = 3.0;
+  run(0.2);
+  EXPECT_TRUE(grants_.at("agv-2").gives_back);
+}
+
+/// It gives its road back, and is planned for from there.
+TEST_F(BodyOffItsRoad, IsPlannedForAnewWhenItStandsThere) {
+  run(3.0);
+  ASSERT_TRUE(grants_.at("agv-1").gives_back);
+  Report& says = says_["agv-1"];
+  says.grant_number = grants_.at("agv-1").number;
+  says.limit_step = says.step_done;
+  run(1.5);
+
+  EXPECT_EQ(ways_.at("agv-1").waypoints_in_map.front(), beside_.position());
+  EXPECT_EQ(ways_.at("agv-1").waypoints_in_map.back(), (Point2{15.0, 5.0}));
+  EXPECT_FALSE(grants_.at("agv-1").gives_back);
+}
+
+/// It has done all the steps that it was granted, and stands farther on.
+TEST_F(CoordinatorTest, ABodyBeyondItsRoadIsHeldWhereItIs) {
+  arrive("agv-1", {2.0, 5.0, 0.0});
+  arrive("agv-2", {18.0, 2.0, 0.0});
+  run(1.0);
+  says_["agv-1"].base_in_map = {3.5, 5.0, 0.0};
+  EXPECT_FALSE(holds("agv-1", {3.5, 5.0}));
+  run(0.2);
+  EXPECT_TRUE(holds("agv-1", {3.5, 5.0}));
+}
+
+/// agv-1 is alone and drives a plan without a tube: it may be anywhere beside it. agv-2 arrives.
+TEST_F(CoordinatorTest, ANewcomerHasNoRoadUntilTheOtherNamesAPlanWithATube) {
+  arrive("agv-1", {2.0, 5.0, 0.0});
+  coordinator_.set_goal("agv-1", "goal-1", Pose2{15.0, 5.0, 0.0}, now_s_);
+  run(1.0);
+  stand_behind("agv-1", ways_.at("agv-1").first_step, grants_.at("agv-1").limit_step);
+  ASSERT_EQ(ways_.at("agv-1").tube_m, 0.0);
+  run(1.0);
+
+  arrive("agv-2", {18.0, 2.0, 0.0});
+  coordinator_.set_goal("agv-2", "goal-2", Pose2{14.0, 2.0, 0.0}, now_s_);
+  run(2.0);
+  EXPECT_EQ(ways_.at("agv-1").tube_m, 0.10);
+  EXPECT_EQ(grants_.at("agv-2").limit_m, 0.0);
+  EXPECT_EQ(grants_.at("agv-2").waits_for, std::vector<std::string>{"agv-1"});
+
+  says_["agv-1"].plan_id = ways_.at("agv-1").plan_id;
+  says_["agv-1"].grant_number = grants_.at("agv-1").number;
+  run(1.0);
+  EXPECT_GT(grants_.at("agv-2").limit_m, 0.0);
+}
+
 /// Two that begin at either end of an aisle of 2.4 m, with goals at the other end. Own ways keep to its middle.
 TEST(Meeting, VehiclesThatMeetOnTheirOwnWaysPassSideBySide) {
   const grid::OccupancyGrid grid(grid::Geometry{240, 24, 0.1, {}});
