@@ -289,7 +289,8 @@ bool drive_once(const Options& options, const Course& course, int run, ProgressL
   progress.clear();
 
   if (!options.svg.empty() && run == 0)
-    process::write_output_file(options.svg, referee::fleet_svg(outcome.report, referee::Walls(setup.grid)));
+    process::write_output_file(options.svg,
+                               referee::fleet_svg(outcome.report, referee::Walls(setup.grid), setup.scenario.zones));
 
   for (const std::string& line : outcome.result.log) say(line);
 

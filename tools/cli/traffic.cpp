@@ -40,7 +40,7 @@ void write_picture(const Cli& cli, bus::Bus& bus, const service::MapClient& map,
   if (!run_until(bus, Seconds(options.wait_s), [&] { return map.has_map(); }))
     throw config::BadEnvironment("no map seen in " + place_of(cli.settings) + "; is aisle-map running?");
 
-  process::write_output_file(options.svg, traffic_svg(map.grid(), view.drawn()));
+  process::write_output_file(options.svg, traffic_svg(map.grid(), view.drawn(), map.zones()));
 }
 
 /// One snapshot; in a terminal a picture that is drawn anew twice a second.

@@ -11,6 +11,7 @@
 #include "tools/draw/map_frame.hpp"
 #include "tools/draw/svg.hpp"
 #include "tools/draw/walls.hpp"
+#include "tools/draw/zones.hpp"
 
 namespace aisle::cli {
 namespace {
@@ -19,7 +20,8 @@ using geometry::Point2;
 
 constexpr double kEdgePx = 1200.0;
 constexpr int kLegendPx = 30;
-constexpr double kMiddlePx = 15.0;  // of the legend, below its upper edge
+constexpr int kZonesLegendPx = 340;  // to the right of the other entries
+constexpr double kMiddlePx = 15.0;   // of the legend, below its upper edge
 constexpr const char* kArrowTip =
     "<defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"8\" markerHeight=\"8\" "
     "orient=\"auto\"><path d=\"M 0 0 L 8 4 L 0 8 z\" fill=\"{}\"/></marker></defs>";
@@ -103,8 +105,9 @@ std::vector<Point2> part_of(const std::vector<Point2>& way, double from_m, doubl
   return part;
 }
 
-/// From the floor up: walls, ways, vehicles, arrows.
-std::string traffic_svg(const grid::OccupancyGrid& grid, const std::vector<DrawnVehicle>& vehicles) {
+/// From the floor up: walls, zones, ways, vehicles, arrows.
+std::string traffic_svg(const grid::OccupancyGrid& grid, const std::vector<DrawnVehicle>& vehicles,
+                        const std::vector<fleet::Zone>& zones) {
   const draw::MapFrame frame = draw::fitted_frame(grid.geometry(), kEdgePx);
   const draw::GridLayers layers = draw::grid_layers(grid);
 
@@ -115,10 +118,12 @@ std::string traffic_svg(const grid::OccupancyGrid& grid, const std::vector<Drawn
                                 fmt::format("fill=\"{}\"", draw::kWall)) +
                      "\n";
 
+  body += draw::zones_layer(frame, zones);
   for (std::size_t i = 0; i < vehicles.size(); ++i) body += way_of(frame, vehicles[i], draw::colour(i));
   for (std::size_t i = 0; i < vehicles.size(); ++i) body += body_of(frame, vehicles[i], draw::colour(i));
   for (const DrawnVehicle& vehicle : vehicles) body += arrow_of(frame, vehicle, vehicles);
   body += legend_at(frame.height_px());
+  body += draw::zones_legend(kZonesLegendPx, static_cast<int>(frame.height_px() + kMiddlePx), zones);
 
   draw::Page page;
   page.width = static_cast<int>(std::lround(frame.width_px()));

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "common/fleet/zone.hpp"
 #include "common/geometry/footprint.hpp"
 #include "common/geometry/pose.hpp"
 #include "common/grid/occupancy_grid.hpp"
@@ -23,8 +24,9 @@ struct DrawnVehicle {
 /// The part of a polyline between two lengths along it, both ends included; empty where `to_m` is not beyond `from_m`.
 std::vector<geometry::Point2> part_of(const std::vector<geometry::Point2>& way, double from_m, double to_m);
 
-/// An SVG file's text: the map, each vehicle's way (thin), what is granted of it (thick), and an arrow from each
-/// waiting vehicle to the one that it waits for.
-std::string traffic_svg(const grid::OccupancyGrid& grid, const std::vector<DrawnVehicle>& vehicles);
+/// An SVG file's text: the map, its zones, each vehicle's way (thin), what is granted of it (thick), and an arrow from
+/// each waiting vehicle to the one that it waits for.
+std::string traffic_svg(const grid::OccupancyGrid& grid, const std::vector<DrawnVehicle>& vehicles,
+                        const std::vector<fleet::Zone>& zones = {});
 
 }  // namespace aisle::cli

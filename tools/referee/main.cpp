@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
         const referee::Walls walls(grid::read_map_file(scenario.map_file, scenario.map_options));
         const referee::RunReport report = judge_run(process.shell(), scenario, walls, options);
 
-        referee::write_report(report, walls, options.out);
+        referee::write_report(report, walls, options.out, scenario.zones);
         fmt::print("{}", referee::summary(report));
         verdict = report.passed() ? process::kDone : process::kNegative;
       });

@@ -14,6 +14,7 @@
 #include "tools/draw/map_frame.hpp"
 #include "tools/draw/svg.hpp"
 #include "tools/draw/walls.hpp"
+#include "tools/draw/zones.hpp"
 #include "tools/referee/report/style.hpp"
 
 namespace aisle::referee {
@@ -32,6 +33,7 @@ constexpr double kStepPx = 6.0;      // between a person's dots
 constexpr double kJumpM = 1.0;       // between two moments of a vehicle: it was set down anew
 constexpr double kSamePlaceM = 0.2;  // goals nearer than this share a flag
 constexpr double kLongestScalePx = 170.0;
+constexpr double kZonesLegendPx = 26.0;  // below the other signs
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -476,14 +478,14 @@ constexpr const char* kPatterns =
 
 }  // namespace
 
-/// Layer by layer from below: walls, edits, people and blocks, plans, ways, vehicles, goals, contacts;
+/// Layer by layer from below: walls, zones, edits, people and blocks, plans, ways, vehicles, goals, contacts;
 /// then header and legend outside the map.
-std::string fleet_svg(const RunReport& report, const Walls& walls) {
+std::string fleet_svg(const RunReport& report, const Walls& walls, const std::vector<fleet::Zone>& zones) {
   const MapFrame f = frame_of(area_of(report, walls));
   std::string body = "<clipPath id=\"shown\">" + draw::rect(f.left_px, f.top_px, f.width_px(), f.height_px(), "") +
                      "</clipPath><g clip-path=\"url(#shown)\">\n";
 
-  body += walls_layer(f, walls) + edits_layer(f, report.edits) + bodies_layer(f, report);
+  body += walls_layer(f, walls) + draw::zones_layer(f, zones) + edits_layer(f, report.edits) + bodies_layer(f, report);
   body += each_vehicle(report, [&](const VehicleRow& v, const char* colour) { return plans_layer(f, v, colour); });
   body += each_vehicle(report, [&](const VehicleRow& v, const char* colour) { return way_layer(f, v, colour); });
   body += each_vehicle(report, [&](const VehicleRow& v, const char* colour) { return vehicle_layer(f, v, colour); });
@@ -492,9 +494,11 @@ std::string fleet_svg(const RunReport& report, const Walls& walls) {
   body += contacts_layer(f, report.contacts) + "</g>\n";
 
   const double legend_px = f.top_px + f.height_px() + 24.0;
-  const Rows rows = vehicle_rows(legend_px + 30.0, report);
+  const double zones_px = zones.empty() ? 0.0 : kZonesLegendPx;
+  const Rows rows = vehicle_rows(legend_px + 30.0 + zones_px, report);
 
   body += header(report) + scale(f) + signs(legend_px) + rows.svg;
+  body += draw::zones_legend(static_cast<int>(kMarginPx), static_cast<int>(legend_px + kZonesLegendPx), zones);
   return draw::document({static_cast<int>(kWidthPx), static_cast<int>(std::lround(rows.bottom_px)), kFont, kPatterns},
                         body);
 }

@@ -29,10 +29,11 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
 
 }  // namespace
 
-void write_report(const RunReport& report, const Walls& walls, const std::filesystem::path& folder) {
+void write_report(const RunReport& report, const Walls& walls, const std::filesystem::path& folder,
+                  const std::vector<fleet::Zone>& zones) {
   std::filesystem::create_directories(folder);
   write_whole(folder / "report.json", to_json(report).dump(2) + "\n");
-  write_whole(folder / "fleet.svg", fleet_svg(report, walls));
+  write_whole(folder / "fleet.svg", fleet_svg(report, walls, zones));
   write_whole(folder / "speeds.svg", speeds_svg(report));
 }
 
