@@ -60,6 +60,9 @@ class MapClient {
   /// Of the newest revision that was heard; empty before the first.
   const std::vector<fleet::Zone>& zones() const { return zones_.zones; }
 
+  /// The same with the revision at which they changed last.
+  const fleet::MapZones& all_zones() const { return zones_; }
+
   /// True once the map's zones were heard, be it that it has none.
   bool has_zones() const { return zones_.revision > 0; }
 

@@ -19,11 +19,12 @@ namespace {
 void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   using namespace aisle::cli;
 
-  const auto add_group = [&app](const char* name, const char* purpose) {
-    CLI::App* group = app.add_subcommand(name, purpose);
+  const auto add_group_below = [](CLI::App& parent, const char* name, const char* purpose) {
+    CLI::App* group = parent.add_subcommand(name, purpose);
     group->require_subcommand(1)->fallthrough();
     return group;
   };
+  const auto add_group = [&](const char* name, const char* purpose) { return add_group_below(app, name, purpose); };
 
   CLI::App& topic = *add_group("topic", "what is said on the site's topics");
   add_topic_list(topic, cli);
@@ -47,6 +48,11 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_map_overlay(map, cli);
   add_map_accept(map, cli);
   add_map_save(map, cli);
+
+  CLI::App& zone = *add_group_below(map, "zone", "keep-out, speed and other zones of the map");
+  add_map_zone_list(zone, cli);
+  add_map_zone_add(zone, cli);
+  add_map_zone_remove(zone, cli);
 
   add_plan(app, cli);
 

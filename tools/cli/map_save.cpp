@@ -7,16 +7,21 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "common/config/reader.hpp"
 #include "common/grid/formats/map_file.hpp"
 #include "common/process/exit_code.hpp"
+#include "common/process/output_file.hpp"
+#include "common/scenario/zone_file.hpp"
 #include "common/service/map_client.hpp"
 #include "tools/cli/cli.hpp"
 #include "tools/cli/json.hpp"
 
 namespace aisle::cli {
 namespace {
+
+constexpr Seconds kUntilZonesAreSaid{1.0};
 
 struct SaveOptions {
   std::string file;
@@ -34,7 +39,14 @@ void check_name(const std::filesystem::path& file) {
     throw config::BadInput(folder.string() + ": no such folder; make it first");
 }
 
-/// Waits for the whole map and writes it.
+/// Beside the map's file; a file of zones that was there before is never left to a map without zones.
+void write_zones(const std::filesystem::path& map_file, const std::vector<fleet::Zone>& zones) {
+  const std::filesystem::path file = scenario::zone_file_beside(map_file);
+  if (!zones.empty() || std::filesystem::exists(file))
+    process::write_output_file(file.string(), scenario::text_of_zones(zones));
+}
+
+/// Waits for the whole map and writes it, with its zones.
 int save(const Cli& cli, const SaveOptions& options) {
   check_name(options.file);
 
@@ -53,11 +65,16 @@ int save(const Cli& cli, const SaveOptions& options) {
                     options.timeout_s, place_of(cli.settings)));
   }
 
+  // A map service from before there were zones says none.
+  run_until(*bus, kUntilZonesAreSaid, [&] { return map.has_zones(); });
+
   try {
     grid::write_ros_map(map.grid(), options.file);
   } catch (const std::system_error& error) {
     throw config::BadEnvironment(std::string(error.what()) + "; check free space and permissions");
   }
+
+  write_zones(options.file, map.zones());
 
   if (cli.json) {
     std::printf(
@@ -75,7 +92,8 @@ int save(const Cli& cli, const SaveOptions& options) {
 
 void add_map_save(CLI::App& parent, Cli& cli) {
   auto options = std::make_shared<SaveOptions>();
-  Verb(parent, cli, "save", "write the map, with its edits, as ROS map_server YAML and PGM")
+  Verb(parent, cli, "save",
+       "write the map, with its edits, as ROS map_server YAML and PGM, and its zones as FILE.zones.yaml")
       .argument("file", options->file, "FILE.yaml")
       .option("--map", options->map_id, "id of the map; the one that is seen when not given")
       .option("--timeout", options->timeout_s, 0.1, 1e6, "give up after so many seconds")

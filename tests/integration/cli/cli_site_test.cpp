@@ -578,10 +578,24 @@ TEST(CliInput, WithoutASiteEndsWithExitCode3) {
 }
 
 TEST(CliInput, EveryVerbHasHelpAndJson) {
-  const std::vector<std::vector<std::string>> verbs{
-      {"topic", "list"},  {"topic", "info"}, {"topic", "echo"},  {"topic", "hz"}, {"topic", "bw"},
-      {"fleet"},          {"goal", "send"},  {"goal", "cancel"}, {"map", "info"}, {"map", "block"},
-      {"map", "unblock"}, {"map", "save"},   {"doctor"},         {"health"},      {"traffic"}};
+  const std::vector<std::vector<std::string>> verbs{{"topic", "list"},
+                                                    {"topic", "info"},
+                                                    {"topic", "echo"},
+                                                    {"topic", "hz"},
+                                                    {"topic", "bw"},
+                                                    {"fleet"},
+                                                    {"goal", "send"},
+                                                    {"goal", "cancel"},
+                                                    {"map", "info"},
+                                                    {"map", "block"},
+                                                    {"map", "unblock"},
+                                                    {"map", "save"},
+                                                    {"map", "zone", "list"},
+                                                    {"map", "zone", "add"},
+                                                    {"map", "zone", "remove"},
+                                                    {"doctor"},
+                                                    {"health"},
+                                                    {"traffic"}};
   for (std::vector<std::string> verb : verbs) {
     verb.push_back("--help");
     const Outcome outcome = run_alone(verb);
