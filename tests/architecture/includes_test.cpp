@@ -229,8 +229,9 @@ Strings allowed_rooms(const std::string& file) {
   if (begins_with(file, "common/")) return {"common/"};
   const Strings for_cores{"common/geometry/", "common/grid/",   "common/kinematics/", "common/fleet/",
                           "common/time/",     "common/config/", "common/scenario/"};
-  // Pictures of maps and curves know nothing of vehicles, so that the referee may use them and share no planner.
-  if (begins_with(file, "tools/draw/")) return {"common/geometry/", "common/grid/"};
+  // Pictures of maps, their zones and curves know nothing of vehicles, so that the referee may use them and share no
+  // planner.
+  if (begins_with(file, "tools/draw/")) return {"common/geometry/", "common/grid/", "common/fleet/zone.hpp"};
   if (begins_with(file, "tools/referee/core/")) return for_cores;
   if (begins_with(file, "tools/referee/report/")) return {"common/", "tools/draw/"};
   if (begins_with(file, "tools/referee/")) return {"common/"};
