@@ -39,7 +39,10 @@ void MapClient::take(const aisle::MapInfo& sample) {
 
   map_id_ = summary->map_id;
   map_source_ = sample.by().source_id().to_string();
-  if (zones_source_ != map_source_ && has_zones()) set_zones({});
+
+  // Zones that came first may be of another map, or of another source.
+  if (has_zones() && (zones_source_ != map_source_ || zones_.map_id != map_id_)) set_zones({});
+
   note(mirror_.take(*summary));
 }
 

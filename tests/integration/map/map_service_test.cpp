@@ -149,6 +149,24 @@ TEST(MapClient, TakesZonesOnlyFromTheServiceThatSaysTheMap) {
   EXPECT_TRUE(site.map.zones().empty());
 }
 
+TEST(MapClient, DropsZonesThatCameBeforeTheMapOfAnotherId) {
+  bus::DdsBus server(local_settings(kDomain + 13, "two-maps"));
+  bus::DdsBus bus(local_settings(kDomain + 13, "mirror"));
+  service::MapClient client(bus, "mirror", {});
+  auto zones = server.writer<topics::MapZones>();
+  auto info = server.writer<topics::MapInfo>();
+  std::vector<std::size_t> heard;
+  client.on_zones([&](const std::vector<fleet::Zone>& now) { heard.push_back(now.size()); });
+
+  zones.write(wire::encode(fleet::MapZones{"annex", 7, {add_zone("z", "office").zone}}));
+  ASSERT_TRUE(testing::run_until({&server, &bus}, [&] { return heard.size() == 1; }));
+
+  info.write(wire::encode(SiteMap("floor", floor_plan()).summary()));
+  ASSERT_TRUE(testing::run_until({&server, &bus}, [&] { return heard.size() == 2; }));
+  EXPECT_EQ(heard, (std::vector<std::size_t>{1, 0}));
+  EXPECT_FALSE(client.has_zones());
+}
+
 TEST(MapClient, AHandlerMayAddHandlers) {
   Service service(kDomain + 10);
   Site site(kDomain + 10);
