@@ -44,6 +44,10 @@ GlobalPlannerService::GlobalPlannerService(service::Shell& shell, const ServiceC
           [this](const grid::OccupancyGrid& grid, const grid::ClearanceField&, grid::Cell low, grid::Cell high) {
             fleet_.set_map(map_.map_id(), map_.revision(), grid, low, high);
             work_soon_();
+          },
+          [this](const std::vector<fleet::Zone>& zones) {
+            fleet_.set_zones(zones, shell_.now());
+            work_soon_();
           })),
       fleet_(config.fleet, make_planner(config.planner, config.parameters)),
       leadership_(config.standby, shell.boot_id()),

@@ -22,6 +22,8 @@ using time::Stamp;
 constexpr std::size_t kLongestDetail = 256;   // as in the IDL
 constexpr double kChecked_cells = 0.12;       // a plan is checked for so much less: see ClearanceField between cells
 constexpr double kSmallest_m = 0.05;          // a disc smaller than this is not worth a detour
+constexpr double kStandsBeside_m = 0.12;      // off its place a vehicle may stand: the widest tube of the traffic
+constexpr double kLongestWayOut_m = 10.0;     // of a keep-out zone
 constexpr std::size_t kMost = 1024;           // vehicles
 constexpr std::size_t kMostWaypoints = 4096;  // as in the IDL
 
@@ -86,6 +88,26 @@ void FleetPlanner::set_map(const std::string& map_id, std::uint64_t revision, co
 }
 
 void FleetPlanner::rebuild_clearance() { clearance_ = grid::ClearanceField(*grid_, reach_m_); }
+
+void FleetPlanner::set_zones(const std::vector<fleet::Zone>& zones) {
+  if (zones == zones_) return;
+
+  zones_ = zones;
+  for (auto& [id, v] : vehicles_) v.is_doubted = v.plan.has_value();
+}
+
+const fleet::Zone* FleetPlanner::zone_at_goal(const VehicleEntry& v) const {
+  const Point2 goal = v.goal->pose_in_map.position();
+  const auto refuses = [&](const fleet::Zone& zone) {
+    const double reach_m = zone.kind == fleet::Zone::Kind::kKeepOut      ? *v.radius_m
+                           : zone.kind == fleet::Zone::Kind::kNoStopping ? v.shape.reach_m + kStandsBeside_m
+                                                                         : 0.0;
+    return reach_m > 0.0 && fleet::distance_m(zone, goal, goal) < reach_m;
+  };
+
+  const auto found = std::find_if(zones_.begin(), zones_.end(), refuses);
+  return found == zones_.end() ? nullptr : &*found;
+}
 
 void FleetPlanner::set_vehicle(const std::string& agv_id, const VehicleShape& shape) {
   VehicleEntry* v = vehicle(agv_id);
@@ -175,7 +197,8 @@ std::optional<Plan> FleetPlanner::attend(VehicleEntry& v, Stamp now, const OutOf
     return publish(v, plan_anew(v, v.is_taken_over ? PlanTrigger::kTakeover : PlanTrigger::kNewGoal, out_of_time), now);
 
   v.progress.advance(pose->position());
-  if (v.plan->map_revision != map_revision_ || v.plan->map_id != map_id_) return check_map(v, now, out_of_time);
+  const bool is_of_this_map = v.plan->map_revision == map_revision_ && v.plan->map_id == map_id_;
+  if (!is_of_this_map || v.is_doubted) return check_map(v, now, out_of_time);
 
   if (v.plan->is_found() || is_arrived(v.navigation, v.goal)) return {};
   return retry(v, now, out_of_time);
@@ -192,8 +215,9 @@ std::optional<Plan> FleetPlanner::cancel(VehicleEntry& v) {
 }
 
 std::optional<Plan> FleetPlanner::check_map(VehicleEntry& v, Stamp now, const OutOfTime& out_of_time) {
-  const bool is_kept = is_arrived(v.navigation, v.goal) ||
-                       (v.plan->outcome == PlanOutcome::kFound && !v.leads_to_nearest && is_rest_free(v));
+  const bool is_led_on = v.plan->outcome == PlanOutcome::kFound && !v.leads_to_nearest && zone_at_goal(v) == nullptr;
+  const bool is_kept = is_arrived(v.navigation, v.goal) || (is_led_on && is_rest_free(v));
+  v.is_doubted = false;
   if (!is_kept) return publish(v, plan_anew(v, PlanTrigger::kMapChanged, out_of_time), now);
 
   v.plan->map_id = map_id_;
@@ -231,10 +255,23 @@ Plan FleetPlanner::plan_anew(const VehicleEntry& v, PlanTrigger trigger, const O
   Plan plan = blank_plan(v);
   plan.trigger = trigger;
 
-  PlannedPath found = search(v, v.pose.any()->position(), v.goal->pose_in_map.position(), out_of_time);
-  if (found.outcome != Outcome::kFound) plan.detail = shortened(why(v, found.outcome, out_of_time));
+  const Point2 goal = v.goal->pose_in_map.position();
+  const fleet::Zone* zone = zone_at_goal(v);
+  const bool is_closed_floor = zone == nullptr || zone->kind == fleet::Zone::Kind::kKeepOut;
 
-  if (settings_.to_nearest && (found.outcome == Outcome::kNoPath || found.outcome == Outcome::kGoalBlocked)) {
+  PlannedPath found;
+  if (zone != nullptr) {
+    found.outcome = Outcome::kGoalBlocked;
+    plan.detail = fmt::format("the goal ({:.2f}, {:.2f}) lies in or too near to the {} zone {}", goal.x, goal.y,
+                              name(zone->kind), zone->id);
+  } else {
+    found = search(v, v.pose.any()->position(), goal, out_of_time);
+    if (found.outcome == Outcome::kStartBlocked) found = search_out_of_zone(v, out_of_time);
+    if (found.outcome != Outcome::kFound) plan.detail = shortened(why(v, found.outcome, out_of_time));
+  }
+
+  if (settings_.to_nearest && is_closed_floor &&
+      (found.outcome == Outcome::kNoPath || found.outcome == Outcome::kGoalBlocked)) {
     PlannedPath nearest = search_nearest(v, out_of_time);
 
     if (nearest.outcome == Outcome::kFound) {
@@ -308,7 +345,8 @@ PlannedPath FleetPlanner::search(const VehicleEntry& v, Point2 start_in_map, Poi
 
 /// What stands near an end is made smaller, so that the ends stay free: the traffic says whether they may be entered.
 std::vector<Point2> FleetPlanner::own_way(const std::string& agv_id, Point2 from_in_map, Point2 to_in_map,
-                                          const std::vector<Disc>& standing, const OutOfTime& out_of_time) {
+                                          const std::vector<Disc>& standing, const OutOfTime& out_of_time,
+                                          const std::vector<std::vector<Point2>>& closed) {
   const auto known = vehicles_.find(agv_id);
   if (known == vehicles_.end() || !known->second.radius_m || !known->second.goal || map_revision_ == 0) return {};
   const VehicleEntry& v = known->second;
@@ -322,7 +360,7 @@ std::vector<Point2> FleetPlanner::own_way(const std::string& agv_id, Point2 from
     if (disc.radius_m >= kSmallest_m && is_in_map(clearance_.geometry(), disc.center_in_map)) discs.push_back(disc);
   }
 
-  const StampedDiscs stamped(*grid_, clearance_, discs);
+  const StampedDiscs stamped(*grid_, clearance_, discs, closed);
   return search(v, from_in_map, to_in_map, out_of_time).waypoints_in_map;
 }
 
@@ -333,6 +371,40 @@ bool FleetPlanner::is_known_unreachable(const Problem& problem) const {
   if (!is_in_map(geometry, problem.start_in_map) || !is_in_map(geometry, problem.goal_in_map)) return false;
   return parts_.is_made_for(Drivable(problem)) &&
          parts_.are_apart(geometry.cell_at(problem.start_in_map), geometry.cell_at(problem.goal_in_map));
+}
+
+/// How: all cells around are looked at for the nearest in which the vehicle has its whole radius and margin.
+PlannedPath FleetPlanner::search_out_of_zone(const VehicleEntry& v, const OutOfTime& out_of_time) {
+  PlannedPath blocked;
+  blocked.outcome = Outcome::kStartBlocked;
+  const Point2 start = v.pose.any()->position();
+  const bool is_in_zone = std::any_of(zones_.begin(), zones_.end(), [&](const fleet::Zone& zone) {
+    return zone.kind == fleet::Zone::Kind::kKeepOut && fleet::distance_m(zone, start, start) < *v.radius_m;
+  });
+  if (!is_in_zone) return blocked;
+
+  const grid::Geometry& geometry = clearance_.geometry();
+  const double need_m = *v.radius_m + settings_.margin_m + geometry.resolution_m;
+  const grid::Cell middle = geometry.cell_at(start);
+  const int range = static_cast<int>(kLongestWayOut_m / geometry.resolution_m);
+  std::optional<Point2> nearest;
+
+  for (int y = std::max(0, middle.y - range); y <= std::min(middle.y + range, geometry.height - 1); ++y) {
+    for (int x = std::max(0, middle.x - range); x <= std::min(middle.x + range, geometry.width - 1); ++x) {
+      const Point2 centre = geometry.center_in_map({x, y});
+      const bool is_nearer = !nearest || geometry::distance(start, centre) < geometry::distance(start, *nearest);
+      if (is_nearer && clearance_.clearance_m(grid::Cell{x, y}) >= need_m) nearest = centre;
+    }
+  }
+  if (!nearest) return blocked;
+
+  PlannedPath found = search(v, *nearest, v.goal->pose_in_map.position(), out_of_time);
+  if (found.outcome != Outcome::kFound) return found;
+  found.waypoints_in_map.insert(found.waypoints_in_map.begin(), start);
+  found.length_m += geometry::distance(start, *nearest);
+  found.headings_rad.clear();
+
+  return found;
 }
 
 PlannedPath FleetPlanner::search_nearest(const VehicleEntry& v, const OutOfTime& out_of_time) {

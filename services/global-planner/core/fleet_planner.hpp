@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/fleet/zone.hpp"
 #include "common/geometry/footprint.hpp"
 #include "common/grid/clearance.hpp"
 #include "common/kinematics/limits.hpp"
@@ -45,6 +46,10 @@ class FleetPlanner {
   void set_map(const std::string& map_id, std::uint64_t revision, grid::OccupancyGrid&& grid, grid::Cell low,
                grid::Cell high) = delete;
 
+  /// Zones of the map. No goal may lie where nobody may enter or stop; that is said in words. The floor of keep-out
+  /// zones is occupied in the map that set_map() is given; a vehicle that stands there gets a way out of it.
+  void set_zones(const std::vector<fleet::Zone>& zones);
+
   /// Outline and model of a vehicle; makes it known.
   void set_vehicle(const std::string& agv_id, const VehicleShape& shape);
 
@@ -70,11 +75,13 @@ class FleetPlanner {
   /// The next plan to publish, after working for at most one vehicle; call it again until there is none.
   std::optional<Plan> step(time::Stamp now, const OutOfTime& out_of_time);
 
-  /// The vehicle's own way between two points of the map, around `standing` where that is possible; empty: none.
+  /// The vehicle's own way between two points of the map, around `standing` where that is possible, and not over
+  /// `closed`, polygons in map; empty: none.
   /// @pre the vehicle and the map are known
   std::vector<geometry::Point2> own_way(const std::string& agv_id, geometry::Point2 from_in_map,
                                         geometry::Point2 to_in_map, const std::vector<Disc>& standing,
-                                        const OutOfTime& out_of_time);
+                                        const OutOfTime& out_of_time,
+                                        const std::vector<std::vector<geometry::Point2>>& closed = {});
 
   /// The newest plan of the vehicle; null: none.
   const Plan* plan_of(const std::string& agv_id) const;
@@ -115,6 +122,7 @@ class FleetPlanner {
     Goal planned_for;              // the goal that the plan was made for
     bool leads_to_nearest{false};  // it cannot be reached: the plan ends at the nearest point that can
     bool is_taken_over{false};     // made under another leader
+    bool is_doubted{false};        // the zones have changed since
     PathProgress progress;
 
     time::Stamp next_attempt{};
@@ -144,6 +152,12 @@ class FleetPlanner {
 
   /// The next attempt is due after twice the time of the last one.
   void put_off(VehicleEntry& vehicle, time::Stamp now);
+
+  /// The zone that the vehicle's goal may not lie in; null: there is none.
+  const fleet::Zone* zone_at_goal(const VehicleEntry& vehicle) const;
+
+  /// From within a keep-out zone: straight to the nearest spot outside, and on to the goal.
+  PlannedPath search_out_of_zone(const VehicleEntry& vehicle, const OutOfTime& out_of_time);
 
   /// To the point nearest to the goal that can be reached.
   PlannedPath search_nearest(const VehicleEntry& v, const OutOfTime& out_of_time);
@@ -183,6 +197,7 @@ class FleetPlanner {
   const grid::OccupancyGrid* grid_{nullptr};
 
   grid::ClearanceField clearance_;
+  std::vector<fleet::Zone> zones_;
   ConnectedParts parts_;  // of the map, for the radius last asked for
   double reach_m_{2.0};   // the clearance field's cap; grows with the largest vehicle
   std::map<std::string, VehicleEntry> vehicles_;

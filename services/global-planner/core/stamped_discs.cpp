@@ -16,7 +16,7 @@ bool touches(const grid::Geometry& geometry, grid::Cell c, const Disc& disc) {
 }  // namespace
 
 StampedDiscs::StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField& clearance,
-                           const std::vector<Disc>& discs)
+                           const std::vector<Disc>& discs, const std::vector<std::vector<geometry::Point2>>& polygons)
     : grid_(grid), clearance_(clearance) {
   const grid::Geometry& geometry = grid.geometry();
   std::vector<grid::Cell> stamped;
@@ -41,7 +41,20 @@ StampedDiscs::StampedDiscs(const grid::OccupancyGrid& grid, grid::ClearanceField
     if (stamped.size() > before) windows_.push_back({low, high});
   }
 
-  // All discs first, then the field: windows may overlap, and each must see the cells of all discs.
+  for (const std::vector<geometry::Point2>& corners : polygons) {
+    const std::vector<grid::Cell> cells = grid::cells_touching(geometry, corners);
+    if (cells.empty()) continue;
+
+    Window window{cells.front(), cells.front()};
+    for (const grid::Cell cell : cells) {
+      window.low = {std::min(window.low.x, cell.x), std::min(window.low.y, cell.y)};
+      window.high = {std::max(window.high.x, cell.x), std::max(window.high.y, cell.y)};
+      if (grid.is_free(cell)) stamped.push_back(cell);
+    }
+    windows_.push_back(window);
+  }
+
+  // All of them first, then the field: windows may overlap, and each must see all cells.
   for (const Window& window : windows_) clearance_.update(grid_, window.low, window.high, stamped);
 }
 

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "common/fleet/any_vehicle.hpp"
+#include "common/grid/polygon_cells.hpp"
+#include "services/global-planner/core/traffic/zone_rules.hpp"
 
 namespace aisle::global_planner {
 namespace {
@@ -63,6 +65,11 @@ bool is_credible(const NavigationStatus& says) {
   return true;
 }
 
+bool has_keep_out(const std::vector<fleet::Zone>& zones) {
+  return std::any_of(zones.begin(), zones.end(),
+                     [](const fleet::Zone& zone) { return zone.kind == fleet::Zone::Kind::kKeepOut; });
+}
+
 double length_m(const std::vector<Point2>& way) {
   double sum_m = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) sum_m += geometry::distance(way[i - 1], way[i]);
@@ -80,6 +87,8 @@ std::unique_ptr<traffic::Coordinator> TrafficPlanner::new_coordinator() {
         return own_way(agv_id, from_in_map, to_in_map);
       });
 
+  coordinator->set_bare_map(has_keep_out(zones_) ? map_ : nullptr);
+  coordinator->set_zones(zones_, 0.0);
   if (map_revision_ > 0) coordinator->set_map(goals_.clearance(), {0, 0}, map_high_);
   for (const auto& [agv_id, entry] : vehicles_) coordinator->set_vehicle(agv_id, entry.kind);
   for (const std::string& agv_id : expected_) coordinator->expect(agv_id);
@@ -90,15 +99,60 @@ std::unique_ptr<traffic::Coordinator> TrafficPlanner::new_coordinator() {
 
 void TrafficPlanner::set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid,
                              grid::Cell low, grid::Cell high) {
-  goals_.set_map(map_id, revision, grid, low, high);
   const bool is_first = map_revision_ == 0 || map_id != map_id_;
 
+  map_ = &grid;
   map_id_ = map_id;
   map_revision_ = revision;
   map_high_ = {grid.geometry().width - 1, grid.geometry().height - 1};
+  use_map(is_first ? grid::Cell{0, 0} : low, is_first ? map_high_ : high);
+}
+
+void TrafficPlanner::use_map(grid::Cell low, grid::Cell high) {
+  const bool is_whole = !has_keep_out(zones_);
+  if (!is_whole) {
+    floor_ = *map_;
+    for (const fleet::Zone& zone : zones_)
+      if (zone.kind == fleet::Zone::Kind::kKeepOut)
+        for (const grid::Cell cell : grid::cells_touching(map_->geometry(), fleet::corners_of(zone)))
+          floor_.set(cell, grid::Occupancy::kOccupied);
+  }
+
+  goals_.set_map(map_id_, map_revision_, is_whole ? *map_ : floor_, low, high);
   if (settings_.as_printed) return;
 
-  coordinator_->set_map(goals_.clearance(), is_first ? grid::Cell{0, 0} : low, is_first ? map_high_ : high);
+  coordinator_->set_bare_map(is_whole ? nullptr : map_);
+  coordinator_->set_map(goals_.clearance(), low, high);
+}
+
+void TrafficPlanner::set_zones(const std::vector<fleet::Zone>& zones, Stamp now) {
+  if (zones == zones_) return;
+
+  // Of floor that is closed, or open again, the cells.
+  std::vector<grid::Cell> changed;
+  const auto note_changed = [&](const std::vector<fleet::Zone>& some, const std::vector<fleet::Zone>& others) {
+    for (const fleet::Zone& zone : some) {
+      const bool is_kept = std::find(others.begin(), others.end(), zone) != others.end();
+      if (zone.kind != fleet::Zone::Kind::kKeepOut || is_kept || map_ == nullptr) continue;
+      const std::vector<grid::Cell> cells = grid::cells_touching(map_->geometry(), fleet::corners_of(zone));
+      changed.insert(changed.end(), cells.begin(), cells.end());
+    }
+  };
+  note_changed(zones_, zones);
+  note_changed(zones, zones_);
+
+  zones_ = zones;
+  goals_.set_zones(zones_);
+  if (!changed.empty()) {
+    grid::Cell low = changed.front(), high = changed.front();
+    for (const grid::Cell cell : changed) {
+      low = {std::min(low.x, cell.x), std::min(low.y, cell.y)};
+      high = {std::max(high.x, cell.x), std::max(high.y, cell.y)};
+    }
+    use_map(low, high);
+  }
+  if (!settings_.as_printed) coordinator_->set_zones(zones_, time::seconds(now));
+  events_.push_back(fmt::format("the map has {} zones", zones_.size()));
 }
 
 void TrafficPlanner::set_vehicle(const fleet::Vehicle& vehicle) {
@@ -418,7 +472,17 @@ std::vector<Point2> TrafficPlanner::own_way(const std::string& agv_id, Point2 fr
   for (const auto& [id, thing] : standing_)
     standing.push_back({thing.disc.center_in_map, thing.disc.radius_m + wider_m});
 
-  return goals_.own_way(agv_id, from_in_map, to_in_map, standing, out_of_time_);
+  // Where the way leads against a one-way zone, it is looked for again with that zone closed.
+  std::vector<std::vector<Point2>> closed;
+  for (std::size_t tries = 0; tries <= zones_.size(); ++tries) {
+    std::vector<Point2> way = goals_.own_way(agv_id, from_in_map, to_in_map, standing, out_of_time_, closed);
+    const std::size_t before = closed.size();
+    for (const fleet::Zone& zone : zones_)
+      if (traffic::goes_against(zone, way)) closed.push_back(fleet::corners_of(zone));
+    if (closed.size() == before) return way;
+  }
+
+  return {};
 }
 
 fleet::TrafficStatus TrafficPlanner::status(Stamp now) const {

@@ -14,6 +14,7 @@
 #include "common/fleet/traffic_status.hpp"
 #include "common/fleet/vehicle.hpp"
 #include "common/fleet/vehicle_state.hpp"
+#include "common/fleet/zone.hpp"
 #include "services/global-planner/core/fleet_planner.hpp"
 #include "services/global-planner/core/seen_floor.hpp"
 #include "services/global-planner/core/traffic/coordinator.hpp"
@@ -47,6 +48,9 @@ class TrafficPlanner {
   /// See FleetPlanner::set_map.
   void set_map(const std::string& map_id, std::uint64_t revision, const grid::OccupancyGrid& grid, grid::Cell low,
                grid::Cell high);
+
+  /// Zones of the map; a change acts like an edit of it.
+  void set_zones(const std::vector<fleet::Zone>& zones, time::Stamp now);
 
   void set_vehicle(const fleet::Vehicle& vehicle);
   void set_state(const fleet::VehicleState& state, time::Stamp now);
@@ -115,6 +119,9 @@ class TrafficPlanner {
     std::optional<time::Stamp> lost;  // the tracker lost it then
   };
 
+  /// Plans on the map from now on, with the floor of keep-out zones occupied. @param low to `high`: cells that differ
+  void use_map(grid::Cell low, grid::Cell high);
+
   /// A coordinator that knows nothing yet but settings, map and vehicles.
   std::unique_ptr<traffic::Coordinator> new_coordinator();
 
@@ -152,6 +159,9 @@ class TrafficPlanner {
   std::string map_id_;
   std::uint64_t map_revision_{0};  // 0: no map yet
   grid::Cell map_high_{};
+  const grid::OccupancyGrid* map_{nullptr};
+  grid::OccupancyGrid floor_;  // the map with keep-out zones, when there are some
+  std::vector<fleet::Zone> zones_;
   std::map<std::string, Entry> vehicles_;
   std::set<std::string> expected_;  // vehicles whose build is not known yet
   std::map<std::uint64_t, Standing> standing_;

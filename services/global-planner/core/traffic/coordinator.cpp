@@ -36,6 +36,19 @@ void Coordinator::set_map(const grid::ClearanceField& clearance, grid::Cell low,
   has_changed_ = true;
 }
 
+void Coordinator::set_zones(const std::vector<fleet::Zone>& zones, double now_s) {
+  if (zones == roadmap_.zones().zones()) return;
+
+  roadmap_.set_zones(zones);
+  has_changed_ = true;
+  plans_changed();
+  sweep(now_s);
+
+  // Places of goals in the zones were made anew.
+  for (auto& [id, vehicle] : vehicles_)
+    if (vehicle.is_registered) set_agent_goal(vehicle, now_s);
+}
+
 /// One slice: first what became of the floor, then plans, then grants, which are never kept waiting.
 Orders Coordinator::step(double now_s) {
   is_busy_ = false;

@@ -94,6 +94,11 @@ class Coordinator {
   Coordinator(const Settings& settings, OwnWay own_way);
 
   void set_map(const grid::ClearanceField& clearance, grid::Cell low, grid::Cell high);
+
+  /// See Roadmap. A change of zones acts like an edit of the map: plans through them are made anew, and whoever is
+  /// inside may leave.
+  void set_zones(const std::vector<fleet::Zone>& zones, double now_s);
+  void set_bare_map(const grid::OccupancyGrid* map) { roadmap_.set_bare_map(map); }
   void set_vehicle(const std::string& agv_id, const Kind& kind);
 
   /// A vehicle of which others speak takes part, though its build is not known yet: until it was heard, or signed off,

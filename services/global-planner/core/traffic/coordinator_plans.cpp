@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "services/global-planner/core/traffic/coordinator.hpp"
@@ -23,7 +24,9 @@ double pitch_m(const Kind& kind, double gap_m) {
 
 /// The path in pieces of about the pitch. It is cut at its corners, so that no arc reaches over the end of a piece by
 /// more than the corner there; corners that follow each other closely stay within one piece.
-std::vector<std::vector<Point2>> cut_up(const std::vector<Point2>& path, double pitch) {
+/// @param may_stop may the vehicle stop here? Only there is the path cut.
+std::vector<std::vector<Point2>> cut_up(const std::vector<Point2>& path, double pitch,
+                                        const std::function<bool(Point2)>& may_stop) {
   std::vector<std::vector<Point2>> pieces;
   std::vector<Point2> piece{path.front()};
   double length = 0.0;
@@ -39,7 +42,7 @@ std::vector<std::vector<Point2>> cut_up(const std::vector<Point2>& path, double 
       length += leg / parts;
 
       const bool is_end = i + 1 == path.size() && part == parts;
-      if (length < kLeastPieceM && !is_end) continue;
+      if (!is_end && (length < kLeastPieceM || !may_stop(piece.back()))) continue;
 
       pieces.push_back(piece);
       piece.assign(1, piece.back());
@@ -242,7 +245,10 @@ std::vector<MotionId> Coordinator::own_way_motions(const VehicleEntry& vehicle) 
 
   std::vector<MotionId> motions;
   PlaceId last = begin;
-  std::vector<std::vector<Point2>> pieces = cut_up(path, pitch_m(vehicle.kind, settings_.gap_m));
+  const auto may_stop = [&](Point2 at) {
+    return !roadmap_.zones().forbid_stopping(standing_shape(vehicle.kind, {at.x, at.y, 0.0}));
+  };
+  std::vector<std::vector<Point2>> pieces = cut_up(path, pitch_m(vehicle.kind, settings_.gap_m), may_stop);
 
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     std::vector<Point2>& piece = pieces[i];

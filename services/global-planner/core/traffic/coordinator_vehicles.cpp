@@ -169,7 +169,7 @@ void Coordinator::rebase(VehicleEntry& vehicle, double now_s) {
   Agent* agent = plans_.find(vehicle.id);
   const bool has_lead_in = !vehicle.lead_in.path_in_map.empty();
   const std::uint64_t step = has_lead_in ? vehicle.said.step_done : agent->done;
-  const Shape body = standing_shape(vehicle.kind, vehicle.said.base_in_map);
+  const Shape body = roadmap_.zones().held(standing_shape(vehicle.kind, vehicle.said.base_in_map));
 
   const PlaceId place = roadmap_.temporary_place(vehicle.kind_id, vehicle.said.base_in_map);
   if (place == kNoId) return;  // it keeps the step, and is asked again
@@ -229,13 +229,14 @@ void Coordinator::register_vehicle(VehicleEntry& vehicle, double now_s) {
   Shape body = standing_shape(vehicle.kind, said.base_in_map);
   const Pose2 end = has_road ? said.held.back().base_in_map : said.base_in_map;
   if (has_road) body.add(swept_shape(vehicle.kind, lead_in.path_in_map, lead_in.headings_rad));
+  body = roadmap_.zones().held(std::move(body));
 
   lock_.force(vehicle.id, body);
   ask_back_around(vehicle, body, now_s);
   const PlaceId place = roadmap_.temporary_place(vehicle.kind_id, end);
   if (place == kNoId) return;
 
-  const Shape standing = standing_shape(vehicle.kind, end);
+  const Shape standing = roadmap_.zones().held(standing_shape(vehicle.kind, end));
   const std::vector<std::string> near = lock_.holders(vehicle.id, standing);
   if (!near.empty()) {
     vehicle.excepted.insert(near.begin(), near.end());

@@ -88,7 +88,7 @@ ShapeId Meetings::of_corner(MotionId before, MotionId after) {
   const Kind& kind = roadmap_.kind(first.kind);
   ShapeId shape = kNoId;
   if (kind.turns_on_the_spot() && way_in.size() > 1 && way_out.size() > 1) {
-    const Shape arc = corner_shape(kind, way_in[way_in.size() - 2], way_out.front(), way_out[1]);
+    const Shape arc = roadmap_.zones().held(corner_shape(kind, way_in[way_in.size() - 2], way_out.front(), way_out[1]));
     if (!arc.empty()) shape = add(arc);
   }
   of_corner_[before].push_back({after, shape});

@@ -49,6 +49,7 @@ void Roadmap::make_near(KindId kind, const Box& changed) {
   if (!nets_[kind].kind.turns_on_the_spot()) {
     take_away_blocked(kind, region);
     make_steered_places(kind, region);
+    make_ways_through(kind, region);
     ++revision_;
     seconds_to_.clear();
     return;
@@ -58,6 +59,7 @@ void Roadmap::make_near(KindId kind, const Box& changed) {
   make_turning_places(kind, {*clearance_, region, window, true});
   for (auto& closure : closures_)
     if (touch(closure.second.shape.box(), region)) make_room(closure.second);
+  make_ways_through(kind, region);
   find_corridors(kind);
 
   ++revision_;
@@ -186,7 +188,7 @@ Roadmap::Ids Roadmap::make_turning_places(KindId kind, const Work& work) {
 bool Roadmap::is_spur(PlaceId id) const {
   PlaceId only = kNoId;
   for (const MotionId m : places_[id]->leaving) {
-    if (motions_[m]->is_temporary || motions_[m]->is_closed) continue;
+    if (motions_[m]->is_temporary || motions_[m]->is_closed || places_[motions_[m]->to]->is_pass_only) continue;
     if (only != kNoId) return false;
     only = motions_[m]->to;
   }
@@ -195,7 +197,7 @@ bool Roadmap::is_spur(PlaceId id) const {
   int others = 0;
   for (const MotionId m : places_[only]->leaving) {
     const Motion& motion = *motions_[m];
-    if (motion.is_temporary || motion.is_closed || motion.to == id) continue;
+    if (motion.is_temporary || motion.is_closed || motion.to == id || places_[motion.to]->is_pass_only) continue;
     if (meet(motion.shape, places_[id]->standing, gap_m_)) return false;
     ++others;
   }
@@ -209,6 +211,7 @@ void Roadmap::find_corridors(KindId kind) {
   std::vector<std::uint32_t> index_of(places_.size(), kNoId);
   for (PlaceId id = 0; id < places_.size(); ++id) {
     if (!places_[id] || places_[id]->kind != kind || places_[id]->is_temporary) continue;
+    if (places_[id]->is_pass_only) continue;  // the motions through its zone count
     index_of[id] = static_cast<std::uint32_t>(ids.size());
     ids.push_back(id);
   }
@@ -216,7 +219,8 @@ void Roadmap::find_corridors(KindId kind) {
   std::vector<std::vector<std::uint32_t>> neighbours(ids.size());
   for (std::size_t i = 0; i < ids.size(); ++i) {
     const auto add = [&](const Motion& motion, PlaceId other) {
-      if (!motion.is_temporary && !motion.is_closed) neighbours[i].push_back(index_of[other]);
+      const bool is_open = !motion.is_temporary && !motion.is_closed && index_of[other] != kNoId;
+      if (is_open) neighbours[i].push_back(index_of[other]);
     };
     for (const MotionId motion : places_[ids[i]]->leaving) add(*motions_[motion], motions_[motion]->to);
     for (const MotionId motion : places_[ids[i]]->entering) add(*motions_[motion], motions_[motion]->from);
@@ -227,7 +231,7 @@ void Roadmap::find_corridors(KindId kind) {
   const Cuts cuts = find_cuts(neighbours);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     places_[ids[i]]->corridor = is_spur(ids[i]) ? kNoId : cuts.corridor[i];
-    places_[ids[i]]->may_rest = !cuts.is_cut[i] && !places_[ids[i]]->is_closed;
+    places_[ids[i]]->may_rest = !cuts.is_cut[i] && !places_[ids[i]]->is_closed && !places_[ids[i]]->is_kept_clear;
   }
   for (const PlaceId id : temporary_places_)
     if (places_[id] && places_[id]->kind == kind) settle_temporary(id);

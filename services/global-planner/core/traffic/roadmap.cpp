@@ -100,7 +100,11 @@ PlaceId Roadmap::add_place(KindId kind, const geometry::Pose2& base_in_map, bool
   place->kind = kind;
   place->has_heading = has_heading;
   place->is_temporary = is_temporary;
-  place->standing = standing_shape(nets_[kind].kind, base_in_map);
+  place->standing = zones_.held(standing_shape(nets_[kind].kind, base_in_map));
+  place->is_pass_only = place->is_closed = zones_.forbid_stopping(place->standing);
+  place->is_kept_clear = zones_.forbid_resting(place->standing);
+  place->may_rest = !place->is_kept_clear;
+  place_closed_by_[id] = place->is_closed ? 1 : 0;
 
   const Point2 at = base_in_map.position();
   if (!is_temporary) nets_[kind].places.add({at, at}, id);
@@ -126,6 +130,10 @@ MotionId Roadmap::add_motion(Motion motion) {
     motion.exit_rad = motion.headings_rad.back();
   }
   if (motion.shape.empty()) motion.shape = swept_shape(kind, motion.path_in_map, motion.headings_rad);
+  motion.speed_mps = zones_.speed_mps(motion.shape, motion.speed_mps);
+  motion.shape = zones_.held(std::move(motion.shape));
+  motion.is_closed = motion.is_blocked = zones_.forbid_way(motion.path_in_map);
+  motion_closed_by_[id] = motion.is_closed ? 1 : 0;
 
   places_[motion.from]->leaving.push_back(id);
   places_[motion.to]->entering.push_back(id);

@@ -14,6 +14,7 @@
 #include "services/global-planner/core/traffic/floor_bins.hpp"
 #include "services/global-planner/core/traffic/lattice.hpp"
 #include "services/global-planner/core/traffic/shape.hpp"
+#include "services/global-planner/core/traffic/zone_rules.hpp"
 
 namespace aisle::global_planner::traffic {
 
@@ -30,6 +31,8 @@ struct Place {
   bool may_rest{true};       // false: a vehicle without a goal does not stay here (cut of the roadmap, zone)
   bool is_temporary{false};  // a start, goal or cut of an own way; gone when it is left
   bool is_closed{false};
+  bool is_pass_only{false};       // in a zone where nobody may stop: closed, but for who is inside and leaves
+  bool is_kept_clear{false};      // nobody rests here by choice: see ZoneRules::forbid_resting
   std::uint32_t corridor{kNoId};  // where two cannot pass: all places of a corridor have one number
 
   Shape standing;
@@ -52,8 +55,9 @@ struct Motion {
   bool is_temporary{false};
   bool is_closed{false};
   Shape shape;             // swept from place to place, tube included
-  bool is_blocked{false};  // closed by something that stands there; a motion that is closed and not blocked was taken
-                           // away by an edit: whoever is inside may leave by it
+  bool is_blocked{false};  // closed by something that stands there, or by a one-way zone; a motion that is closed and
+                           // not blocked was taken away by an edit: whoever is inside may leave by it
+  bool is_through{false};  // leads through a zone where nobody may stop, from one side to another
 };
 
 /// Places and motions of all kinds of vehicles, made from the map alone. Ids survive edits elsewhere. No lane is drawn
@@ -76,6 +80,15 @@ class Roadmap {
   /// A new map: only what lies near the changed cells (`low` to `high`, both included) is made anew; all of it where
   /// the map's size or place changed. `clearance` is not copied and must outlive the next call.
   void set_map(const grid::ClearanceField& clearance, grid::Cell low, grid::Cell high);
+
+  /// Zones of the map; what lies in those that changed is made anew, as after an edit of the map. Floor that nobody may
+  /// enter is no affair of it: it is occupied in the clearance.
+  void set_zones(const std::vector<fleet::Zone>& zones);
+  const ZoneRules& zones() const { return zones_; }
+
+  /// The map itself, in which floor that nobody may enter is free, so that a vehicle which stands there finds a way
+  /// out. Must outlive the next call. Null: there is no such floor.
+  void set_bare_map(const grid::OccupancyGrid* map) { bare_map_ = map; }
 
   /// Of an id that has ended: a closed one without neighbours.
   const Place& place(PlaceId id) const;
@@ -188,6 +201,13 @@ class Roadmap {
   PlaceId pose_id(KindId kind, std::int64_t number) const;
   void forget_pose(PlaceId id);
 
+  // --- zones.cpp
+  void make_anew_in(const fleet::Zone& zone);
+  void make_ways_through(KindId kind, const Box& region);
+  std::vector<Motion> ways_through_from(PlaceId entrance) const;
+  bool has_way_round(PlaceId from, PlaceId to, double most_m) const;
+  bool join_out_of_keep_out(PlaceId id);
+
   // --- temporary.cpp
   void join_temporary(PlaceId id);
   bool join_straight(PlaceId id, double reach_m);
@@ -204,6 +224,8 @@ class Roadmap {
   void closures_changed();
 
   double gap_m_;
+  ZoneRules zones_;
+  const grid::OccupancyGrid* bare_map_{nullptr};
   const grid::ClearanceField* clearance_{nullptr};
   grid::Geometry geometry_;
   std::vector<Net> nets_;                       // by kind

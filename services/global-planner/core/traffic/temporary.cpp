@@ -85,7 +85,7 @@ void Roadmap::join_temporary(PlaceId id) {
   }
   for (const double reach_m : kStraightReachM)
     if (join_straight(id, reach_m)) return;
-  join_by_search(id);
+  if (!join_by_search(id)) join_out_of_keep_out(id);
 }
 
 bool Roadmap::join_straight(PlaceId id, double reach_m) {

@@ -135,11 +135,12 @@ bool WayFinder::go(Agent& agent, double now_s, const Terms& terms) {
   return true;
 }
 
-/// May the vehicle stand there without being in the way? Strict: at a place of rest, outside corridors.
-bool WayFinder::is_spare(const Agent& agent, PlaceId place, bool is_strict) const {
+/// May the vehicle stand there without being in the way?
+bool WayFinder::is_spare(const Agent& agent, PlaceId place, Rest rest) const {
   const Place& here = roadmap_.place(place);
   if (here.is_closed || here.is_temporary) return false;
-  if (is_strict && (!here.may_rest || here.corridor != kNoId)) return false;
+  if (rest != Rest::kAny && (!here.may_rest || here.corridor != kNoId)) return false;
+  if (rest == Rest::kParking && !roadmap_.zones().is_parking(here.base_in_map.position())) return false;
 
   for (const auto& [id, other] : timetable_.agents()) {
     if (other.number == agent.number || other.goal == kNoId) continue;
@@ -148,9 +149,9 @@ bool WayFinder::is_spare(const Agent& agent, PlaceId place, bool is_strict) cons
   return true;
 }
 
-bool WayFinder::find_rest(Agent& agent, double now_s, const Terms& terms, bool is_strict) {
+bool WayFinder::find_rest(Agent& agent, double now_s, const Terms& terms, Rest rest) {
   const Departure from = departure(agent, now_s);
-  const Destination to{kNoId, [&](PlaceId place) { return is_spare(agent, place, is_strict); }};
+  const Destination to{kNoId, [&](PlaceId place) { return is_spare(agent, place, rest); }};
   for (const double soft_rest_s : {kForEver, terms.soft_rest_s}) {
     const auto legs = search_.find(from, to, view_of(agent, now_s, soft_rest_s));
     if (!legs) continue;
@@ -166,7 +167,8 @@ bool WayFinder::leave(Agent& agent, double now_s, const Terms& terms) {
     if (search_.is_free_for_ever(timetable_.granted_end(agent), arrival_s, view_of(agent, now_s, kForEver)))
       return true;
   }
-  return find_rest(agent, now_s, terms, true) || find_rest(agent, now_s, terms, false);
+  if (roadmap_.zones().has_parking() && find_rest(agent, now_s, terms, Rest::kParking)) return true;
+  return find_rest(agent, now_s, terms, Rest::kStrict) || find_rest(agent, now_s, terms, Rest::kAny);
 }
 
 bool WayFinder::go_or_leave(Agent& agent, double now_s, const Terms& terms) {
@@ -233,7 +235,7 @@ PlaceId WayFinder::queue_place(const Agent& agent, double now_s) {
   const View view = view_of(agent, now_s, kForEver);
   for (const auto& [to_goal_s, place] : near) {
     if (to_goal_s > mouth_s + kQueueToS) break;
-    if (to_goal_s < mouth_s + kQueueFromS || !is_spare(agent, place, true)) continue;
+    if (to_goal_s < mouth_s + kQueueFromS || !is_spare(agent, place, Rest::kStrict)) continue;
     if (search_.is_free_for_ever(place, now_s + kQueueToS, view)) return place;
   }
   return kNoId;
@@ -242,7 +244,7 @@ PlaceId WayFinder::queue_place(const Agent& agent, double now_s) {
 void WayFinder::queue(Agent& agent, double now_s) {
   const PlaceId rest = timetable_.rest_place(agent);
   const bool is_near = search_.alone_s(rest, agent.goal) < kQueueToS;
-  if (is_near && is_spare(agent, rest, true)) {
+  if (is_near && is_spare(agent, rest, Rest::kStrict)) {
     if (search_.is_free_for_ever(rest, timetable_.end_s(agent, now_s), view_of(agent, now_s, kForEver))) return;
   }
 

@@ -69,12 +69,15 @@ class WayFinder {
     double end_s{0.0};
   };
 
+  /// Where a vehicle may rest: anywhere; at a place of rest, outside corridors; at one of these in a parking zone.
+  enum class Rest { kAny, kStrict, kParking };
+
   View view_of(const Agent& agent, double now_s, double soft_rest_s) const;
   std::optional<Choice> choose(const Agent& agent, const View& view, const Terms& terms);
   void leave_out_detours(const Departure& from, const View& view, std::vector<Leg>& legs);
   MotionId motion_between(PlaceId from, PlaceId to) const;
-  bool is_spare(const Agent& agent, PlaceId place, bool is_strict) const;
-  bool find_rest(Agent& agent, double now_s, const Terms& terms, bool is_strict);
+  bool is_spare(const Agent& agent, PlaceId place, Rest rest) const;
+  bool find_rest(Agent& agent, double now_s, const Terms& terms, Rest rest);
   PlaceId queue_place(const Agent& agent, double now_s);
   bool clear(const Agent& agent, double now_s, const Terms& terms, std::size_t depth);
 

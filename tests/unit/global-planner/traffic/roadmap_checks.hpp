@@ -20,6 +20,16 @@ inline constexpr double kNeedM = 0.45;
 
 inline Kind cart() { return {}; }
 
+inline Kind forklift() {
+  Kind kind;
+  kind.footprint = geometry::rectangle(2.4, 1.1, 0.4);
+  kind.limits.model = kinematics::Model::kTricycle;
+  kind.limits.max_speed_mps = 1.0;
+  kind.tube_m = 0.12;
+  kind.turning_radius_m = 1.17;
+  return kind;
+}
+
 struct Made {
   Roadmap roadmap;
   KindId kind;

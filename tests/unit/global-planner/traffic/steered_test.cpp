@@ -14,16 +14,6 @@ namespace {
 using geometry::Point2;
 using geometry::Pose2;
 
-Kind forklift() {
-  Kind kind;
-  kind.footprint = geometry::rectangle(2.4, 1.1, 0.4);
-  kind.limits.model = kinematics::Model::kTricycle;
-  kind.limits.max_speed_mps = 1.0;
-  kind.tube_m = 0.12;
-  kind.turning_radius_m = 1.17;
-  return kind;
-}
-
 /// A block of racks with aisles of 4 m round it.
 FloorMap ring() {
   std::vector<std::string> lines{std::string(42, '#')};
