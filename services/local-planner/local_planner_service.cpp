@@ -32,11 +32,16 @@ const Variant& chosen_variant(const std::string& name) {
 LocalPlannerService::LocalPlannerService(service::Shell& shell, const ServiceConfig& config)
     : shell_(shell),
       agv_id_(shell.agv_id()),
-      map_(shell.map({},
-                     [this](const grid::OccupancyGrid&, const grid::ClearanceField& clearance, grid::Cell, grid::Cell) {
-                       inputs_.clearance = &clearance;
-                       inputs_.map_revision = map_.revision();
-                     })),
+      map_(shell.map(
+          {},
+          [this](const grid::OccupancyGrid& grid, const grid::ClearanceField& clearance, grid::Cell, grid::Cell) {
+            keep_out_.set_map(grid, clearance);
+            inputs_.map_revision = map_.revision();
+          },
+          [this](const std::vector<fleet::Zone>& zones) {
+            keep_out_.set_zones(zones);
+            inputs_.zones = zones;
+          })),
       planner_(make_planner(config.settings, config.variant)),
       commands_(shell.outbox<topics::VelocityCommand>()),
       statuses_(shell.outbox<topics::NavigationStatus>()) {
@@ -180,6 +185,11 @@ void LocalPlannerService::cycle() {
 
   for (const auto& [id, peer] : peers_)
     if (peer.state_arrived != time::Stamp{}) inputs_.peers.push_back(peer);
+
+  const std::optional<geometry::Pose2> base =
+      inputs_.state.seen() ? std::optional(inputs_.state.any()->base_in_map) : std::nullopt;
+  const double reach_m = inputs_.vehicle ? geometry::reach_m(inputs_.vehicle->footprint) : 0.0;
+  inputs_.clearance = keep_out_.clearance(inputs_.vehicle ? base : std::nullopt, reach_m);
 
   if (before_cycle_) before_cycle_();
   const time::Stamp begun = shell_.now();

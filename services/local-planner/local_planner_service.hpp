@@ -10,6 +10,7 @@
 
 #include "common/fleet/plan_authority.hpp"
 #include "common/service/shell.hpp"
+#include "services/local-planner/core/keep_out.hpp"
 #include "services/local-planner/core/orders.hpp"
 #include "services/local-planner/core/planner.hpp"
 
@@ -100,6 +101,7 @@ class LocalPlannerService {
   std::unique_ptr<Planner> planner_;
   std::function<void(const Output&)> on_cycle_;  // may be empty
   std::function<void()> before_cycle_;           // may be empty
+  KeepOut keep_out_;
   Inputs inputs_;
 
   fleet::PlanAuthority plan_authority_;

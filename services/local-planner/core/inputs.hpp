@@ -11,6 +11,7 @@
 #include "common/fleet/track.hpp"
 #include "common/fleet/vehicle.hpp"
 #include "common/fleet/vehicle_state.hpp"
+#include "common/fleet/zone.hpp"
 #include "common/geometry/footprint.hpp"
 #include "common/grid/clearance.hpp"
 #include "common/kinematics/vehicle_model.hpp"
@@ -57,9 +58,10 @@ struct Inputs {
   time::Stamp tracker_heard{};  // arrival of its newest status, whoever's scan it tells of; 0: never
   time::Stamp tracker_alive{};  // the newest that told of a new scan of this vehicle's own lidar; 0: never
   std::vector<SeenTrack> tracks;
-  std::vector<Peer> peers;        // all that were heard; those near here are looked at
-  bool authority_lost{false};     // the vehicle obeys a higher epoch than ours
-  bool is_held_by_person{false};  // the vehicle does not move, whatever it is told
+  std::vector<Peer> peers;           // all that were heard; those near here are looked at
+  bool authority_lost{false};        // the vehicle obeys a higher epoch than ours
+  bool is_held_by_person{false};     // the vehicle does not move, whatever it is told
+  std::vector<fleet::Zone> zones{};  // of the map; the floor of those that keep out is occupied in `clearance`
 };
 
 /// Something that happened in this cycle, for the log.

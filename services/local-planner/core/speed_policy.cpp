@@ -29,6 +29,8 @@ constexpr double kCrossesAheadM = 5.0;   // so far ahead,
 constexpr double kBesideWayM = 0.1;      // or so near beside it;
 constexpr double kThroughBeforeS = 0.7;  // the vehicle may be through so long before,
 constexpr double kBeforeWalkerM = 0.4;   // or stands so far away
+constexpr double kBesideZoneM = 0.1;     // so near beside a zone with a speed it is in it,
+constexpr double kBeforeZoneM = 0.3;     // and so far before it has that speed
 constexpr double kPersonGapRate = 0.5;   // m/s a metre of gap beyond
 
 /// The speed from which it brakes to a stand within the distance: v = sqrt(2 a d).
@@ -87,6 +89,35 @@ double cap_before_crossing_mps(const SpeedQuestion& question, const Mover& mover
   return std::numeric_limits<double>::infinity();
 }
 
+/// What brakes in comfort before the zone's speed holds; infinity: the vehicle does not come to it soon.
+///
+/// How: the zone is looked for along the way, and straight ahead, over the distance that it takes to brake to the
+/// zone's speed.
+double cap_before_zone_mps(const SpeedQuestion& question, const fleet::Zone& zone, double s_m, double braking_mps2) {
+  constexpr double kLookM = 0.1;
+  const Moment& moment = question.moment;
+  const geometry::Pose2& then = moment.motion.base_then;
+  const double reach_m = moment.vehicle.reach_m() + kBesideZoneM;
+  const double top_mps = moment.vehicle.limits.max_speed_mps;
+  const double brakes_m =
+      std::max(0.0, top_mps * top_mps - zone.max_speed_mps * zone.max_speed_mps) / (2.0 * braking_mps2) + kBeforeZoneM;
+
+  const auto is_in = [&](Point2 at) { return fleet::distance_m(zone, at, at) < reach_m; };
+  if (is_in(then.position())) return zone.max_speed_mps;
+  if (fleet::distance_m(zone, then.position(), then.position()) > reach_m + brakes_m)
+    return std::numeric_limits<double>::infinity();
+
+  const Point2 ahead{std::cos(then.yaw), std::sin(then.yaw)};
+  for (double on_m = kLookM; on_m <= brakes_m; on_m += kLookM) {
+    if (!is_in(question.way.current().at(s_m + on_m)) && !is_in(then.position() + on_m * ahead)) continue;
+
+    const double left_m = std::max(0.0, on_m - kLookM - kBeforeZoneM);
+    return std::sqrt(zone.max_speed_mps * zone.max_speed_mps + 2.0 * braking_mps2 * left_m);
+  }
+
+  return std::numeric_limits<double>::infinity();
+}
+
 /// Where the target is far off the heading: the part of the full speed that leads towards it.
 double cap_turned_away_mps(const Moment& moment, Point2 target_in_map) {
   const geometry::Pose2& then = moment.motion.base_then;
@@ -131,6 +162,10 @@ double speed_cap_mps(const SpeedQuestion& question, const Settings& settings) {
     for (const Mover& mover : question.around.movers)
       if (mover.velocity_in_map != Point2{})
         cap = std::min(cap, cap_before_crossing_mps(question, mover, s_m, settings.comfort_mps2));
+
+  for (const fleet::Zone& zone : moment.inputs.zones)
+    if (zone.kind == fleet::Zone::Kind::kSpeed)
+      cap = std::min(cap, cap_before_zone_mps(question, zone, s_m, settings.comfort_mps2));
 
   for (const Mover& mover : question.around.movers) {
     if (!way.backs_off() && stays_behind(moment, mover)) continue;

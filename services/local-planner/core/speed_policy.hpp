@@ -30,6 +30,7 @@ struct SpeedQuestion {
 /// - a careful speed, while the plan is of an older map;
 /// - in a tube, what brakes in comfort before each place of the way that a walker comes to in the next seconds, if the
 ///   vehicle is not through well before;
+/// - the speed of each zone that the vehicle is in, and what brakes in comfort before one;
 /// - what the distance to each person allows: 0.25 m/s beside one, 0.5 m/s more a metre of gap; and a creep beside
 ///   what stood for long and came there on its feet. Who is behind the vehicle, and stays there, does not count.
 double speed_cap_mps(const SpeedQuestion& question, const Settings& settings);
