@@ -108,6 +108,8 @@ void RefereeService::listen_to_map_and_services() {
   shell_.inbox<topics::MapEditResult>(
       [this](const fleet::MapEditResult& answer, const Sender& from) { take(answer, from); });
 
+  shell_.inbox<topics::MapZones>([this](const fleet::MapZones& map) { judge_.zones_seen(map.zones); });
+
   shell_.inbox<topics::ServiceHealth>([this](const fleet::ServiceHealth& health, const Sender& from) {
     judge_.health_arrived(
         {health.instance_id, health.service, from.by.boot_id, health.cpu_percent, health.resident_mb});

@@ -18,6 +18,8 @@ const char* name_of(Kind kind) {
       return "sequence_went_back";
     case Kind::kBeyondGrant:
       return "beyond_grant";
+    case Kind::kZoneBreached:
+      return "zone_breached";
     case Kind::kFloorHeldTwice:
       return "floor_held_twice";
     case Kind::kStalePlan:

@@ -25,7 +25,15 @@ struct VehicleReport {
 
 /// A vehicle followed a command that it should have refused.
 struct AuthorityViolation {
-  enum class Kind { kForeignVehicle, kEpochWentBack, kSequenceWentBack, kStalePlan, kBeyondGrant, kFloorHeldTwice };
+  enum class Kind {
+    kForeignVehicle,
+    kEpochWentBack,
+    kSequenceWentBack,
+    kStalePlan,
+    kBeyondGrant,
+    kFloorHeldTwice,
+    kZoneBreached
+  };
 
   Kind kind;
   std::string agv_id;

@@ -26,6 +26,7 @@ Judge::VehicleBook& Judge::vehicle(const std::string& agv_id) {
 /// Persons and blocks are traced for the picture; vehicles get their book.
 void Judge::body_seen(const BodySample& sample) {
   contacts_.see(sample);
+  zones_.body_seen(sample);
 
   if (sample.kind != BodyKind::kVehicle) {
     trace_body(sample);
@@ -64,7 +65,10 @@ void Judge::trace_body(const BodySample& sample) {
   }
 }
 
-void Judge::body_gone(const std::string& id) { contacts_.gone(id); }
+void Judge::body_gone(const std::string& id) {
+  contacts_.gone(id);
+  zones_.body_gone(id);
+}
 
 void Judge::vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands) {
   authority_.vehicle_reported(report);
@@ -239,7 +243,7 @@ RunReport Judge::finish(double t_s) {
   report.contacts = contacts_.contacts();
   report.clearances = contacts_.clearances();
   report.violations = authority_.violations();
-  for (const auto* more : {&grants_.violations(), &floor_.violations()})
+  for (const auto* more : {&grants_.violations(), &floor_.violations(), &zones_.violations()})
     report.violations.insert(report.violations.end(), more->begin(), more->end());
   std::stable_sort(report.violations.begin(), report.violations.end(),
                    [](const AuthorityViolation& a, const AuthorityViolation& b) { return a.t_s < b.t_s; });

@@ -9,6 +9,7 @@
 #include "tools/referee/core/floor_watch.hpp"
 #include "tools/referee/core/grant_watch.hpp"
 #include "tools/referee/core/run_report.hpp"
+#include "tools/referee/core/zone_watch.hpp"
 
 namespace aisle::referee {
 
@@ -73,6 +74,7 @@ class Judge {
   /// Ground truth; of one body in order of time.
   void body_seen(const BodySample& sample);
   void body_gone(const std::string& id);
+  void zones_seen(const std::vector<fleet::Zone>& zones) { zones_.zones_seen(zones); }
 
   /// What the vehicles and the services say, each at its arrival.
   void vehicle_reported(const VehicleReport& report, std::uint64_t refused_commands);
@@ -100,7 +102,8 @@ class Judge {
   const ContactWatch& contacts() const { return contacts_; }
   const GoalBook& goals() const { return goals_; }
   std::size_t violations() const {
-    return authority_.violations().size() + grants_.violations().size() + floor_.violations().size();
+    return authority_.violations().size() + grants_.violations().size() + floor_.violations().size() +
+           zones_.violations().size();
   }
   int vehicles_seen() const { return static_cast<int>(vehicles_.size()); }
 
@@ -149,6 +152,7 @@ class Judge {
   AuthorityWatch authority_;
   GrantWatch grants_;
   FloorWatch floor_;
+  ZoneWatch zones_;
   GoalBook goals_;
   Expectation expectation_;
   std::map<std::string, VehicleBook> vehicles_;
