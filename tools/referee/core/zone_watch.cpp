@@ -56,7 +56,7 @@ bool ZoneWatch::is_in(const Zone& zone, const BodySample& sample) {
   return std::abs(inside.x) < half_length_m && std::abs(inside.y) < half_width_m;
 }
 
-double ZoneWatch::speed_mps(const Vehicle& vehicle) {
+double ZoneWatch::speed_mps(const Watched& vehicle) {
   const BodySample &first = vehicle.past.front(), &last = vehicle.past.back();
   const double passed_s = last.t_s - first.t_s;
   if (passed_s < 0.5 * kPast_s) return 0.0;
@@ -71,7 +71,7 @@ void ZoneWatch::body_seen(const BodySample& sample) {
     return;
   }
 
-  Vehicle& vehicle = vehicles_[sample.id];
+  Watched& vehicle = vehicles_[sample.id];
   if (!vehicle.past.empty() && vehicle.past.back().boot_id != sample.boot_id) vehicle = {};
   vehicle.past.push_back(sample);
   while (vehicle.past.back().t_s - vehicle.past.front().t_s > kPast_s) vehicle.past.pop_front();
@@ -102,7 +102,7 @@ bool ZoneWatch::is_before_something(const BodySample& sample) const {
   });
 }
 
-std::string ZoneWatch::breach_of(const Zone& zone, const std::string& agv_id, const Vehicle& vehicle,
+std::string ZoneWatch::breach_of(const Zone& zone, const std::string& agv_id, const Watched& vehicle,
                                  Stay& stay) const {
   const BodySample& now = vehicle.past.back();
 
@@ -148,7 +148,7 @@ std::string ZoneWatch::breach_of(const Zone& zone, const std::string& agv_id, co
   return {};
 }
 
-void ZoneWatch::judge(const Zone& zone, const std::string& agv_id, Vehicle& vehicle, Stay& stay) {
+void ZoneWatch::judge(const Zone& zone, const std::string& agv_id, Watched& vehicle, Stay& stay) {
   if (stay.is_excused || stay.is_told) return;
 
   const std::string breach = breach_of(zone, agv_id, vehicle, stay);

@@ -53,7 +53,7 @@ class ZoneWatch {
     double fast_since_s{-1.0};  // negative: it is not too fast
   };
 
-  struct Vehicle {
+  struct Watched {
     std::deque<BodySample> past;  // of the last second or so
     double stands_since_s{0.0};
     std::set<std::string> known;        // zones that it was looked at for
@@ -64,16 +64,16 @@ class ZoneWatch {
   static bool is_in(const fleet::Zone& zone, const BodySample& sample);
 
   /// Of the base over the last samples.
-  static double speed_mps(const Vehicle& vehicle);
+  static double speed_mps(const Watched& vehicle);
 
-  void judge(const fleet::Zone& zone, const std::string& agv_id, Vehicle& vehicle, Stay& stay);
+  void judge(const fleet::Zone& zone, const std::string& agv_id, Watched& vehicle, Stay& stay);
   bool is_before_something(const BodySample& sample) const;
 
   /// What is wrong with the stay now; empty: nothing.
-  std::string breach_of(const fleet::Zone& zone, const std::string& agv_id, const Vehicle& vehicle, Stay& stay) const;
+  std::string breach_of(const fleet::Zone& zone, const std::string& agv_id, const Watched& vehicle, Stay& stay) const;
 
   std::vector<fleet::Zone> zones_;
-  std::map<std::string, Vehicle> vehicles_;
+  std::map<std::string, Watched> vehicles_;
   std::map<std::string, BodySample> others_;  // people and things
   std::vector<AuthorityViolation> violations_;
 };
