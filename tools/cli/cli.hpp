@@ -99,6 +99,7 @@ void add_experiment_papers(CLI::App& parent, Cli& cli);
 void add_experiment_global(CLI::App& parent, Cli& cli);
 void add_experiment_local(CLI::App& parent, Cli& cli);
 void add_experiment_suite(CLI::App& parent, Cli& cli);
+void add_experiment_swarm(CLI::App& parent, Cli& cli);
 void add_experiment_tracking(CLI::App& parent, Cli& cli);
 void add_experiment_traffic(CLI::App& parent, Cli& cli);
 void add_lab_list(CLI::App& parent, Cli& cli);

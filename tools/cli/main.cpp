@@ -62,6 +62,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_experiment_global(experiment, cli);
   add_experiment_local(experiment, cli);
   add_experiment_suite(experiment, cli);
+  add_experiment_swarm(experiment, cli);
   add_experiment_tracking(experiment, cli);
   add_experiment_traffic(experiment, cli);
 

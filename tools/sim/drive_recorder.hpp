@@ -27,6 +27,12 @@ class DriveRecorder {
   /// Puts its figures into `result`.
   void fill(Result& result) const;
 
+  /// Where this vehicle truly is; none before it was heard of.
+  std::optional<geometry::Point2> place_in_map(const std::string& agv_id) const {
+    const auto vehicle = vehicles_.find(agv_id);
+    return vehicle == vehicles_.end() ? std::nullopt : vehicle->second.place_in_map;
+  }
+
   /// FNV-1a over the true poses of all bodies with their stamps, in the order in which they were
   /// published.
   std::uint64_t trace_hash() const { return trace_hash_; }

@@ -20,8 +20,10 @@ struct Blueprint {
   bool is_world{false};
   std::function<std::shared_ptr<void>(service::Shell&)> make;
 
+  std::string role{};  // of several of a service: what tells this one from the others
+
   /// "local-planner-agv-1": its instance id, its name in fault plans, and its host.
-  std::string name() const { return agv_id.empty() ? service : service + "-" + agv_id; }
+  std::string name() const { return service + (agv_id.empty() ? "" : "-" + agv_id) + (role.empty() ? "" : "-" + role); }
 };
 
 /// One process of a simulated site, on a host of its own: a service on a simulated bus, and a disk that outlives it.

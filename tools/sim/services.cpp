@@ -44,8 +44,9 @@ std::shared_ptr<void> make_map(const Setup& setup, service::Shell& shell) {
       shell, map::MapStore(std::move(base), std::move(journal), {}, setup.scenario.zones));
 }
 
-std::shared_ptr<void> make_global_planner(const Setup& setup, service::Shell& shell) {
+std::shared_ptr<void> make_global_planner(const Setup& setup, bool is_standby, service::Shell& shell) {
   global_planner::ServiceConfig config;
+  config.standby = is_standby;
   config.planner = setup.planner;
   config.parameters = setup.planner_parameters;
   config.fleet = setup.fleet;
@@ -165,7 +166,8 @@ std::vector<Blueprint> blueprints_of(const Setup& setup, Hindrances& hindrances,
 
   std::vector<Blueprint> all;
   all.push_back({"map", "", !kIsWorld, with(make_map)});
-  all.push_back({"global-planner", "", !kIsWorld, with(make_global_planner)});
+  all.push_back({"global-planner", "", !kIsWorld,
+                 [&setup](service::Shell& shell) { return make_global_planner(setup, false, shell); }});
   all.push_back({"obstacle-tracker", "", !kIsWorld, with(make_tracker)});
   all.push_back({"fake-world", "", kIsWorld, with(make_world)});
 
@@ -180,6 +182,12 @@ std::vector<Blueprint> blueprints_of(const Setup& setup, Hindrances& hindrances,
   }
 
   all.push_back({"dispatcher", "", !kIsWorld, with(make_dispatcher)});
+
+  if (setup.has_standby_planner) {
+    const auto make = [&setup](service::Shell& shell) { return make_global_planner(setup, true, shell); };
+    all.push_back({"global-planner", "", !kIsWorld, make, "standby"});
+  }
+
   return all;
 }
 

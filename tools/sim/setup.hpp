@@ -36,6 +36,7 @@ struct Setup {
   std::uint64_t seed{1};
   global_planner::Parameters planner_parameters{};  // of `planner`; those that are not set are as published
   global_planner::FleetSettings fleet{};            // of the global planner
+  bool has_standby_planner{false};                  // a second global planner, "global-planner-standby"
 };
 
 }  // namespace aisle::sim

@@ -211,11 +211,16 @@ class Site {
       case Kind::kDeath:
         return end_for_good(find(action.process), action.fault);
       case Kind::kSignOff:
-        if (!supervisor_) supervisor_.emplace(network_);
-        supervisor_->sign_off(find(action.process).blueprint().agv_id);
-        return true;
+        return sign_off(find(action.process).blueprint().agv_id);
     }
     return false;
+  }
+
+  /// By a person that sees where the vehicle stands.
+  bool sign_off(const std::string& agv_id) {
+    if (!supervisor_) supervisor_.emplace(network_);
+    supervisor_->sign_off(agv_id, recorder_.place_in_map(agv_id));
+    return true;
   }
 
   /// Its body stays in the world, and says nothing to any service.

@@ -45,9 +45,10 @@ void Supervisor::take(const fleet::TrafficStatus& status, std::uint32_t epoch) {
 
 void Supervisor::look() {
   for (const fleet::SilentVehicle& vehicle : silent_) {
-    if (signed_off_.count(vehicle.agv_id) == 0) continue;
+    const auto sign_off = signed_off_.find(vehicle.agv_id);
+    if (sign_off == signed_off_.end()) continue;
 
-    auto sample = wire::encode(fleet::SignOff{vehicle.agv_id, std::nullopt});
+    auto sample = wire::encode(sign_off->second);
     sample.by(stamper_.next());
     writer_.write(sample);
   }

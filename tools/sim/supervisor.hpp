@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
-#include <set>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "common/bus/simulated/network.hpp"
+#include "common/fleet/sign_off.hpp"
 #include "common/fleet/traffic_status.hpp"
 #include "common/service/origin_stamper.hpp"
 
@@ -21,8 +23,11 @@ class Supervisor {
   Supervisor(const Supervisor&) = delete;
   Supervisor& operator=(const Supervisor&) = delete;
 
-  /// From now on this vehicle is signed off whenever the leader counts it among the silent.
-  void sign_off(const std::string& agv_id) { signed_off_.insert(agv_id); }
+  /// From now on this vehicle is signed off whenever the leader counts it among the silent. `place_in_map`: where it is
+  /// seen; none: nobody knows.
+  void sign_off(const std::string& agv_id, const std::optional<geometry::Point2>& place_in_map) {
+    signed_off_[agv_id] = {agv_id, place_in_map};
+  }
 
  private:
   /// Gives its word for the vehicles that the leader waits for.
@@ -33,7 +38,7 @@ class Supervisor {
   std::unique_ptr<bus::simulated::SimulatedBus> bus_;
   service::OriginStamper stamper_;
   bus::Writer<topics::SignOff> writer_;
-  std::set<std::string> signed_off_;
+  std::map<std::string, fleet::SignOff> signed_off_;
 
   std::uint32_t epoch_{0};  // of the newest leader
   std::vector<fleet::SilentVehicle> silent_;
