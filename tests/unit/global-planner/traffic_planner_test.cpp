@@ -447,5 +447,96 @@ TEST_F(PrintedFleet, HasPlansWithoutStepsAndNoGrants) {
   EXPECT_TRUE(grants_.empty());
 }
 
+/// agv-1 in the left half, and a zone.
+class ZonedFleet : public TrafficFleet {
+ protected:
+  ZonedFleet() { arrive("agv-1", {3.0, 5.0, 0.0}); }
+
+  void set_zone(fleet::Zone::Kind kind, Point2 low, Point2 high, double direction_rad = 0.0) {
+    zone_.id = "dock";
+    zone_.kind = kind;
+    zone_.points_in_map = {low, high};
+    zone_.direction_rad = direction_rad;
+    planner_.set_zones({zone_}, now_);
+  }
+
+  fleet::Zone zone_;
+};
+
+TEST_F(ZonedFleet, AGoalWhereNobodyMayEnterOrStopIsRefusedByTheZonesName) {
+  for (const fleet::Zone::Kind kind : {fleet::Zone::Kind::kKeepOut, fleet::Zone::Kind::kNoStopping}) {
+    set_zone(kind, {14.0, 4.0}, {18.0, 6.0});
+    send_goal("agv-1", fleet::name(kind), {18.1, 5.0, 0.0});
+    run(1.0);
+    EXPECT_EQ(newest_plan("agv-1").outcome, PlanOutcome::kGoalBlocked);
+    EXPECT_NE(newest_plan("agv-1").detail.find(std::string(fleet::name(kind)) + " zone dock"), std::string::npos)
+        << newest_plan("agv-1").detail;
+  }
+
+  planner_.set_zones({}, now_);
+  run(1.0);
+  EXPECT_TRUE(newest_plan("agv-1").is_found());
+}
+
+TEST_F(ZonedFleet, AKeepOutZoneThatIsMadeUnderWayActsLikeAnEdit) {
+  send_goal("agv-1", "goal", {17.0, 5.0, 0.0});
+  run(1.0);
+  ASSERT_TRUE(is_near_its_way("agv-1", {10.1, 5.0}, 0.5));
+
+  set_zone(fleet::Zone::Kind::kKeepOut, {9.5, 3.5}, {10.7, 6.5});
+  for (int i = 0; i < 40 && !is_near_its_way("agv-1", {10.1, 8.9}, 0.6); ++i) {
+    says_["agv-1"].grant_number = grants_.at("agv-1").number;
+    says_["agv-1"].limit_step = grants_.at("agv-1").limit_step;
+    run(0.1);
+  }
+  EXPECT_TRUE(is_near_its_way("agv-1", {10.1, 8.9}, 0.6));
+  EXPECT_FALSE(is_near_its_way("agv-1", {10.1, 5.0}, 1.0));
+}
+
+TEST_F(ZonedFleet, AVehicleThatStandsInAKeepOutZoneLeavesIt) {
+  set_zone(fleet::Zone::Kind::kKeepOut, {2.0, 4.0}, {4.0, 6.0});
+  send_goal("agv-1", "goal", {7.0, 5.0, 0.0});
+  run(1.0);
+  ASSERT_TRUE(newest_plan("agv-1").is_found());
+  EXPECT_GT(grants_.at("agv-1").limit_m, 1.0);
+}
+
+TEST_F(ZonedFleet, AOneWayZoneIsNotPassedTheWrongWay) {
+  set_zone(fleet::Zone::Kind::kOneWay, {9.0, 3.5}, {11.2, 6.5}, geometry::kPi);
+  send_goal("agv-1", "goal", {17.0, 5.0, 0.0});
+  run(1.0);
+  EXPECT_TRUE(is_near_its_way("agv-1", {10.1, 8.9}, 0.6));
+}
+
+TEST_F(ZonedFleet, AOneWayZoneIsPassedTheRightWay) {
+  set_zone(fleet::Zone::Kind::kOneWay, {9.0, 3.5}, {11.2, 6.5});
+  send_goal("agv-1", "goal", {17.0, 5.0, 0.0});
+  run(1.0);
+  EXPECT_TRUE(is_near_its_way("agv-1", {10.1, 5.0}, 0.6));
+}
+
+TEST_F(ZonedFleet, NoStepEndsWhereNobodyMayStop) {
+  arrive("agv-2", {17.0, 2.0, 0.0});
+  set_zone(fleet::Zone::Kind::kNoStopping, {8.0, 0.0}, {13.0, 10.0});
+  send_goal("agv-1", "goal", {17.0, 5.0, 0.0});
+  run(1.0);
+  const Plan& plan = newest_plan("agv-1");
+  ASSERT_TRUE(plan.is_found());
+
+  for (const double end_m : plan.step_ends_m) {
+    double left_m = end_m;
+    for (std::size_t i = 1; i < plan.waypoints_in_map.size(); ++i) {
+      const Point2 from = plan.waypoints_in_map[i - 1], to = plan.waypoints_in_map[i];
+      const double leg_m = geometry::distance(from, to);
+      if (left_m <= leg_m + 1e-9) {
+        const Point2 at = from + (leg_m > 0.0 ? left_m / leg_m : 0.0) * (to - from);
+        EXPECT_GE(fleet::distance_m(zone_, at, at), kRadiusM) << at.x << " " << at.y;
+        break;
+      }
+      left_m -= leg_m;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace aisle::global_planner
