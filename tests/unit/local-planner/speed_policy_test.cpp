@@ -58,6 +58,23 @@ TEST_F(SpeedCap, IsCarefulWhileThePlanIsOfAnOlderMap) {
   EXPECT_DOUBLE_EQ(cap(), settings.cautious_mps);
 }
 
+TEST_F(SpeedCap, BrakesInComfortBeforeASpeedZoneAndKeepsToItsSpeedInside) {
+  fleet::Zone zone;
+  zone.id = "zone";
+  zone.kind = fleet::Zone::Kind::kSpeed;
+  zone.max_speed_mps = 0.3;
+
+  const double free_mps = cap();
+  zone.points_in_map = {{4.02, 4.0}, {5.0, 6.0}};
+  stage.inputs.zones = {zone};
+  EXPECT_NEAR(cap(), std::sqrt(0.09 + 2.0 * settings.comfort_mps2 * 0.2), 1e-9) << "0.2 m are left";
+
+  stage.inputs.zones[0].points_in_map = {{2.0, 4.0}, {4.0, 6.0}};
+  EXPECT_DOUBLE_EQ(cap(), 0.3);
+  stage.inputs.zones[0].points_in_map = {{3.0, 5.6}, {5.0, 7.0}};
+  EXPECT_DOUBLE_EQ(cap(), free_mps) << "it drives past the zone";
+}
+
 TEST_F(SpeedCap, LeavesRoomToPeople) {
   stage.around.movers = {mover({5.0, 5.0}, true, false)};
   EXPECT_NEAR(cap(), 0.25 + 0.5 * (2.0 - 0.35 - 0.25 - 0.2), 1e-9);

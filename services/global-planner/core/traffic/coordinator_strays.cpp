@@ -68,6 +68,7 @@ void Coordinator::hold_body(VehicleEntry& vehicle, double now_s) {
 
   Shape body = wider(standing_shape(vehicle.kind, vehicle.said.base_in_map), stops_in_m);
   body.add(floor_of_lead_in(vehicle));
+  body = roadmap_.zones().held(std::move(body));
   lock_.force(vehicle.id, body);
   if (now_s >= vehicle.asked_around_s + kAskAgainS) {
     vehicle.asked_around_s = now_s;
@@ -89,7 +90,7 @@ void Coordinator::hold_body(VehicleEntry& vehicle, double now_s) {
 /// The floor of its lead-in, which is forced as long as it has one.
 Shape Coordinator::floor_of_lead_in(const VehicleEntry& vehicle) const {
   if (vehicle.lead_in.path_in_map.empty()) return {};
-  return swept_shape(vehicle.kind, vehicle.lead_in.path_in_map, vehicle.lead_in.headings_rad);
+  return roadmap_.zones().held(swept_shape(vehicle.kind, vehicle.lead_in.path_in_map, vehicle.lead_in.headings_rad));
 }
 
 /// It had no tube while it was alone. Until it names a plan with one it may be beside its road; once it stands at the
