@@ -23,6 +23,7 @@ namespace {
 struct SwarmOrders {
   int seed{1};
   double simulated_s{1000.0};
+  bool verbose{false};
 };
 
 /// Sums over the runs.
@@ -82,7 +83,15 @@ int drive_swarm(const Cli& cli, const SwarmOrders& orders) {
                               orders.simulated_s, totals.bad));
 
     const sim::SwarmCase swarm = sim::swarm_case(seed);
-    const sim::SwarmVerdict verdict = sim::drive_swarm_case(swarm, [] { return !is_interrupted(); });
+    if (orders.verbose)
+      std::fprintf(stderr, "# seed %llu\n%s", static_cast<unsigned long long>(seed), sim::to_yaml(swarm.plan).c_str());
+
+    sim::Hooks hooks;
+    hooks.goes_on = [](double) { return !is_interrupted(); };
+    if (orders.verbose)
+      hooks.says = [](const std::string& line) { std::fprintf(stderr, "%s\n", printable(line).c_str()); };
+
+    const sim::SwarmVerdict verdict = sim::drive_swarm_case(swarm, hooks);
     if (is_interrupted()) break;
 
     totals.add(swarm, verdict);
@@ -110,6 +119,7 @@ void add_experiment_swarm(CLI::App& parent, Cli& cli) {
       "nothing moved within 5 s of the last fault")
       .option("--seed", orders->seed, 0, 1'000'000'000, "of the first run; the next one has the next seed")
       .option("--simulated-s", orders->simulated_s, 1.0, 1e7, "runs begin until so many seconds are simulated")
+      .flag("--verbose", orders->verbose, "fault plans, what happened, and what services log, on stderr")
       .runs([&cli, orders] { return drive_swarm(cli, *orders); });
 }
 

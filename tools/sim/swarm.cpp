@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -202,14 +203,18 @@ class Onlooker {
 /// Counts the goals of the living, and names those that are lost.
 void judge_goals(const SwarmCase& swarm, const std::vector<Pose2>& vehicles_in_map, SwarmVerdict& verdict) {
   std::set<std::string> reached;
-  for (const referee::GoalRecord& goal : verdict.outcome.report.goals)
+  std::map<std::string, std::string> why_not;
+  for (const referee::GoalRecord& goal : verdict.outcome.report.goals) {
+    why_not[goal.goal_id] = goal.reason;
     if (goal.outcome == referee::GoalOutcome::kReached) reached.insert(goal.goal_id);
+  }
 
   for (std::size_t i = 0; i < swarm.setup.scenario.vehicles.size(); ++i) {
     const std::string& agv_id = swarm.setup.scenario.vehicles[i].id;
     if (is_dead(swarm, agv_id)) continue;
 
     std::vector<bool> is_reachable;
+    bool waits_for_good = false;  // for a goal that is closed off: it is given no later one
     for (int k = 0; k < kGoals; ++k) {
       const std::string goal_id = fmt::format("{}/{}", agv_id, k);
       ++verdict.goals;
@@ -222,8 +227,9 @@ void judge_goals(const SwarmCase& swarm, const std::vector<Pose2>& vehicles_in_m
 
       const Point2 goal = swarm.setup.scenario.missions[i].goals_in_map[static_cast<std::size_t>(k)].position();
       const grid::Geometry& geometry = swarm.setup.grid.geometry();
-      if (is_reachable[geometry.index(geometry.cell_at(goal))])
-        verdict.failures.push_back(goal_id + " is not reached");
+      waits_for_good = waits_for_good || !is_reachable[geometry.index(geometry.cell_at(goal))];
+      if (!waits_for_good)
+        verdict.failures.push_back(goal_id + " is not reached: " + why_not[goal_id]);
       else
         ++verdict.closed_off;
     }
@@ -262,15 +268,21 @@ SwarmCase swarm_case(std::uint64_t seed) {
   return swarm;
 }
 
-SwarmVerdict drive_swarm_case(const SwarmCase& swarm, const std::function<bool()>& goes_on) {
+SwarmVerdict drive_swarm_case(const SwarmCase& swarm, const Hooks& caller) {
   Onlooker onlooker(swarm);
   Hooks hooks;
   hooks.watch = [&](const Snapshot& now) { onlooker.look(now); };
-  hooks.goes_on = [&](double) { return !onlooker.is_over() && (!goes_on || goes_on()); };
+  hooks.says = caller.says;
+
+  bool is_stopped = false;
+  hooks.goes_on = [&](double t_s) {
+    is_stopped = is_stopped || (caller.goes_on && !caller.goes_on(t_s));
+    return !is_stopped && !onlooker.is_over();
+  };
 
   SwarmVerdict verdict;
   verdict.outcome = drive(swarm.setup, {swarm.plan, swarm.setup.seed}, hooks);
-  if (goes_on && !goes_on()) return verdict;
+  if (is_stopped) return verdict;
 
   // Contacts, floor and authority are the referee's.
   for (const referee::Contact& contact : verdict.outcome.report.contacts)

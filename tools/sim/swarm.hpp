@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,17 +23,17 @@ SwarmCase swarm_case(std::uint64_t seed);
 /// What a run of the swarm gave.
 struct SwarmVerdict {
   Outcome outcome;
-  int goals{0};                       // of the vehicles that live
-  int reached{0};                     // of them
-  int closed_off{0};                  // of those not reached: a dead body stands there, or in the only way
-  double stood_s{0.0};                // from the last fault's end until a vehicle with a goal to reach moved
+  int goals{0};         // of the vehicles that live
+  int reached{0};       // of them
+  int closed_off{0};    // of those not reached: a dead body stands there, or in the only way; and those behind them
+  double stood_s{0.0};  // from the last fault's end until a vehicle with a goal to reach moved
   std::vector<std::string> failures;  // empty: the run is good
 };
 
 /// Drives the case and judges it: no contact of a moving vehicle, no violation of authority (floor held twice among
 /// them), every goal of the living reached unless it is closed off, and within kMovesAgainS of the last fault's end
-/// some vehicle with a goal to reach moves. `goes_on` is asked each simulated second; it may be empty.
-SwarmVerdict drive_swarm_case(const SwarmCase& swarm, const std::function<bool()>& goes_on = {});
+/// some vehicle with a goal to reach moves. `caller`: its goes_on and says; a run that it stops is not judged.
+SwarmVerdict drive_swarm_case(const SwarmCase& swarm, const Hooks& caller = {});
 
 inline constexpr double kMovesAgainS = 5.0;
 
