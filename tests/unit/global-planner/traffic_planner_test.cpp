@@ -538,5 +538,47 @@ TEST_F(ZonedFleet, NoStepEndsWhereNobodyMayStop) {
   }
 }
 
+TEST_F(ZonedFleet, ZonesThatAreMadeUnderWayAreObeyedBehindTheRoadThatIsGranted) {
+  arrive("agv-2", {17.0, 1.5, 0.0});
+  for (const fleet::Zone::Kind kind : {fleet::Zone::Kind::kNoStopping, fleet::Zone::Kind::kOneVehicle}) {
+    const bool leads_right = poses_.at("agv-1").x < 10.0;
+    const std::string goal = fleet::name(kind);
+    send_goal("agv-1", goal, {leads_right ? 17.0 : 3.0, 5.0, 0.0});
+    run(1.0);
+    set_zone(kind, {8.0, 0.0}, {13.0, 10.0});
+
+    for (int i = 0; i < 40 && geometry::distance(poses_.at("agv-1").position(), {leads_right ? 17.0 : 3.0, 5.0}) > 0.1;
+         ++i) {
+      run(0.3);
+      drive_to_limit("agv-1");
+      const Point2 at = poses_.at("agv-1").position();
+      const bool may_stop = kind != fleet::Zone::Kind::kNoStopping || fleet::distance_m(zone_, at, at) >= kRadiusM;
+      EXPECT_TRUE(may_stop) << at.x;
+    }
+    EXPECT_NEAR(poses_.at("agv-1").x, leads_right ? 17.0 : 3.0, 0.1) << goal;
+  }
+  EXPECT_EQ(planner_.status(now_).refused, 0u);
+  EXPECT_EQ(planner_.status(now_).circles, 0u);
+}
+
+TEST_F(ZonedFleet, AVehicleWaitsOutsideAZoneForOneUntilTheOtherIsOut) {
+  arrive("agv-2", {14.0, 5.0, 0.0});
+  set_zone(fleet::Zone::Kind::kOneVehicle, {8.0, 0.0}, {15.0, 10.0});
+  send_goal("agv-1", "goal", {18.0, 8.0, 0.0});
+  for (int i = 0; i < 20; ++i) {
+    run(0.3);
+    if (grants_.count("agv-1") > 0) drive_to_limit("agv-1");
+  }
+  EXPECT_LT(poses_.at("agv-1").x, 8.0 - kRadiusM) << "agv-2 stands in the zone";
+  EXPECT_EQ(grants_.at("agv-1").waits_for, std::vector<std::string>{"agv-2"});
+
+  for (int i = 0; i < 30; ++i) {
+    run(0.3);
+    for (const std::string id : {"agv-1", "agv-2"})
+      if (grants_.count(id) > 0 && plans_.count(id) > 0) drive_to_limit(id);
+  }
+  EXPECT_NEAR(poses_.at("agv-1").x, 18.0, 0.1) << "agv-2 was sent out of the zone";
+}
+
 }  // namespace
 }  // namespace aisle::global_planner
