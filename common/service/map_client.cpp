@@ -11,6 +11,7 @@ using std::chrono::milliseconds;
 namespace {
 constexpr milliseconds kLookEvery{100};
 constexpr milliseconds kAskForInfoAfter{1000};
+constexpr milliseconds kZonesWithin{1000};
 constexpr std::size_t kMaxReasons = 16;
 }  // namespace
 
@@ -29,7 +30,10 @@ MapClient::MapClient(bus::Bus& bus, const std::string& requester_id, const Optio
     if (info.kind == bus::SampleKind::kData) take(sample);
   });
 
-  bus_.every(kLookEvery, [this] { ask_for_missing(); });
+  bus_.every(kLookEvery, [this] {
+    ask_for_missing();
+    tell_first_map();
+  });
 }
 
 void MapClient::take(const aisle::MapInfo& sample) {
@@ -64,6 +68,7 @@ void MapClient::take(const aisle::MapZones& sample) {
 
   zones_source_ = source_id;
   set_zones(*std::move(zones));
+  tell_first_map();
 }
 
 void MapClient::set_zones(fleet::MapZones zones) {
@@ -99,9 +104,24 @@ void MapClient::note(grid::MapMirror::Change change) {
     }
   }
 
+  if (has_told_map_) return tell_map(mirror_.changed_low(), mirror_.changed_high());
+
+  if (!whole_since_) whole_since_ = bus_.now();
+  tell_first_map();
+}
+
+/// Revisions may have come while it was held back: all of the grid is new.
+void MapClient::tell_first_map() {
+  if (has_told_map_ || !whole_since_) return;
+  if (!has_zones() && bus_.now() - *whole_since_ < kZonesWithin) return;
+
+  has_told_map_ = true;
+  tell_map({0, 0}, {grid().geometry().width - 1, grid().geometry().height - 1});
+}
+
+void MapClient::tell_map(grid::Cell low, grid::Cell high) {
   const std::size_t count = on_map_.size();  // what a handler adds is called from the next map on
-  for (std::size_t i = 0; i < count; ++i)
-    on_map_[i](mirror_.grid(), clearance_, mirror_.changed_low(), mirror_.changed_high());
+  for (std::size_t i = 0; i < count; ++i) on_map_[i](mirror_.grid(), clearance_, low, high);
 }
 
 /// Asking counts as progress, so that requests keep their distance.

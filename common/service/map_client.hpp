@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -50,7 +51,9 @@ class MapClient {
   MapClient(const MapClient&) = delete;
   MapClient& operator=(const MapClient&) = delete;
 
-  /// Called in the loop after each revision that became complete. Several handlers are called in turn.
+  /// Called in the loop after each revision that became complete; for the first time when the map's zones were heard as
+  /// well, so that no vehicle drives through a zone that is about to be heard, or a second later: a map service from
+  /// before there were zones says none. Several handlers are called in turn.
   void on_map(OnMap handler) { on_map_.push_back(std::move(handler)); }
 
   /// Called in the loop when the map's zones change, for the first time when they are heard first and are not empty.
@@ -93,6 +96,12 @@ class MapClient {
   void take(const aisle::MapTile& sample);
   void take(const aisle::MapZones& sample);
 
+  /// Calls the map's handlers.
+  void tell_map(grid::Cell low, grid::Cell high);
+
+  /// The first map, unless it is not complete, was told already, or its zones may still come.
+  void tell_first_map();
+
   /// Calls the handlers when the zones are others than before.
   void set_zones(fleet::MapZones zones);
 
@@ -116,6 +125,8 @@ class MapClient {
   grid::MapMirror mirror_;
   grid::ClearanceField clearance_;
   std::uint64_t hash_{0};
+  std::optional<time::Stamp> whole_since_;  // when the first map was complete
+  bool has_told_map_{false};
   std::deque<OnMap> on_map_;  // a handler may add one: those before it stay where they are
   std::deque<OnZones> on_zones_;
   std::string map_source_;  // which wrote map_info; empty before the first

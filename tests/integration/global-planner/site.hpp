@@ -43,6 +43,7 @@ class Site {
         grid(grid::Geometry{200, 100, 0.1, {}}),
         infos_(bus.writer<topics::MapInfo>()),
         tiles_(bus.writer<topics::MapTile>()),
+        zones_(bus.writer<topics::MapZones>()),
         vehicles_(bus.writer<topics::VehicleInfo>()),
         states_(bus.writer<topics::VehicleState>()),
         goals_(bus.writer<topics::Goal>()),
@@ -91,6 +92,10 @@ class Site {
     aisle::MapInfo sample = wire::encode(summary);
     stamp(sample.by());
     infos_.write(sample);
+
+    aisle::MapZones zones = wire::encode(fleet::MapZones{"hall", revision, {}});
+    stamp(zones.by());
+    zones_.write(zones);
   }
 
   void add_vehicle(const std::string& id, const geometry::Pose2& pose) {
@@ -171,6 +176,7 @@ class Site {
   service::OriginStamper origin_{bus, "site", 1};
   bus::Writer<topics::MapInfo> infos_;
   bus::Writer<topics::MapTile> tiles_;
+  bus::Writer<topics::MapZones> zones_;
   bus::Writer<topics::VehicleInfo> vehicles_;
   bus::Writer<topics::VehicleState> states_;
   bus::Writer<topics::Goal> goals_;

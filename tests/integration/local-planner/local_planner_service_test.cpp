@@ -49,6 +49,7 @@ class Site {
         agv_id_(agv_id),
         infos_(bus.writer<topics::MapInfo>()),
         tiles_(bus.writer<topics::MapTile>()),
+        zones_(bus.writer<topics::MapZones>()),
         vehicles_(bus.writer<topics::VehicleInfo>()),
         states_(bus.writer<topics::VehicleState>()),
         plans_(bus.writer<topics::Plan>()),
@@ -88,6 +89,10 @@ class Site {
     aisle::MapInfo sample = wire::encode(summary);
     sample.by(origin(sequence_++));
     infos_.write(sample);
+
+    aisle::MapZones zones = wire::encode(fleet::MapZones{"hall", 1, {}});
+    zones.by(origin(sequence_++));
+    zones_.write(zones);
   }
 
   void publish_vehicle() {
@@ -165,6 +170,7 @@ class Site {
   std::string agv_id_;
   bus::Writer<topics::MapInfo> infos_;
   bus::Writer<topics::MapTile> tiles_;
+  bus::Writer<topics::MapZones> zones_;
   bus::Writer<topics::VehicleInfo> vehicles_;
   bus::Writer<topics::VehicleState> states_;
   bus::Writer<topics::Plan> plans_;
