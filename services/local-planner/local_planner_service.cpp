@@ -126,7 +126,7 @@ void LocalPlannerService::take(const fleet::Plan& plan, const fleet::Origin& by)
   if (verdict == fleet::PlanVerdict::kAccepted) {
     fleet::Plan taken = plan;
     taken.position_tolerance_m = std::max(kLeastTolerance_m, plan.position_tolerance_m);
-    orders_.take(taken, by.epoch);
+    if (!orders_.take(taken, {by.epoch, by.boot_id})) shell_.count("refused_plan_outranked");
     return;
   }
 
@@ -139,16 +139,17 @@ void LocalPlannerService::take(const fleet::Plan& plan, const fleet::Origin& by)
 void LocalPlannerService::take(const fleet::Grant& grant, const fleet::Origin& by) {
   plan_authority_.hear(by.epoch);
   if (grant.agv_id != agv_id_) return;
-  if (!orders_.take(grant, by.epoch)) shell_.count("refused_grant_old");
+  if (!orders_.take(grant, {by.epoch, by.boot_id})) shell_.count("refused_grant_old");
 }
 
 void LocalPlannerService::take(const fleet::TrafficStatus& status, const fleet::Origin& by) {
-  if (by.epoch < orders_.epoch()) return;
-  if (by.epoch > orders_.epoch()) heard_beat_ = 0;
-
-  orders_.hear(by.epoch);
+  const fleet::Claim claim{by.epoch, by.boot_id};
+  const fleet::Claim before = orders_.obeyed();
+  orders_.hear(claim);
   plan_authority_.hear(by.epoch);
-  heard_beat_ = std::max(heard_beat_, status.beat);
+  if (claim != orders_.obeyed()) return;
+
+  heard_beat_ = claim == before ? std::max(heard_beat_, status.beat) : status.beat;
 }
 
 void LocalPlannerService::take_status(const fleet::TrackingStatus& status, const std::string& source,
@@ -215,7 +216,7 @@ void LocalPlannerService::cycle() {
 }
 
 bool LocalPlannerService::has_news(const Output& output) const {
-  return orders_.epoch() != told_epoch_ || output.road.step_done != told_steps_done_ ||
+  return orders_.obeyed() != told_leader_ || output.road.step_done != told_steps_done_ ||
          output.road.limit_step != told_limit_step_ || output.road.grant_number != told_grant_;
 }
 
@@ -263,7 +264,10 @@ void LocalPlannerService::write_status(const Output& output) {
   status.limit_step = told_limit_step_ = output.road.limit_step;
   status.limit_m = output.road.limit_m;
   status.grant_number = told_grant_ = output.road.grant_number;
-  status.traffic_epoch = told_epoch_ = orders_.epoch();
+  told_leader_ = orders_.obeyed();
+  status.traffic_epoch = told_leader_.epoch;
+  status.traffic_boot_id = told_leader_.boot_id;
+  status.grant_boot_id = orders_.granted_by().boot_id;
   status.heard_beat = heard_beat_;
   status.stray_m = output.road.stray_m;
   status.wants_room = output.road.wants_room;

@@ -106,8 +106,8 @@ class LocalPlannerService {
 
   fleet::PlanAuthority plan_authority_;
   Orders orders_;
-  std::uint64_t heard_beat_{0};       // of the leader of orders_.epoch()
-  std::uint32_t told_epoch_{0};       // in the newest status
+  std::uint64_t heard_beat_{0};       // of the planner that is obeyed
+  fleet::Claim told_leader_;          // in the newest status
   std::uint64_t told_steps_done_{0};  // likewise,
   std::uint64_t told_limit_step_{0};  // and what it answers to the grant of this number
   std::uint64_t told_grant_{0};

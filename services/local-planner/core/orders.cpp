@@ -1,8 +1,5 @@
 #include "services/local-planner/core/orders.hpp"
 
-#include <algorithm>
-#include <tuple>
-
 namespace aisle::local_planner {
 namespace {
 
@@ -11,48 +8,56 @@ bool has_road(const fleet::Plan& plan) { return plan.is_found() && !plan.step_en
 
 }  // namespace
 
-void Orders::hear(std::uint32_t epoch) { epoch_ = std::max(epoch_, epoch); }
+void Orders::hear(const fleet::Claim& by) {
+  if (obeyed_.epoch == 0 || outranks(by, obeyed_)) obeyed_ = by;
+}
 
-void Orders::take(const fleet::Plan& plan, std::uint32_t epoch) {
-  hear(epoch);
-  const bool is_repeated = plan_ && plan.id == plan_->id && epoch == plan_epoch_;
+bool Orders::take(const fleet::Plan& plan, const fleet::Claim& by) {
+  hear(by);
+  if (by != obeyed_) return false;
+
+  const bool is_repeated = plan_ && plan.id == plan_->id && by == plan_by_;
   const bool stands_anyway = !plan_ || !has_road(*plan_);
   next_ = plan;
-  next_epoch_ = epoch;
+  next_by_ = by;
 
   if (is_repeated || stands_anyway || !has_road(plan)) {
     plan_ = next_;
-    plan_epoch_ = next_epoch_;
+    plan_by_ = next_by_;
     next_.reset();
     if (!is_repeated) grant_.reset();
   }
 
   settle();
+  return true;
 }
 
-bool Orders::take(const fleet::Grant& grant, std::uint32_t epoch) {
-  hear(epoch);
-  if (epoch < epoch_) return false;
-  if (newest_ && std::tie(epoch, grant.number) <= std::tie(newest_epoch_, newest_->number)) return false;
+bool Orders::take(const fleet::Grant& grant, const fleet::Claim& by) {
+  hear(by);
+  if (by != obeyed_) return false;
+  if (newest_ && newest_by_ == by && grant.number <= newest_->number) return false;
 
   newest_ = grant;
-  newest_epoch_ = epoch;
+  newest_by_ = by;
   settle();
   return true;
 }
 
-bool Orders::is_granted(const fleet::Plan& plan, std::uint32_t epoch) const {
-  return newest_ && newest_->plan_id == plan.id && newest_epoch_ == epoch;
+bool Orders::is_granted(const fleet::Plan& plan, const fleet::Claim& by) const {
+  return newest_ && newest_->plan_id == plan.id && newest_by_ == by;
 }
 
 void Orders::settle() {
-  if (next_ && is_granted(*next_, next_epoch_)) {
+  if (next_ && is_granted(*next_, next_by_)) {
     plan_ = next_;
-    plan_epoch_ = next_epoch_;
+    plan_by_ = next_by_;
     next_.reset();
   }
 
-  if (plan_ && is_granted(*plan_, plan_epoch_)) grant_ = newest_;
+  if (plan_ && is_granted(*plan_, plan_by_)) {
+    grant_ = newest_;
+    granted_by_ = newest_by_;
+  }
 }
 
 }  // namespace aisle::local_planner
