@@ -18,6 +18,7 @@ constexpr milliseconds kTurn{20};
 constexpr milliseconds kAssert{50};  // four times within a lease of 200 ms
 constexpr milliseconds kBeat{100};   // between two statuses of the traffic
 constexpr std::uint32_t kMostEpochs = 2'000'000;
+constexpr const char* kPerson = "aisle";          // the command line: a source of sign_off
 constexpr const char* kPlanEpoch = "plan_epoch";  // counter in service_health: of the plans that a service follows
 
 /// @throws config::BadInput, which lists the planners that there are
@@ -77,10 +78,19 @@ void GlobalPlannerService::listen() {
   });
 
   shell_.inbox<topics::NavigationStatus>(
-      [this](const fleet::NavigationStatus& navigation) { fleet_.set_navigation(navigation, shell_.now()); });
+      [this](const fleet::NavigationStatus& navigation, const service::Sender& from) {
+        fleet_.set_navigation(navigation, from.by.boot_id, shell_.now());
+      });
 
-  shell_.inbox<topics::SignOff>(
-      [this](const fleet::SignOff& sign_off) { fleet_.sign_off(sign_off.agv_id, shell_.now()); });
+  shell_.inbox<topics::SignOff>([this](const fleet::SignOff& sign_off, const service::Sender& from) {
+    if (from.by.source_id == kPerson) return fleet_.sign_off(sign_off, shell_.now());
+    shell_.count("refused_sign_offs");
+    shell_.warn("sign_off", "sign_off of " + sign_off.agv_id + " refused: " + from.by.source_id + " is no person");
+  });
+
+  // Two leaders that find each other again may both write no plan for a while.
+  shell_.inbox<topics::TrafficStatus>(
+      [this](const fleet::TrafficStatus&, const service::Sender& from) { hear_planner(from.by); });
 
   shell_
       .inbox<topics::Track>([this](const fleet::Track& track) {
@@ -95,7 +105,10 @@ void GlobalPlannerService::listen() {
   shell_.inbox<topics::Coverage>([this](const fleet::CoverageTile& tile) { fleet_.set_coverage(tile, shell_.now()); });
 
   heard_plans_ = shell_.inbox<topics::Plan>([this](const fleet::Plan& plan, const service::Sender& from) {
-    if (from.by.boot_id != shell_.boot_id()) fleet_.expect(plan.agv_id);
+    if (from.by.boot_id != shell_.boot_id()) {
+      fleet_.expect(plan.agv_id);
+      shell_.count("heard_plans");
+    }
     hear_planner(from.by);
   });
 
@@ -118,7 +131,6 @@ void GlobalPlannerService::hear(const fleet::ServiceHealth& health, const fleet:
 void GlobalPlannerService::hear_planner(const fleet::Origin& by) {
   if (by.boot_id == shell_.boot_id()) return;  // our own
 
-  shell_.count("heard_plans");
   leadership_.hear(by.epoch, by.boot_id);
 
   keep_lead();
@@ -140,7 +152,7 @@ void GlobalPlannerService::keep_lead() {
       plans_.claim(leadership_.epoch(), strength);
       grants_.claim(leadership_.epoch(), strength);
       statuses_.claim(leadership_.epoch(), strength);
-      fleet_.take_over(now, leadership_.epoch());
+      fleet_.take_over(now, {leadership_.epoch(), shell_.boot_id()});
       shell_.log().info("leads, epoch {}", leadership_.epoch());
       work_soon_();
     }
@@ -149,6 +161,7 @@ void GlobalPlannerService::keep_lead() {
   } else if (changed) {
     plans_.release();
     grants_.release();
+    statuses_.release();
     shell_.log().info("stands by{}", was_leading ? ": another planner leads with a higher epoch" : "");
   }
 }

@@ -107,9 +107,12 @@ Json TrafficView::snapshot(time::Stamp now) const {
     if (!row.is_null()) waits.push_back(std::move(row));
   }
 
-  Json silent = Json::array();
-  for (const fleet::SilentVehicle& vehicle : status.silent)
-    silent.push_back({{"agv_id", vehicle.agv_id}, {"place_in_map", to_json(wire::encode(vehicle.place_in_map))}});
+  Json silent = Json::array(), signed_off = Json::array();
+  const auto row_of = [](const fleet::SilentVehicle& vehicle) {
+    return Json{{"agv_id", vehicle.agv_id}, {"place_in_map", to_json(wire::encode(vehicle.place_in_map))}};
+  };
+  for (const fleet::SilentVehicle& vehicle : status.silent) silent.push_back(row_of(vehicle));
+  for (const fleet::SilentVehicle& vehicle : status.signed_off) signed_off.push_back(row_of(vehicle));
 
   return Json{{"leader",
                {{"source_id", status.source_id},
@@ -125,7 +128,8 @@ Json TrafficView::snapshot(time::Stamp now) const {
               {"circles", status.circles},
               {"register_version", status.register_version},
               {"waiting", std::move(waits)},
-              {"silent", std::move(silent)}};
+              {"silent", std::move(silent)},
+              {"signed_off", std::move(signed_off)}};
 }
 
 /// Lengths along a plan count only for the plan that they were said of.
@@ -176,15 +180,21 @@ std::string text_of_traffic(const Json& snapshot) {
                        word(row, "phase"), word(row, "reason"), word(row, "why")});
   }
 
-  std::vector<std::vector<std::string>> silent{{"SILENT", "X m", "Y m"}};
-  for (const Json& row : snapshot["silent"]) {
-    const Json& place = row["place_in_map"];
-    silent.push_back({row["agv_id"], fmt::format("{:.2f}", place["x_m"].get<double>()),
+  const auto places = [](const Json& vehicles, const char* title) {
+    std::vector<std::vector<std::string>> rows{{title, "X m", "Y m"}};
+    for (const Json& row : vehicles) {
+      const Json& place = row["place_in_map"];
+      rows.push_back({row["agv_id"], fmt::format("{:.2f}", place["x_m"].get<double>()),
                       fmt::format("{:.2f}", place["y_m"].get<double>())});
-  }
+    }
+    return rows;
+  };
+  const std::vector<std::vector<std::string>> silent = places(snapshot["silent"], "SILENT");
+  const std::vector<std::vector<std::string>> signed_off = places(snapshot["signed_off"], "SIGNED OFF");
 
   text += "\n" + (waiting.size() > 1 ? text_of_table(waiting) : "no vehicle waits\n");
   if (silent.size() > 1) text += "\n" + text_of_table(silent);
+  if (signed_off.size() > 1) text += "\n" + text_of_table(signed_off);
 
   return text;
 }

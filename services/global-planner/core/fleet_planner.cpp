@@ -129,6 +129,8 @@ void FleetPlanner::set_pose(const std::string& agv_id, const geometry::Pose2& ba
 }
 
 void FleetPlanner::set_goal(const Goal& goal) {
+  if (goal.is_cancelled && vehicles_.count(goal.agv_id) == 0) return;  // there is nothing to cancel
+
   VehicleEntry* const known = vehicle(goal.agv_id);
   if (known == nullptr) return;
   VehicleEntry& v = *known;
@@ -142,8 +144,6 @@ void FleetPlanner::set_goal(const Goal& goal) {
 void FleetPlanner::set_navigation(const NavigationStatus& navigation) {
   if (VehicleEntry* const v = vehicle(navigation.agv_id)) v->navigation = navigation;
 }
-
-void FleetPlanner::forget_vehicle(const std::string& agv_id) { vehicles_.erase(agv_id); }
 
 void FleetPlanner::take_over() {
   for (auto& [id, v] : vehicles_) {

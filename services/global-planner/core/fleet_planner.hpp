@@ -66,9 +66,6 @@ class FleetPlanner {
   /// What a vehicle says about its way: `arrived` ends the goal.
   void set_navigation(const NavigationStatus& navigation);
 
-  /// Drops all that is known of a vehicle.
-  void forget_vehicle(const std::string& agv_id);
-
   /// All plans are made anew: another planner led until now.
   void take_over();
 

@@ -22,6 +22,7 @@ constexpr double kTubeSteeredM = 0.12;  // of one that does not: its far corner 
 constexpr double kHearAllS = 3.0;       // after it began to lead, it plans nothing for so long until all were heard
 constexpr double kGatherS = 0.2;        // and for so long after each new vehicle, until it has planned once
 constexpr double kSilentS = 2.0;
+constexpr std::size_t kMostVehicles = 1000;
 constexpr double kMovesMps = 0.02;
 constexpr double kSameDiscM = 0.1;  // a track that moved or grew less is where it was
 
@@ -68,6 +69,11 @@ bool is_credible(const NavigationStatus& says) {
 bool has_keep_out(const std::vector<fleet::Zone>& zones) {
   return std::any_of(zones.begin(), zones.end(),
                      [](const fleet::Zone& zone) { return zone.kind == fleet::Zone::Kind::kKeepOut; });
+}
+
+/// Does the vehicle obey the planner that leads with this claim?
+bool obeys(const NavigationStatus& says, const fleet::Claim& claim) {
+  return fleet::Claim{says.traffic_epoch, says.traffic_boot_id} == claim;
 }
 
 double length_m(const std::vector<Point2>& way) {
@@ -158,17 +164,31 @@ void TrafficPlanner::set_zones(const std::vector<fleet::Zone>& zones, Stamp now)
 void TrafficPlanner::set_vehicle(const fleet::Vehicle& vehicle) {
   goals_.set_vehicle(vehicle.id, shape_of(vehicle.footprint, vehicle.limits));
 
+  if (vehicles_.count(vehicle.id) == 0 && expected_.count(vehicle.id) == 0 && !has_room_for(vehicle.id)) return;
+
   expected_.erase(vehicle.id);
+  given_up_.erase(vehicle.id);
   Entry& entry = vehicles_[vehicle.id];
   entry.kind = kind_of(vehicle, settings_);
-  coordinator_->set_vehicle(vehicle.id, entry.kind);
+  if (!entry.is_signed_off) coordinator_->set_vehicle(vehicle.id, entry.kind);
+}
+
+bool TrafficPlanner::has_room_for(const std::string& agv_id) {
+  if (vehicles_.size() + expected_.size() < kMostVehicles) return true;
+
+  if (!std::exchange(has_refused_vehicle_, true))
+    events_.push_back(fmt::format("{} is refused: {} vehicles are the most", agv_id, kMostVehicles));
+  return false;
 }
 
 void TrafficPlanner::set_state(const fleet::VehicleState& state, Stamp now) {
   goals_.set_pose(state.agv_id, state.motion.base_in_map, now);
 
   const auto known = vehicles_.find(state.agv_id);
-  if (known == vehicles_.end()) return expect(state.agv_id);
+  if (known == vehicles_.end()) {
+    given_up_.erase(state.agv_id);  // it speaks
+    return expect(state.agv_id);
+  }
 
   known->second.state.set(state, now);
 }
@@ -181,11 +201,14 @@ void TrafficPlanner::set_goal(const Goal& goal) {
 }
 
 void TrafficPlanner::expect(const std::string& agv_id) {
-  if (vehicles_.count(agv_id) > 0 || !expected_.insert(agv_id).second) return;
+  if (vehicles_.count(agv_id) > 0 || expected_.count(agv_id) > 0 || given_up_.count(agv_id) > 0) return;
+  if (!has_room_for(agv_id)) return;
+
+  expected_.insert(agv_id);
   coordinator_->expect(agv_id);
 }
 
-void TrafficPlanner::set_navigation(const NavigationStatus& navigation, Stamp now) {
+void TrafficPlanner::set_navigation(const NavigationStatus& navigation, std::uint64_t boot_id, Stamp now) {
   goals_.set_navigation(navigation);
 
   const auto known = vehicles_.find(navigation.agv_id);
@@ -194,6 +217,7 @@ void TrafficPlanner::set_navigation(const NavigationStatus& navigation, Stamp no
   Entry& entry = known->second;
   entry.navigation = navigation;
   entry.navigation_arrived = now;
+  entry.boot_id = boot_id;
   if (std::exchange(entry.is_signed_off, false)) coordinator_->set_vehicle(navigation.agv_id, entry.kind);
   tell_coordinator(entry, navigation.agv_id, now);
 
@@ -208,7 +232,7 @@ void TrafficPlanner::set_navigation(const NavigationStatus& navigation, Stamp no
 /// not heard of this leader yet it does not say all that the vehicle may come to drive.
 void TrafficPlanner::tell_coordinator(Entry& entry, const std::string& agv_id, Stamp now) {
   const fleet::VehicleState* state = entry.state.fresh(now, from_seconds(settings_.state_life_s));
-  if (state == nullptr || !entry.navigation || entry.navigation->traffic_epoch < epoch_) return;
+  if (state == nullptr || !entry.navigation || !obeys(*entry.navigation, claim_)) return;
   if (!is_credible(*entry.navigation)) {
     if (!std::exchange(entry.is_incredible, true))
       events_.push_back(agv_id + ": its status tells of more steps or road than a plan can have: not believed");
@@ -216,26 +240,34 @@ void TrafficPlanner::tell_coordinator(Entry& entry, const std::string& agv_id, S
   }
 
   entry.is_incredible = false;
-  const NavigationStatus& says = *entry.navigation;
+  entry.is_heard = true;
+  coordinator_->hear(report_of(agv_id, entry), time::seconds(now));
+}
+
+traffic::Report TrafficPlanner::report_of(const std::string& agv_id, const Entry& entry) const {
+  const fleet::VehicleState& state = *entry.state.any();
   traffic::Report report;
   report.agv_id = agv_id;
-  report.base_in_map = state->motion.base_in_map;
-  report.speed_mps = speed_mps(*state);
+  report.base_in_map = state.motion.base_in_map;
+  report.speed_mps = speed_mps(state);
+  report.is_held = state.hold == fleet::Hold::kPerson;
+  if (!entry.navigation || !is_credible(*entry.navigation)) return report;
 
+  const NavigationStatus& says = *entry.navigation;
+  report.boot_id = entry.boot_id;
   report.plan_id = says.plan_id;
   report.step_done = says.step_done;
   report.limit_step = says.limit_step;
   report.grant_number = says.grant_number;
+  report.is_others_grant = says.grant_number > 0 && says.grant_boot_id != claim_.boot_id;
   report.stray_m = says.stray_m;
 
-  report.is_held = state->hold == fleet::Hold::kPerson;
   report.is_blocked = says.phase == Phase::kBlocked && says.reason == Reason::kObstacle;
   report.blocked_at_in_map = says.blocked_at_in_map;
   report.blocked_radius_m = says.blocked_radius_m;
   for (const fleet::HeldPose& held : says.held) report.held.push_back({held.base_in_map, held.step});
 
-  entry.is_heard = true;
-  coordinator_->hear(report, time::seconds(now));
+  return report;
 }
 
 std::optional<geometry::Pose2> TrafficPlanner::last_pose(const Entry& entry) {
@@ -243,20 +275,32 @@ std::optional<geometry::Pose2> TrafficPlanner::last_pose(const Entry& entry) {
   return entry.state.any()->motion.base_in_map;
 }
 
-void TrafficPlanner::sign_off(const std::string& agv_id, Stamp now) {
-  expected_.erase(agv_id);
+void TrafficPlanner::sign_off(const fleet::SignOff& sign_off, Stamp now) {
+  const std::string& agv_id = sign_off.agv_id;
   const auto known = vehicles_.find(agv_id);
-  if (known == vehicles_.end()) return coordinator_->sign_off(agv_id, std::nullopt, time::seconds(now));
+  if (known == vehicles_.end()) {
+    if (expected_.erase(agv_id) > 0) given_up_.insert(agv_id);
+    return coordinator_->sign_off(agv_id, std::nullopt, std::nullopt, time::seconds(now));
+  }
 
   Entry& entry = known->second;
   const bool is_heard = entry.navigation && now - entry.navigation_arrived <= from_seconds(kSilentS);
   const fleet::VehicleState* state = entry.state.fresh(now, from_seconds(settings_.state_life_s));
   const bool moves = state != nullptr && speed_mps(*state) > kMovesMps;
-  if (is_heard || moves || entry.is_signed_off) return;
+  const bool says_nothing_new =
+      entry.is_signed_off && (!sign_off.place_in_map || sign_off.place_in_map == entry.signed_off_at_in_map);
+  if (is_heard || moves || says_nothing_new) return;
 
   entry.is_signed_off = true;
   entry.is_heard = true;
-  coordinator_->sign_off(agv_id, last_pose(entry), time::seconds(now));
+  entry.signed_off_at_in_map = sign_off.place_in_map;
+  tell_sign_off(agv_id, entry, now);
+}
+
+void TrafficPlanner::tell_sign_off(const std::string& agv_id, const Entry& entry, Stamp now) {
+  std::optional<traffic::Report> last_word;
+  if (entry.state.seen()) last_word = report_of(agv_id, entry);
+  coordinator_->sign_off(agv_id, entry.signed_off_at_in_map, last_word, time::seconds(now));
 }
 
 bool TrafficPlanner::are_all_heard() const {
@@ -313,9 +357,9 @@ void TrafficPlanner::open_what_was_seen(Stamp now) {
   }
 }
 
-void TrafficPlanner::take_over(Stamp now, std::uint32_t epoch) {
-  const bool after_another = epoch > 1;
-  epoch_ = epoch;
+void TrafficPlanner::take_over(Stamp now, const fleet::Claim& claim) {
+  const bool after_another = claim.epoch > 1;
+  claim_ = claim;
   if (after_another) goals_.take_over();
   has_gathered_ = has_gathered_ || after_another;
   began_ = now;
@@ -329,7 +373,7 @@ void TrafficPlanner::take_over(Stamp now, std::uint32_t epoch) {
 
   coordinator_ = new_coordinator();
   for (const auto& [agv_id, entry] : vehicles_)
-    if (entry.is_signed_off) coordinator_->sign_off(agv_id, last_pose(entry), time::seconds(now));
+    if (entry.is_signed_off) tell_sign_off(agv_id, entry, now);
 }
 
 FleetOrders TrafficPlanner::step(Stamp now, const OutOfTime& out_of_time) {
@@ -367,7 +411,10 @@ FleetOrders TrafficPlanner::step(Stamp now, const OutOfTime& out_of_time) {
 }
 
 void TrafficPlanner::take_own_plan(Plan plan, Stamp now, FleetOrders& orders) {
-  Entry& entry = vehicles_[plan.agv_id];
+  const auto known = vehicles_.find(plan.agv_id);
+  if (known == vehicles_.end()) return;  // its goal was cancelled before its build was known
+
+  Entry& entry = known->second;
   if (plan.goal_id == entry.reached_goal && !plan.is_cancelled()) return;  // looked at again, as the map changed
 
   if (plan.is_found()) {
@@ -497,6 +544,10 @@ fleet::TrafficStatus TrafficPlanner::status(Stamp now) const {
 
     const Stamp since = entry.navigation ? entry.navigation_arrived : began_.value_or(now);
     const bool is_silent = !entry.is_signed_off && now - since > from_seconds(kSilentS);
+    if (entry.is_signed_off) {
+      const geometry::Pose2 heard_at = last_pose(entry).value_or(geometry::Pose2{});
+      status.signed_off.push_back({agv_id, entry.signed_off_at_in_map.value_or(heard_at.position())});
+    }
     if (is_silent) status.silent.push_back({agv_id, last_pose(entry).value_or(geometry::Pose2{}).position()});
 
     if (!has_goal || entry.grant.reason.empty()) continue;
@@ -505,6 +556,7 @@ fleet::TrafficStatus TrafficPlanner::status(Stamp now) const {
   }
 
   for (const std::string& agv_id : expected_) status.silent.push_back({agv_id, {}});
+  for (const std::string& agv_id : given_up_) status.signed_off.push_back({agv_id, {}});
 
   return status;
 }

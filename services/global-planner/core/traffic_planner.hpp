@@ -9,8 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "common/fleet/claim.hpp"
 #include "common/fleet/coverage.hpp"
 #include "common/fleet/grant.hpp"
+#include "common/fleet/sign_off.hpp"
 #include "common/fleet/traffic_status.hpp"
 #include "common/fleet/vehicle.hpp"
 #include "common/fleet/vehicle_state.hpp"
@@ -56,7 +58,9 @@ class TrafficPlanner {
   void set_state(const fleet::VehicleState& state, time::Stamp now);
   /// A vehicle that had its goal before this planner began takes part: see expect().
   void set_goal(const Goal& goal);
-  void set_navigation(const NavigationStatus& navigation, time::Stamp now);
+
+  /// @param boot_id of the vehicle's local planner
+  void set_navigation(const NavigationStatus& navigation, std::uint64_t boot_id, time::Stamp now);
 
   /// A static obstacle that the tracker sees. Where it stood stays closed after drop_track() until somebody has seen
   /// the spot since, for kLongestUnseenS at most.
@@ -67,14 +71,16 @@ class TrafficPlanner {
   /// A vehicle that others speak of takes part, though its build is not known yet: it may be anywhere.
   void expect(const std::string& agv_id);
 
-  /// A person says that the vehicle drives no more. Forgotten when it is heard again; nothing while it is heard.
-  void sign_off(const std::string& agv_id, time::Stamp now);
+  /// A person says that the vehicle drives no more. It holds all that it may still drive by its last word, or the place
+  /// that the person names; a vehicle of which nothing is known leaves the traffic. Ends when it is heard again; a
+  /// vehicle that is heard is not signed off.
+  void sign_off(const fleet::SignOff& sign_off, time::Stamp now);
 
   /// Leads from now on. What vehicles may still drive is learned from their own words, and all plans are made anew.
-  /// Nothing is granted until each known vehicle was heard or signed off. A status counts from when it names this
-  /// epoch: until then the vehicle may still take grants of the planner that led before.
-  /// @param epoch above 1: another planner led before
-  void take_over(time::Stamp now, std::uint32_t epoch);
+  /// Nothing is granted until each known vehicle was heard or signed off. A status counts while it names this claim:
+  /// else the vehicle may take grants of another planner.
+  /// @param claim of this planner; an epoch above 1: another planner led before
+  void take_over(time::Stamp now, const fleet::Claim& claim);
 
   /// Works for one slice; to be called again at once while is_busy().
   FleetOrders step(time::Stamp now, const OutOfTime& out_of_time);
@@ -102,9 +108,11 @@ class TrafficPlanner {
     time::Latest<fleet::VehicleState> state;
     std::optional<NavigationStatus> navigation;
     time::Stamp navigation_arrived{};
-    bool is_heard{false};  // by the coordinator that is
+    std::uint64_t boot_id{0};  // of the local planner that said so
+    bool is_heard{false};      // by the coordinator that is
     bool is_signed_off{false};
-    bool is_incredible{false};  // its newest status is not believed
+    std::optional<geometry::Point2> signed_off_at_in_map;  // where a person sees it
+    bool is_incredible{false};                             // its newest status is not believed
 
     std::string planned_goal;  // of the newest plan with a way
     std::string reached_goal;  // by its own word; it may have been moved out of the way since
@@ -127,6 +135,15 @@ class TrafficPlanner {
 
   /// What the vehicle's newest words come to for the coordinator.
   void tell_coordinator(Entry& entry, const std::string& agv_id, time::Stamp now);
+
+  /// Its newest words; without a status, or with one that is not believed, that it stands where it was heard.
+  /// @pre its state was heard
+  traffic::Report report_of(const std::string& agv_id, const Entry& entry) const;
+
+  void tell_sign_off(const std::string& agv_id, const Entry& entry, time::Stamp now);
+
+  /// Is there room for one more vehicle? If not, the first one that is refused is named.
+  bool has_room_for(const std::string& agv_id);
 
   /// Where it was heard last.
   static std::optional<geometry::Pose2> last_pose(const Entry& entry);
@@ -163,13 +180,15 @@ class TrafficPlanner {
   grid::OccupancyGrid floor_;  // the map with keep-out zones, when there are some
   std::vector<fleet::Zone> zones_;
   std::map<std::string, Entry> vehicles_;
-  std::set<std::string> expected_;  // vehicles whose build is not known yet
+  std::set<std::string> expected_;   // vehicles whose build is not known yet
+  std::set<std::string> given_up_;   // the same, signed off
+  bool has_refused_vehicle_{false};  // there were too many
   std::map<std::uint64_t, Standing> standing_;
   std::optional<time::Stamp> began_;  // to lead
   bool has_gathered_{false};          // the vehicles that were there when it began
   std::size_t gathered_{0};           // vehicles known at `gathered_last_`, when the newest of them was new
   time::Stamp gathered_last_{};
-  std::uint32_t epoch_{0};  // that it leads with
+  fleet::Claim claim_;  // that it leads with
   bool is_busy_{false};
   OutOfTime out_of_time_;  // of the newest step
   std::vector<std::string> events_;

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <string>
 
+#include "common/wire/traffic.hpp"
 #include "tests/integration/global-planner/site.hpp"
 
 namespace aisle::global_planner {
@@ -106,14 +108,51 @@ TEST(GlobalPlannerService, IsFollowedByItsStandbyWithTheNextEpoch) {
 
   const auto is_heard = [&] { return standby.health.counters["heard_plans"] > 0; };
   ASSERT_TRUE(bus_test::run_until({&primary->bus, &standby.bus, &site.bus}, is_heard));
-  EXPECT_EQ(site.plans.back().by().source_id().to_string(), "global-planner")
-      << "the standby must not plan while the leader lives";
+  const auto of_standby = [&] {
+    return std::find_if(site.plans.begin(), site.plans.end(), [](const aisle::Plan& plan) {
+      return plan.by().source_id().to_string() == "global-planner-2";
+    });
+  };
+  EXPECT_TRUE(of_standby() == site.plans.end()) << "the standby must not plan while the leader lives";
+
   primary.reset();
-  ASSERT_TRUE(bus_test::run_until({&standby.bus, &site.bus}, [&] { return site.plans.size() >= 2; }));
-  EXPECT_EQ(site.plans[1].by().source_id().to_string(), "global-planner-2");
-  EXPECT_EQ(site.plans[1].by().epoch(), before.by().epoch() + 1);
-  EXPECT_EQ(site.plans[1].trigger(), aisle::PlanTrigger::TRIGGER_TAKEOVER);
-  EXPECT_EQ(site.plans[1].waypoints_in_map(), before.waypoints_in_map());
+  ASSERT_TRUE(bus_test::run_until({&standby.bus, &site.bus}, [&] { return of_standby() != site.plans.end(); }));
+  EXPECT_EQ(of_standby()->by().epoch(), before.by().epoch() + 1);
+  EXPECT_EQ(of_standby()->trigger(), aisle::PlanTrigger::TRIGGER_TAKEOVER);
+  EXPECT_EQ(of_standby()->waypoints_in_map(), before.waypoints_in_map());
+}
+
+/// agv-2 said where it stands before the planner began, and nothing since.
+TEST(GlobalPlannerService, TakesThePersonsWordThatASilentVehicleDrivesNoMore) {
+  Site site(149);
+  site.publish_map();
+  site.add_vehicle("agv-1", {1.0, 5.0, 0.0});
+  site.add_vehicle("agv-2", {1.0, 1.0, 0.0});
+  site.fall_silent("agv-2");
+  site.send_goal("agv-1", "goal-1", 19.0, 5.0);
+  PlannerProcess planner(149, "global-planner", 1);
+  const auto has = [](const auto& vehicles, const std::string& id) {
+    return std::any_of(vehicles.begin(), vehicles.end(),
+                       [&](const aisle::SilentVehicle& vehicle) { return vehicle.agv_id().to_string() == id; });
+  };
+  const auto runs_until = [&](const auto& done) { return bus_test::run_until({&planner.bus, &site.bus}, done); };
+  ASSERT_TRUE(runs_until([&] { return has(site.traffic.silent(), "agv-2"); }));
+  ASSERT_TRUE(runs_until([&] { return site.grants.count("agv-1") > 0; }));
+  EXPECT_EQ(site.grants.at("agv-1").limit_m(), 0.0);
+
+  bus::Writer<topics::SignOff> writer = site.bus.writer<topics::SignOff>();
+  ASSERT_TRUE(runs_until([&] { return writer.matched_readers() > 0; }));
+  aisle::SignOff word = wire::encode(fleet::SignOff{"agv-2", geometry::Point2{1.0, 1.5}});
+  word.by(service::OriginStamper(site.bus, "anybody", 1).next());
+  writer.write(word);
+  ASSERT_TRUE(runs_until([&] { return planner.health.counters["refused_sign_offs"] > 0; }));
+  EXPECT_TRUE(has(site.traffic.silent(), "agv-2"));
+
+  word.by(service::OriginStamper(site.bus, "aisle", 2).next());
+  writer.write(word);
+  ASSERT_TRUE(runs_until([&] { return has(site.traffic.signed_off(), "agv-2"); }));
+  EXPECT_EQ(site.traffic.signed_off()[0].place_in_map().y_m(), 1.5);
+  EXPECT_TRUE(runs_until([&] { return site.grants.at("agv-1").limit_m() > 0.0; }));
 }
 
 TEST(GlobalPlannerService, BeginsAboveTheEpochThatVehiclesFollowedBeforeAllPlannersWereGone) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/bus/bus.hpp"
+#include "common/fleet/claim.hpp"
 #include "common/grid/clearance.hpp"
 #include "common/service/origin_stamper.hpp"
 #include "common/wire/geometry.hpp"
@@ -61,7 +62,9 @@ class Site {
       grants[sample.agv_id().to_string()] = sample;
     });
     bus.on<topics::TrafficStatus>([this](const aisle::TrafficStatus& sample, const SampleInfo& info) {
-      if (info.kind == SampleKind::kData) epoch_ = std::max(epoch_, sample.by().epoch());
+      if (info.kind == SampleKind::kData) traffic = sample;
+      const fleet::Claim claim{sample.by().epoch(), sample.by().boot_id()};
+      if (info.kind == SampleKind::kData && (obeyed_.epoch == 0 || outranks(claim, obeyed_))) obeyed_ = claim;
     });
     bus.every(50ms, [this] { publish_states(); });
   }
@@ -140,11 +143,15 @@ class Site {
                        plan->waypoints_in_map);
   }
 
+  /// The vehicle says nothing any more.
+  void fall_silent(const std::string& id) { poses_.erase(id); }
+
   bus::DdsBus bus;
   grid::OccupancyGrid grid;
   std::uint64_t revision{0};
   std::vector<aisle::Plan> plans;
   std::map<std::string, aisle::Grant> grants;  // the newest of each vehicle
+  aisle::TrafficStatus traffic;                // the newest
 
  private:
   void stamp(aisle::Origin& by) { by = origin_.next(); }
@@ -164,11 +171,13 @@ class Site {
     aisle::NavigationStatus status;
     status.agv_id(id);
     stamp(status.by());
-    status.traffic_epoch(epoch_);
+    status.traffic_epoch(obeyed_.epoch);
+    status.traffic_boot_id(obeyed_.boot_id);
     const auto grant = grants.find(id);
     if (grant != grants.end()) {
       status.plan_id(grant->second.plan_id());
       status.grant_number(grant->second.number());
+      status.grant_boot_id(grant->second.by().boot_id());
     }
     navigations_.write(status);
   }
@@ -183,7 +192,7 @@ class Site {
   bus::Writer<topics::NavigationStatus> navigations_;
   bus::Writer<topics::ServiceHealth> healths_;
   std::map<std::string, geometry::Pose2> poses_;
-  std::uint32_t epoch_{0};  // of the newest leader that was heard
+  fleet::Claim obeyed_;  // of the leaders that were heard
 };
 
 }  // namespace aisle::global_planner

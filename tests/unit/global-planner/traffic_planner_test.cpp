@@ -64,7 +64,7 @@ class TrafficFleet : public testing::Test {
         state.agv_id = id;
         state.motion.base_in_map = poses_[id];
         planner_.set_state(state, now_);
-        planner_.set_navigation(status, now_);
+        planner_.set_navigation(status, 1, now_);
       }
       do {
         const FleetOrders orders = planner_.step(now_, nullptr);
@@ -322,16 +322,22 @@ class TakenOver : public TrafficFleet {
 
   /// The new leader and its epoch are heard by all who speak.
   void lead_with(std::uint32_t epoch) {
-    planner_.take_over(now_, epoch);
-    for (auto& [id, status] : says_) status.traffic_epoch = epoch;
+    planner_.take_over(now_, {epoch, kBoot});
+    for (auto& [id, status] : says_) {
+      status.traffic_epoch = epoch;
+      status.traffic_boot_id = kBoot;
+    }
+
     epoch_ = epoch;
   }
 
   void speak_again(const std::string& id) {
     says_[id].agv_id = id;
     says_[id].traffic_epoch = epoch_;
+    says_[id].traffic_boot_id = kBoot;
   }
 
+  static constexpr std::uint64_t kBoot = 50;
   std::uint32_t epoch_{0};
 
   bool has_road(const std::string& id) const {
@@ -362,7 +368,7 @@ TEST_F(TakenOver, NobodyHasRoadUntilEachVehicleWasHeard) {
 
 TEST_F(TakenOver, AVehicleThatIsSignedOffHoldsWhereItStandsAndNobodyWaitsForIt) {
   run(4.0);
-  planner_.sign_off("agv-2", now_);
+  planner_.sign_off({"agv-2", std::nullopt}, now_);
   run(1.5);
   EXPECT_TRUE(has_road("agv-1"));
   EXPECT_FALSE(has_road("agv-2"));
@@ -379,7 +385,7 @@ TEST_F(TakenOver, AVehicleThatIsSignedOffHoldsWhereItStandsAndNobodyWaitsForIt) 
 }
 
 TEST_F(TakenOver, ASignOffOutlivesTheNextTakeover) {
-  planner_.sign_off("agv-2", now_ + from_seconds(3.0));
+  planner_.sign_off({"agv-2", std::nullopt}, now_ + from_seconds(3.0));
   lead_with(3);
   run(4.0);
   EXPECT_TRUE(has_road("agv-1"));
@@ -399,8 +405,50 @@ TEST_F(TakenOver, AWordOfAVehicleThatHasNotHeardOfTheNewLeaderDoesNotCount) {
   EXPECT_TRUE(has_road("agv-2"));
 }
 
+/// Another planner leads with the same epoch on its side of a network that was split.
+TEST_F(TakenOver, AWordOfAVehicleThatObeysAnotherPlannerOfThisEpochDoesNotCount) {
+  speak_again("agv-2");
+  says_["agv-2"].traffic_boot_id = kBoot - 1;
+  run(5.0);
+  EXPECT_FALSE(has_road("agv-1"));
+
+  says_["agv-2"].traffic_boot_id = kBoot;
+  run(1.5);
+  EXPECT_TRUE(has_road("agv-1"));
+}
+
+TEST_F(TakenOver, ASignOffIsToldWithThePlaceThatThePersonNames) {
+  run(4.0);
+  planner_.sign_off({"agv-2", std::nullopt}, now_);
+  ASSERT_EQ(planner_.status(now_).signed_off.size(), 1U);
+  EXPECT_EQ(planner_.status(now_).signed_off[0].place_in_map, (geometry::Point2{1.0, 1.0}))
+      << "where it was heard last";
+
+  planner_.sign_off({"agv-2", geometry::Point2{9.0, 9.0}}, now_);
+  EXPECT_EQ(planner_.status(now_).signed_off[0].place_in_map, (geometry::Point2{9.0, 9.0}));
+
+  speak_again("agv-2");
+  run(0.2);
+  EXPECT_TRUE(planner_.status(now_).signed_off.empty());
+}
+
+/// Its build is known, and no word of it was ever heard. Its driver goes on telling its build.
+TEST_F(TakenOver, ASignedOffVehicleOfWhichNothingIsKnownHoldsUpNobody) {
+  speak_again("agv-2");
+  fleet::Vehicle silent;
+  silent.id = "agv-3";
+  planner_.set_vehicle(silent);
+  run(4.0);
+  EXPECT_FALSE(has_road("agv-1"));
+
+  planner_.sign_off({"agv-3", std::nullopt}, now_);
+  planner_.set_vehicle(silent);
+  run(1.5);
+  EXPECT_TRUE(has_road("agv-1"));
+}
+
 TEST_F(TakenOver, AVehicleThatIsHeardIsNotSignedOff) {
-  planner_.sign_off("agv-1", now_);
+  planner_.sign_off({"agv-1", std::nullopt}, now_);
   speak_again("agv-2");
   run(1.5);
   EXPECT_TRUE(has_road("agv-1"));
@@ -415,7 +463,7 @@ TEST_F(TrafficFleet, AVehicleThatOnlyItsGoalTellsOfMayBeAnywhere) {
   EXPECT_EQ(grants_.at("agv-1").limit_m, 0.0);
   EXPECT_EQ(grants_.at("agv-1").waits_for, std::vector<std::string>{"agv-9"});
 
-  planner_.sign_off("agv-9", now_);
+  planner_.sign_off({"agv-9", std::nullopt}, now_);
   run(1.5);
   EXPECT_GT(grants_.at("agv-1").limit_m, 0.0);
 
@@ -423,6 +471,29 @@ TEST_F(TrafficFleet, AVehicleThatOnlyItsGoalTellsOfMayBeAnywhere) {
   send_goal("agv-1", "goal-2", {1.0, 5.0, 0.0});
   run(1.5);
   EXPECT_EQ(newest_plan("agv-1").goal_id, "goal-2") << "a goal for a vehicle that is not there holds up nobody later";
+}
+
+TEST_F(TrafficFleet, ACancelledGoalOfAnUnknownVehicleIsNoVehicle) {
+  arrive("agv-1", {1.0, 5.0, 0.0});
+  send_goal("agv-1", "goal-1", {5.0, 5.0, 0.0});
+  run(1.0);
+  send_goal("agv-9", "goal-9", {5.0, 9.0, 0.0});
+  send_goal("agv-9", "goal-9", {5.0, 9.0, 0.0}, true);
+  send_goal("agv-8", "goal-8", {5.0, 9.0, 0.0}, true);
+  run(1.0);
+  EXPECT_EQ(planner_.status(now_).vehicles, 1U);
+  EXPECT_EQ(plans_.count("agv-9") + plans_.count("agv-8"), 0U);
+}
+
+TEST_F(TrafficFleet, MoreVehiclesThanItHoldsAreRefusedByName) {
+  fleet::Vehicle vehicle;
+  for (int i = 1; i <= 1001; ++i) {
+    vehicle.id = "cart-" + std::to_string(i);
+    planner_.set_vehicle(vehicle);
+  }
+
+  EXPECT_EQ(planner_.status(now_).vehicles, 1000U);
+  EXPECT_EQ(planner_.take_events().back(), "cart-1001 is refused: 1000 vehicles are the most");
 }
 
 FleetSettings as_printed() {

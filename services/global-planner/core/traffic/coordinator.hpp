@@ -29,7 +29,9 @@ struct Report {
   std::uint64_t step_done{0};     // steps behind it, in absolute numbers
   std::uint64_t limit_step{0};    // first step that it will not drive: it stops at the end of the one before at the
                                   // latest; equal to step_done while it stands within a step: it stays where it is
+  std::uint64_t boot_id{0};       // of its local planner, which counts the steps
   std::uint64_t grant_number{0};  // that it obeys
+  bool is_others_grant{false};    // another leader gave it: its number answers nothing that this one asked
   double stray_m{0.0};            // of its outline, off the path
   bool is_held{false};            // by a person
   bool is_blocked{false};         // by something that it sees in its tube; stands there
@@ -115,10 +117,13 @@ class Coordinator {
   /// Something that stands on the floor and is in no map; an empty shape ends it.
   void set_standing(const std::string& name, const Shape& shape, double now_s);
 
-  /// A person says that the vehicle, which is not heard, drives no more: it holds where it stands and nothing else, and
-  /// nobody waits for its word. Ends when it is heard again. A vehicle that is heard cannot be signed off.
-  /// @param last_seen_in_map where it stands; none: nobody knows, and it leaves the traffic
-  void sign_off(const std::string& agv_id, const std::optional<geometry::Pose2>& last_seen_in_map, double now_s);
+  /// A person says that the vehicle, which is not heard, drives no more: nobody waits for its word. It goes on holding
+  /// all that it may still drive, unless the person says where it stands. Ends when it is heard again. A vehicle that
+  /// is heard cannot be signed off.
+  /// @param place_in_map where the person sees it: that is all that it holds
+  /// @param last_word of a vehicle that this leader never heard; none, and no place: it leaves the traffic
+  void sign_off(const std::string& agv_id, const std::optional<geometry::Point2>& place_in_map,
+                const std::optional<Report>& last_word, double now_s);
 
   /// Works for one slice; call it again at once while `is_busy()`.
   Orders step(double now_s);
@@ -204,7 +209,11 @@ class Coordinator {
   void register_vehicle(VehicleEntry& vehicle, double now_s);
   void place_agent(VehicleEntry& vehicle, PlaceId place, std::uint64_t step, double now_s);
   void take_in_anew(VehicleEntry& vehicle, double now_s);
+  bool has_forgotten_its_road(const VehicleEntry& vehicle, const Report& report) const;
+  void hear_again(VehicleEntry& vehicle, double now_s);
+  void hear_restarted(VehicleEntry& vehicle, const Report& report, double now_s);
   void remove_vehicle(VehicleEntry& vehicle);
+  void stand_at(VehicleEntry& vehicle, geometry::Point2 place_in_map, double now_s);
   void ask_back_around(const VehicleEntry& newcomer, const Shape& body, double now_s);
   bool escape(VehicleEntry& vehicle, double now_s);
   bool is_alone() const { return vehicles_.size() + expected_.size() <= 1; }

@@ -21,6 +21,9 @@ double length_m(const std::vector<Point2>& path) {
   return sum;
 }
 
+/// Of a local planner that drives no plan with steps.
+bool says_no_road(const Report& report) { return report.limit_step == 0 && report.held.empty(); }
+
 }  // namespace
 
 void Coordinator::set_vehicle(const std::string& agv_id, const Kind& kind) {
@@ -49,15 +52,16 @@ void Coordinator::hear(const Report& report, double now_s) {
   if (found == vehicles_.end()) return;
 
   VehicleEntry& vehicle = found->second;
-  const std::uint64_t step_done = std::max(vehicle.said.step_done, report.step_done);
-  const std::uint64_t number = std::max(vehicle.said.grant_number, report.grant_number);
-  const bool is_old = vehicle.is_heard && report.step_done < vehicle.said.step_done;
-  const bool has_others_grant = report.grant_number >= vehicle.next_grant;
-  if (is_old) return;  // overtaken by a later one
+  const bool is_behind = vehicle.is_heard && report.step_done < vehicle.said.step_done;
+  const bool is_restarted = vehicle.is_heard && report.boot_id != vehicle.said.boot_id;
+  if (is_behind && !is_restarted) return;  // overtaken by a later one
+  if (is_restarted && (is_behind || says_no_road(report))) return hear_restarted(vehicle, report, now_s);
+
+  const std::uint64_t answered = vehicle.said.grant_number;
+  const bool has_others_grant = report.is_others_grant || report.grant_number >= vehicle.next_grant;
 
   vehicle.said = report;
-  vehicle.said.step_done = step_done;
-  vehicle.said.grant_number = number;
+  vehicle.said.grant_number = report.is_others_grant ? answered : std::max(answered, report.grant_number);
   vehicle.heard_s = now_s;
   vehicle.is_heard = true;
   vehicle.next_plan_id = std::max(vehicle.next_plan_id, report.plan_id + 1);
@@ -80,16 +84,46 @@ void Coordinator::hear(const Report& report, double now_s) {
     return;
   }
 
-  if (vehicle.is_silent) {
-    vehicle.is_silent = false;
-    plans_.unfreeze(vehicle.id, now_s);
-    open("dead " + vehicle.id);
-    events_.push_back(vehicle.id + " is heard again");
-  }
-
+  hear_again(vehicle, now_s);
   hear_progress(vehicle, now_s);
   hear_answer(vehicle, now_s);
   end_exceptions(vehicle);
+}
+
+/// A silent vehicle speaks: it is planned for again.
+void Coordinator::hear_again(VehicleEntry& vehicle, double now_s) {
+  if (!std::exchange(vehicle.is_silent, false)) return;
+
+  plans_.unfreeze(vehicle.id, now_s);
+  open("dead " + vehicle.id);
+  events_.push_back(vehicle.id + " is heard again");
+}
+
+/// Its local planner has started again and knows nothing yet of a plan without road, the newest that it was told? Then
+/// no road that it was given before can reach it any more.
+bool Coordinator::has_forgotten_its_road(const VehicleEntry& vehicle, const Report& report) const {
+  return says_no_road(report) && report.plan_id + 1 == vehicle.next_plan_id && report.plan_id != vehicle.way.plan_id;
+}
+
+/// Its local planner has started again: it has not found its step yet on the plan that it was told, or it has the plan
+/// that ended its road. Until it says more, all that it holds stays held; it is no silent vehicle.
+void Coordinator::hear_restarted(VehicleEntry& vehicle, const Report& report, double now_s) {
+  vehicle.heard_s = now_s;
+  vehicle.said.base_in_map = report.base_in_map;
+  vehicle.said.speed_mps = report.speed_mps;
+  if (!vehicle.is_registered) return;
+
+  vehicle.is_signed_off = false;
+  hear_again(vehicle, now_s);
+  if (!has_forgotten_its_road(vehicle, report)) return;
+
+  // Numbers that were given out are not used again.
+  const std::uint64_t step = plans_.find(vehicle.id)->granted, answered = vehicle.said.grant_number;
+  vehicle.said = report;
+  vehicle.said.step_done = vehicle.said.limit_step = step;
+  vehicle.said.grant_number = answered;
+  events_.push_back(vehicle.id + " has started again, without road");
+  take_in_anew(vehicle, now_s);
 }
 
 /// What was held for the vehicle ends, and what its newest word says is held.
@@ -254,7 +288,7 @@ void Coordinator::register_vehicle(VehicleEntry& vehicle, double now_s) {
     lock_.force(vehicle.id, Shape());
   }
 
-  events_.push_back(vehicle.id + " takes part in the traffic");
+  if (!vehicle.is_signed_off) events_.push_back(vehicle.id + " takes part in the traffic");
 }
 
 /// Road that others were granted before the newcomer was heard, or before a body left its road, and that meets what it
@@ -365,7 +399,7 @@ void Coordinator::look_for_silence(double now_s) {
     if (!vehicle.is_registered || vehicle.is_silent || now_s <= vehicle.heard_s + settings_.silent_s) continue;
 
     vehicle.is_silent = true;
-    events_.push_back(id + " is silent");
+    if (!vehicle.is_signed_off) events_.push_back(id + " is silent");
 
     for (const std::string& other : plans_.freeze(id, now_s)) vehicles_.at(other).tried_s = -1e9;
 
@@ -375,34 +409,53 @@ void Coordinator::look_for_silence(double now_s) {
   }
 }
 
-void Coordinator::sign_off(const std::string& agv_id, const std::optional<Pose2>& last_seen_in_map, double now_s) {
+void Coordinator::sign_off(const std::string& agv_id, const std::optional<Point2>& place_in_map,
+                           const std::optional<Report>& last_word, double now_s) {
   expected_.erase(agv_id);
   const auto found = vehicles_.find(agv_id);
-  if (found == vehicles_.end() || found->second.is_signed_off) return;
+  if (found == vehicles_.end()) return;
 
   VehicleEntry& vehicle = found->second;
-  if (vehicle.is_heard && now_s <= vehicle.heard_s + settings_.silent_s) {
+  if (vehicle.is_heard && !vehicle.is_signed_off && now_s <= vehicle.heard_s + settings_.silent_s) {
     events_.push_back(agv_id + " is heard, and was not signed off");
     return;
   }
 
-  events_.push_back(agv_id + " is signed off");
-  if (!last_seen_in_map) {
+  if (!vehicle.is_signed_off) events_.push_back(agv_id + " is signed off");
+  if (!vehicle.is_registered && !place_in_map && !last_word) {
     remove_vehicle(vehicle);
     return;
   }
 
-  vehicle.said.base_in_map = *last_seen_in_map;
-  vehicle.said.speed_mps = 0.0;
-  vehicle.said.limit_step = vehicle.said.step_done;
-  vehicle.said.held.clear();
-  vehicle.said.is_blocked = false;
-  vehicle.heard_s = -1e9;
-  vehicle.is_heard = true;
   vehicle.is_signed_off = true;
+  vehicle.heard_s = -1e9;
 
-  take_in_anew(vehicle, now_s);
+  if (!vehicle.is_registered || place_in_map) {
+    if (!vehicle.is_registered && last_word) vehicle.said = *last_word;
+    vehicle.said.is_blocked = false;
+    vehicle.is_heard = true;
+    if (place_in_map) {
+      stand_at(vehicle, *place_in_map, now_s);
+    } else {
+      take_in_anew(vehicle, now_s);
+    }
+  }
+
   look_for_silence(now_s);
+}
+
+/// It holds its place there, whatever its heading, and nothing else.
+void Coordinator::stand_at(VehicleEntry& vehicle, Point2 place_in_map, double now_s) {
+  Report& said = vehicle.said;
+  said.base_in_map = {place_in_map.x, place_in_map.y, said.base_in_map.yaw};
+  said.speed_mps = 0.0;
+  said.limit_step = said.step_done;
+  said.held.clear();
+  take_in_anew(vehicle, now_s);
+
+  const double reach_m = geometry::reach_m(vehicle.kind.footprint) + vehicle.kind.tube_m;
+  lock_.force(vehicle.id, Shape({Capsule{place_in_map, place_in_map, reach_m}}));
+  vehicle.is_off_road = true;
 }
 
 /// Nothing is kept of it.

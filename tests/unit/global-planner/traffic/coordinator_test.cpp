@@ -259,33 +259,104 @@ TEST_F(Newcomer, IsNotGrantedRoadUntilOthersHaveGivenBackTheirsAroundIt) {
   EXPECT_TRUE(drives());
 }
 
-/// agv-1 fell silent with road ahead. Signed off it holds its place alone, until it is heard with that road again.
-TEST_F(CoordinatorTest, ASignedOffVehicleHoldsItsPlaceUntilItIsHeardAgain) {
-  arrive("agv-1", {2.0, 5.0, 0.0});
-  arrive("agv-2", {18.0, 2.0, 0.0});
-  coordinator_.set_goal("agv-1", "goal-1", Pose2{15.0, 5.0, 0.0}, now_s_);
-  run(1.0);
-  const std::uint64_t first = ways_.at("agv-1").first_step, limit = grants_.at("agv-1").limit_step;
-  ASSERT_GE(limit, first + 2);
-  stand_behind("agv-1", first, limit);
-  const Report word = says_.at("agv-1");
-  const Point2 end = end_of_step("agv-1", limit - 1);
+/// agv-1 has fallen silent with road ahead.
+class SilentOnItsRoad : public CoordinatorTest {
+ protected:
+  SilentOnItsRoad() {
+    arrive("agv-1", {2.0, 5.0, 0.0});
+    arrive("agv-2", {18.0, 2.0, 0.0});
+    coordinator_.set_goal("agv-1", "goal-1", Pose2{15.0, 5.0, 0.0}, now_s_);
+    run(1.0);
+    first_ = ways_.at("agv-1").first_step;
+    limit_ = grants_.at("agv-1").limit_step;
+    stand_behind("agv-1", first_, limit_);
+    word_ = says_.at("agv-1");
+    word_.boot_id = 7;
+    run(0.2);
+    end_ = end_of_step("agv-1", limit_ - 1);
 
-  says_.erase("agv-1");
+    says_.erase("agv-1");
+    run(5.0);
+    told_ = grants_.at("agv-1").number;
+  }
+
+  std::uint64_t first_{0}, limit_{0}, told_{0};
+  Report word_;
+  Point2 end_;
+};
+
+TEST_F(SilentOnItsRoad, SignedOffItHoldsAllThatItMayStillDrive) {
+  ASSERT_GE(limit_, first_ + 2);
+  EXPECT_TRUE(holds("agv-1", end_)) << "silence frees nothing";
+  coordinator_.sign_off("agv-1", std::nullopt, word_, now_s_);
   run(5.0);
-  EXPECT_TRUE(holds("agv-1", end)) << "silence frees nothing";
+  EXPECT_TRUE(holds("agv-1", word_.base_in_map.position()));
+  EXPECT_TRUE(holds("agv-1", end_));
+  EXPECT_EQ(grants_.at("agv-1").number, told_) << "it is told nothing while it is silent";
+}
 
-  const std::uint64_t told = grants_.at("agv-1").number;
-  coordinator_.sign_off("agv-1", word.base_in_map, now_s_);
+TEST_F(SilentOnItsRoad, SignedOffWithAPlaceItHoldsThatUntilItIsHeardAgain) {
+  const Point2 seen_at{4.0, 5.5};
+  coordinator_.sign_off("agv-1", seen_at, word_, now_s_);
   run(5.0);
-  EXPECT_TRUE(holds("agv-1", word.base_in_map.position()));
-  EXPECT_FALSE(holds("agv-1", end));
-  EXPECT_EQ(grants_.at("agv-1").number, told) << "it is told nothing while it is silent";
+  EXPECT_TRUE(holds("agv-1", seen_at));
+  EXPECT_FALSE(holds("agv-1", end_));
 
-  says_["agv-1"] = word;
-  says_["agv-1"].held = {{word.base_in_map, first}, {{end.x, end.y, 0.0}, limit - 1}};
+  says_["agv-1"] = word_;
+  says_["agv-1"].held = {{word_.base_in_map, first_}, {{end_.x, end_.y, 0.0}, limit_ - 1}};
   run(0.3);
-  EXPECT_TRUE(holds("agv-1", end));
+  EXPECT_TRUE(holds("agv-1", end_));
+}
+
+/// The leader is another one now, which never heard agv-1.
+TEST_F(SilentOnItsRoad, ANewLeaderHoldsTheRoadOfItsLastWord) {
+  word_.held = {{word_.base_in_map, first_}, {{end_.x, end_.y, 0.0}, limit_ - 1}};
+  Coordinator next{Coordinator::Settings{}, nullptr};
+  next.set_map(clearance_, {0, 0}, {199, 99});
+  next.set_vehicle("agv-1", test_support::cart());
+  next.sign_off("agv-1", std::nullopt, word_, now_s_);
+  next.step(now_s_);
+  const auto holders = next.lock().holders("", standing_shape(test_support::cart(), {end_.x, end_.y, 0.0}));
+  EXPECT_EQ(holders, std::vector<std::string>{"agv-1"});
+}
+
+/// agv-1 has driven some steps and stands at the end of its road; its goal was cancelled. Then its local planner starts
+/// again: it counts no steps, and knows the newest plan, which has none.
+TEST_F(SilentOnItsRoad, ALocalPlannerThatStartsAgainWithoutRoadTakesPartAgain) {
+  coordinator_.set_goal("agv-1", "", std::nullopt, now_s_);
+  says_["agv-1"] = word_;
+  stand_behind("agv-1", limit_, limit_);
+  const Pose2 stands = says_.at("agv-1").base_in_map;
+  run(1.0);
+
+  const std::uint64_t cancelled = coordinator_.take_plan_id("agv-1");
+  Report restarted;
+  restarted.agv_id = "agv-1";
+  restarted.base_in_map = stands;
+  restarted.boot_id = word_.boot_id + 1;
+  says_["agv-1"] = restarted;
+  run(3.0);
+  says_["agv-1"].plan_id = cancelled;
+  run(1.0);
+  EXPECT_TRUE(holds("agv-1", stands.position()));
+
+  coordinator_.set_goal("agv-1", "goal-2", Pose2{15.0, 5.0, 0.0}, now_s_);
+  run(1.0);
+  EXPECT_EQ(ways_.at("agv-1").goal_id, "goal-2");
+  EXPECT_GE(ways_.at("agv-1").first_step, limit_) << "numbers of steps are not used again";
+  EXPECT_EQ(ways_.at("agv-1").waypoints_in_map.front(), stands.position());
+  EXPECT_GT(grants_.at("agv-1").limit_step, limit_);
+}
+
+/// The plan with its road may still come to it.
+TEST_F(SilentOnItsRoad, ALocalPlannerThatStartsAgainHoldsItsRoadUntilItSaysMore) {
+  Report restarted;
+  restarted.agv_id = "agv-1";
+  restarted.base_in_map = word_.base_in_map;
+  restarted.boot_id = word_.boot_id + 1;
+  says_["agv-1"] = restarted;
+  run(3.0);
+  EXPECT_TRUE(holds("agv-1", end_));
 }
 
 /// agv-1 has road ahead and says that it is off its path, beside the road that agv-2 will ask for.
