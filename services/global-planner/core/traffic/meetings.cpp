@@ -31,8 +31,10 @@ void Meetings::end(ShapeId& number) {
 }
 
 void Meetings::forget(const std::vector<PlaceId>& places, const std::vector<MotionId>& motions) {
-  for (const PlaceId id : places)
-    if (id < of_place_.size()) end(of_place_[id]);
+  for (const PlaceId id : places) {
+    for (std::vector<ShapeId>* numbers : {&of_place_, &of_all_corners_})
+      if (id < numbers->size()) end((*numbers)[id]);
+  }
   for (const MotionId id : motions)
     if (id < of_motion_.size()) end(of_motion_[id]);
 
@@ -93,6 +95,14 @@ ShapeId Meetings::of_corner(MotionId before, MotionId after) {
   }
   of_corner_[before].push_back({after, shape});
   return shape;
+}
+
+ShapeId Meetings::of_all_corners(PlaceId place) {
+  if (place < of_all_corners_.size() && of_all_corners_[place] != kNoId) return of_all_corners_[place];
+
+  const Place& here = roadmap_.place(place);
+  const Shape shape = all_corners_shape(roadmap_.kind(here.kind), here.base_in_map.position());
+  return shape.empty() ? kNoId : numbered(of_all_corners_, place, shape);
 }
 
 bool Meetings::meet(ShapeId a, ShapeId b) {

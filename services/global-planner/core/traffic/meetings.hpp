@@ -25,6 +25,9 @@ class Meetings {
   /// of its own.
   ShapeId of_corner(MotionId before, MotionId after);
 
+  /// Floor that holds all corners at a place; kNoId where the vehicle has arcs of its own.
+  ShapeId of_all_corners(PlaceId place);
+
   /// Valid until the next new shape.
   const Shape& shape(ShapeId id) const { return shapes_[id]; }
   const Box& box(ShapeId id) const { return shapes_[id].box(); }
@@ -53,10 +56,11 @@ class Meetings {
   double gap_m_;
 
   std::vector<Shape> shapes_;
-  std::vector<ShapeId> free_;       // numbers that are not in use
-  std::vector<ShapeId> ended_;      // numbers of shapes that nobody asks for any more
-  std::vector<ShapeId> of_place_;   // by place; kNoId: not yet asked for
-  std::vector<ShapeId> of_motion_;  // by motion
+  std::vector<ShapeId> free_;            // numbers that are not in use
+  std::vector<ShapeId> ended_;           // numbers of shapes that nobody asks for any more
+  std::vector<ShapeId> of_place_;        // by place; kNoId: not yet asked for
+  std::vector<ShapeId> of_motion_;       // by motion
+  std::vector<ShapeId> of_all_corners_;  // by place
   struct Corner {
     MotionId after{kNoId};
     ShapeId shape{kNoId};

@@ -266,4 +266,9 @@ Shape corner_shape(const Kind& kind, geometry::Point2 before_in_map, geometry::P
   return has_arc ? Shape({chord}) : Shape();
 }
 
+Shape all_corners_shape(const Kind& kind, geometry::Point2 corner_in_map) {
+  if (!kind.turns_on_the_spot()) return Shape();
+  return Shape({{corner_in_map, corner_in_map, kCornerM + turning_disc_m(kind) + kArcToChordM}});
+}
+
 }  // namespace aisle::global_planner::traffic

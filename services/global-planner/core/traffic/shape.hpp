@@ -81,6 +81,9 @@ Shape swept_shape(const Kind& kind, const std::vector<geometry::Point2>& path_in
 Shape corner_shape(const Kind& kind, geometry::Point2 before_in_map, geometry::Point2 corner_in_map,
                    geometry::Point2 after_in_map);
 
+/// A disc that holds the `corner_shape` of every corner there; empty where the vehicle has arcs of its own.
+Shape all_corners_shape(const Kind& kind, geometry::Point2 corner_in_map);
+
 inline constexpr double kCornerM = 0.5;  // an arc begins so far before a corner, and ends so far behind it
 
 }  // namespace aisle::global_planner::traffic

@@ -117,17 +117,31 @@ double SpaceTimeSearch::earliest_into_corridor(const Motion& motion, double from
   return from_s;
 }
 
+/// The earliest time from `from_s` on at which the corner into the motion is free for `run_s`.
+///
+/// How: a place has many corners, and the floor that holds all of them is free most of the time: it is looked at first.
+double SpaceTimeSearch::earliest_corner(const Node& from, MotionId motion, double from_s, double run_s) {
+  if (from.by == kNoId) return from_s;
+
+  if (!roadmap_.place(from.place).is_temporary) {
+    const ShapeId all = meetings_.of_all_corners(from.place);
+    if (all == kNoId || earliest(all, from_s, run_s) == from_s) return from_s;
+  }
+
+  const ShapeId corner = meetings_.of_corner(from.by, motion);
+  return corner == kNoId ? from_s : earliest(corner, from_s, run_s);
+}
+
 /// The earliest departure from `from_s` on at which the motion, its corner and its corridor are free.
 double SpaceTimeSearch::earliest_departure(const Node& from, MotionId id, double from_s, double run_s) {
   const Motion& motion = roadmap_.motion(id);
   const ShapeId shape = meetings_.of_motion(id);
-  const ShapeId corner = from.by == kNoId ? kNoId : meetings_.of_corner(from.by, id);
 
   double departure_s = from_s;
   while (departure_s < kForEver) {
     const double before_s = departure_s;
     departure_s = earliest(shape, departure_s, run_s);
-    if (corner != kNoId) departure_s = earliest(corner, departure_s, run_s);
+    departure_s = earliest_corner(from, id, departure_s, run_s);
     departure_s = earliest_into_corridor(motion, departure_s);
     if (departure_s <= before_s) break;
   }
@@ -163,8 +177,12 @@ void SpaceTimeSearch::try_motion(std::uint32_t from_number, MotionId id, double 
     if (free.to_s < from.time_s + moving_run_s) continue;
     if (free.from_s > left_free_until_s + moving_run_s) break;
 
+    // Nothing is looked up for what comes no sooner than what is known.
     double run = moving_run_s;
-    double departure_s = earliest_departure(from, id, std::max(from.time_s, free.from_s - run), run);
+    const double ready_s = std::max(from.time_s, free.from_s - run);
+    if (ready_s + run >= visited_[to.visited + i * kHeadings + heading_number(motion.exit_rad)]) continue;
+
+    double departure_s = earliest_departure(from, id, ready_s, run);
     if (departure_s > from.time_s + kRoundingS && !from.is_standing) {
       run = run_s(kind, motion, from.heading_rad, true);
       departure_s = earliest_departure(from, id, departure_s, run);

@@ -120,6 +120,7 @@ class SpaceTimeSearch {
 
   double earliest(ShapeId shape, double from_s, double run_s);
   double earliest_into_corridor(const Motion& motion, double from_s) const;
+  double earliest_corner(const Node& from, MotionId motion, double from_s, double run_s);
   double earliest_departure(const Node& from, MotionId motion, double from_s, double run_s);
 
   void push(Node node, double to_go_s);
