@@ -12,6 +12,15 @@ constexpr double kSoonImproveS = 0.5;  // at most, after a change
 constexpr double kRarelyImproveS = 4.0;
 constexpr int kImproveTries = 6;                   // at a time, in small fleets; in large ones
 constexpr std::uint64_t kImproveExpanded = 2'000;  // states are enough
+
+// States that improvement may expand: in large fleets, where a search expands more, fewer by the number of vehicles.
+constexpr double kImproveExpandedPerS = 30'000.0;
+constexpr std::size_t kLargeFleet = 10;
+constexpr double kMostImproveSaved = 4'000.0;
+
+// Groups, and searches that were in vain once, have a budget of states, so that a crowded floor takes no more computing
+// time than there is. It is saved up to some seconds of it.
+constexpr double kTriesExpandedPerS = 20'000.0;
 constexpr double kSweepS = 2.0;
 constexpr double kSettleS = 0.2;  // after a goal: so long plans that make way for it may still become better
 
@@ -52,6 +61,7 @@ void Coordinator::set_zones(const std::vector<fleet::Zone>& zones, double now_s)
 /// One slice: first what became of the floor, then plans, then grants, which are never kept waiting.
 Orders Coordinator::step(double now_s) {
   is_busy_ = false;
+  grow_budgets(now_s);
 
   for (auto& [id, vehicle] : vehicles_)
     if (!vehicle.is_registered) register_vehicle(vehicle, now_s);
@@ -93,15 +103,29 @@ std::uint64_t Coordinator::take_plan_id(const std::string& agv_id) {
   return found == vehicles_.end() ? 0 : found->second.next_plan_id++;
 }
 
+/// Time gives states to expand.
+void Coordinator::grow_budgets(double now_s) {
+  const double since_s = std::max(0.0, now_s - budgets_grown_s_);
+  const double share = static_cast<double>(kLargeFleet) / std::max(kLargeFleet, vehicles_.size());
+  budgets_grown_s_ = now_s;
+
+  improve_expanded_ = std::min(kMostImproveSaved, improve_expanded_ + since_s * kImproveExpandedPerS * share);
+  tries_expanded_ = std::min(kMostTriesSaved, tries_expanded_ + since_s * kTriesExpandedPerS);
+}
+
 /// Tries that are in vain become rarer; a change makes them more frequent again.
 void Coordinator::improve(double now_s) {
   if (!is_settling_ && now_s < improved_s_ + improve_every_s_) return;
 
   improved_s_ = now_s;
+  if (improve_expanded_ <= 0.0) return;
+
   bool is_better = false;
-  const std::uint64_t most_expanded = plans_.expanded() + kImproveExpanded;
+  const std::uint64_t before = plans_.expanded();
+  const std::uint64_t most_expanded = before + kImproveExpanded;
   for (int i = 0; i < kImproveTries && !is_better && plans_.expanded() < most_expanded; ++i)
     is_better = plans_.improve(now_s, random_state_);
+  improve_expanded_ -= static_cast<double>(plans_.expanded() - before);
   improve_every_s_ = is_better ? kImproveS : std::min(1.5 * improve_every_s_, kRarelyImproveS);
 }
 

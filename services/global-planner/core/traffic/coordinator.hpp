@@ -178,6 +178,7 @@ class Coordinator {
     double goal_since_s{0.0};
     double tried_s{-1e9};        // last search for a plan
     double without_plan_s{0.0};  // since when
+    int tries{0};                // of searches for this goal, in vain
     double own_tried_s{-1e9};
 
     LeadIn lead_in;
@@ -202,6 +203,9 @@ class Coordinator {
     std::uint64_t newest_wide_plan{0};  // that it was told without a tube; 0: none
   };
 
+  static constexpr double kMostTriesSaved = 60'000.0;  // of tries_expanded_
+
+  void grow_budgets(double now_s);
   void improve(double now_s);
   void plans_changed();
 
@@ -246,6 +250,7 @@ class Coordinator {
   // coordinator_plans.cpp: who is planned when
   void plan_those_without(double now_s);
   bool plan_one(VehicleEntry& vehicle, double now_s);
+  double retry_at_s(const VehicleEntry& vehicle) const;
   void set_agent_goal(VehicleEntry& vehicle, double now_s);
   void move_resters(double now_s);
   void retry_own_way(double now_s);
@@ -283,7 +288,10 @@ class Coordinator {
   double improve_every_s_{0.1};
   double retimed_s_{-1e9};
   double improved_s_{-1e9};
+  double improve_expanded_{0.0};  // states that improvement may expand: grows with time
   double swept_s_{-1e9};
+  double budgets_grown_s_{-1e9};
+  double tries_expanded_{0.0};  // states that groups and further tries may expand: grows with time
   double newest_goal_s_{-1e9};  // when any vehicle was given its goal last
   bool is_settling_{false};     // that was a moment ago
 };

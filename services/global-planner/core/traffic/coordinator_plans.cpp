@@ -11,10 +11,14 @@ namespace {
 using geometry::Point2;
 using geometry::Pose2;
 
-constexpr double kRetryS = 1.0;       // between two searches for the same vehicle
+constexpr double kRetryS = 1.0;  // between two searches for the same vehicle; where the budget is short, ever longer:
+constexpr double kMostRetryS = 4.0;
+constexpr double kRetryGrowth = 1.3;
 constexpr double kLastResortS = 4.0;  // without a plan: then all are planned together
 constexpr double kOwnWayRetryS = 2.0;
 constexpr int kPlansASlice = 8;
+constexpr std::uint64_t kExpandedASlice = 1'000;  // no further search begins in a slice after so many states
+
 constexpr double kLeastPieceM = 0.3;  // of an own way: shorter legs go with their neighbours
 constexpr double kLeastPitchM = 1.0;
 
@@ -72,6 +76,7 @@ void Coordinator::set_goal(const std::string& agv_id, const std::string& goal_id
   if (goal_in_map) newest_goal_s_ = now_s;
   vehicle.without_plan_s = now_s;
   vehicle.tried_s = -1e9;
+  vehicle.tries = 0;
   vehicle.reason.clear();
   plans_changed();
 
@@ -137,22 +142,36 @@ void Coordinator::plan_those_without(double now_s) {
       continue;
     }
 
-    if (now_s >= vehicle.tried_s + kRetryS && !vehicle.asked_back) without.push_back(&vehicle);
+    if (now_s >= retry_at_s(vehicle) && !vehicle.asked_back) without.push_back(&vehicle);
   }
 
   std::stable_sort(without.begin(), without.end(),
                    [](const VehicleEntry* a, const VehicleEntry* b) { return a->goal_since_s < b->goal_since_s; });
 
   int planned = 0;
+  const std::uint64_t most_expanded = plans_.expanded() + kExpandedASlice;
   for (VehicleEntry* vehicle : without) {
-    if (planned++ == kPlansASlice) {
+    if (vehicle->tries > 0 && tries_expanded_ <= 0.0) continue;
+
+    if (planned++ == kPlansASlice || plans_.expanded() >= most_expanded) {
       is_busy_ = true;
       return;
     }
 
+    const std::uint64_t before = plans_.expanded();
     vehicle->tried_s = now_s;
-    if (plan_one(*vehicle, now_s) && plans_.find(vehicle->id)->has_plan_to_goal) plans_changed();
+    const bool has_plan = plan_one(*vehicle, now_s) && plans_.find(vehicle->id)->has_plan_to_goal;
+    if (!has_plan || vehicle->tries > 0) tries_expanded_ -= static_cast<double>(plans_.expanded() - before);
+    vehicle->tries = has_plan ? 0 : vehicle->tries + 1;
+    if (has_plan) plans_changed();
   }
+}
+
+/// When a vehicle without a plan is searched one for again. Where the budget is short, those that were tried often wait
+/// longer: so the younger goals have their turn as well.
+double Coordinator::retry_at_s(const VehicleEntry& vehicle) const {
+  if (tries_expanded_ > 0.5 * kMostTriesSaved) return vehicle.tried_s + kRetryS;
+  return vehicle.tried_s + std::min(kMostRetryS, kRetryS * std::pow(kRetryGrowth, std::max(0, vehicle.tries - 1)));
 }
 
 /// Alone among the others; else with the vehicles in its way; in the end all together.
@@ -168,7 +187,7 @@ bool Coordinator::plan_one(VehicleEntry& vehicle, double now_s) {
 
   // In a queue it waits its turn. A group may move it out of the way and leave it without a plan, for the same reason.
   agent = plans_.find(vehicle.id);
-  if (agent->is_queueing) return false;
+  if (agent->is_queueing || tries_expanded_ <= 0.0) return false;
 
   const std::vector<std::string> waits_for = agent->waits_for;
   const std::string reason = agent->reason;
@@ -203,8 +222,10 @@ void Coordinator::move_resters(double now_s) {
     const Agent* agent = plans_.find(id);
     if (agent == nullptr || agent->is_frozen) continue;
 
+    const std::uint64_t before = plans_.expanded();
     vehicle.tried_s = now_s;
     if (plans_.plan(id, {}, now_s) || plans_.plan_group(id, now_s)) plans_changed();
+    tries_expanded_ -= static_cast<double>(plans_.expanded() - before);
   }
 }
 
@@ -226,7 +247,15 @@ void Coordinator::retry_own_way(double now_s) {
 
   next->own_tried_s = now_s;
   const std::vector<MotionId> own = own_way_motions(*next);
-  if (!own.empty()) plans_.plan(next->id, own, now_s);
+  if (own.empty()) return;
+
+  // Where there is the time, another way by the roadmap is looked for as well.
+  const std::uint64_t before = plans_.expanded();
+  if (improve_expanded_ > 0.0)
+    plans_.plan(next->id, own, now_s);
+  else
+    plans_.take_own_way(next->id, own, now_s);
+  improve_expanded_ -= static_cast<double>(plans_.expanded() - before);
 }
 
 /// The vehicle's own way from where its grants end to its goal, as motions; empty where there is none.

@@ -80,6 +80,14 @@ bool JointPlan::plan(const std::string& agv_id, const std::vector<MotionId>& own
   return true;
 }
 
+bool JointPlan::take_own_way(const std::string& agv_id, const std::vector<MotionId>& own_way, double now_s) {
+  Agent* agent = find(agv_id);
+  if (agent == nullptr || agent->is_frozen || !agent->has_plan_to_goal) return false;
+
+  parts_->ways.remember_own_way(*agent, own_way);
+  return parts_->ways.go_own_way(*agent, now_s, parts_->timetable.end_s(*agent, now_s));
+}
+
 std::vector<std::string> JointPlan::asked_to_leave() const {
   std::vector<std::string> out;
   for (const std::uint32_t number : parts_->timetable.asked_to_leave()) {

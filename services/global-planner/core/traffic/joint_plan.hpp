@@ -102,6 +102,10 @@ class JointPlan {
   /// @param own_way motions of the vehicle's own way from where its grants end, tried first; may be empty
   bool plan(const std::string& agv_id, const std::vector<MotionId>& own_way, double now_s);
 
+  /// The vehicle's own way from where its grants end takes the place of its plan, if it ends no later. @pre has a plan
+  /// to its goal
+  bool take_own_way(const std::string& agv_id, const std::vector<MotionId>& own_way, double now_s);
+
   /// Vehicles that rest where others are planned to pass, and have no plan to leave yet: plan() or plan_group() them.
   /// Not those that rest at their goal, until it is taken from them.
   std::vector<std::string> asked_to_leave() const;

@@ -135,6 +135,17 @@ bool WayFinder::go(Agent& agent, double now_s, const Terms& terms) {
   return true;
 }
 
+bool WayFinder::go_own_way(Agent& agent, double now_s, double latest_end_s) {
+  const std::vector<MotionId> motions = own_way_left(agent);
+  if (motions.empty() || roadmap_.motion(motions.back()).to != agent.goal) return false;
+
+  const auto legs = search_.time(departure(agent, now_s), motions, view_of(agent, now_s, kForEver));
+  if (!legs || legs->back().end_s > latest_end_s) return false;
+
+  timetable_.replace_tail(agent, *legs, true);
+  return true;
+}
+
 /// May the vehicle stand there without being in the way?
 bool WayFinder::is_spare(const Agent& agent, PlaceId place, Rest rest) const {
   const Place& here = roadmap_.place(place);

@@ -31,6 +31,10 @@ class WayFinder {
   /// Replaces what is not granted by a way to the goal; changes nothing when there is none. @pre has a goal
   bool go(Agent& agent, double now_s, const Terms& terms);
 
+  /// Replaces what is not granted by what is left of the agent's own way; changes nothing when that ends later. @pre
+  /// has a goal
+  bool go_own_way(Agent& agent, double now_s, double latest_end_s);
+
   /// The same to the soonest place where it is in nobody's way; nothing to do when nobody needs its place.
   bool leave(Agent& agent, double now_s, const Terms& terms);
 
