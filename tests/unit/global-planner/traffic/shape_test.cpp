@@ -236,6 +236,24 @@ TEST(CornerShape, HoldsTheArcBetweenTwoSteps) {
   expect_arc_inside(shape, cart(), {0.0, 0.0}, corner, after, 0.5);
 }
 
+TEST(CornerShape, OneDiscHoldsAllOfAPlace) {
+  const Point2 corner{1.0, 2.0};
+  const Shape all = all_corners_shape(cart(), corner);
+  ASSERT_EQ(all.capsules().size(), 1U);
+
+  for (int eighth = 1; eighth < 8; ++eighth) {
+    const double yaw = eighth * geometry::kPi / 4.0;
+    const Point2 after = corner + 3.0 * Point2{std::cos(yaw), std::sin(yaw)};
+    const Shape arc = corner_shape(cart(), {-2.0, 2.0}, corner, after);
+    for (const Capsule& chord : arc.capsules()) {
+      for (const Point2 end : {chord.from_in_map, chord.to_in_map})
+        EXPECT_LE(geometry::distance(corner, end) + chord.radius_m, all.capsules().front().radius_m + 1e-9);
+    }
+  }
+
+  EXPECT_TRUE(all_corners_shape(forklift(), corner).empty());
+}
+
 TEST(CornerShape, IsEmptyWhereTheWayIsStraightOrTheVehicleDrivesItsOwnArcs) {
   EXPECT_TRUE(corner_shape(cart(), {0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}).empty());
   EXPECT_TRUE(corner_shape(forklift(), {0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}).empty());
