@@ -56,6 +56,7 @@ GlobalPlannerService::GlobalPlannerService(service::Shell& shell, const ServiceC
       grants_(shell.outbox<topics::Grant>()),
       statuses_(shell.outbox<topics::TrafficStatus>()),
       work_soon_(shell.soon([this] { work(); })) {
+  statuses_.release();  // until it leads
   listen();
   shell.every(kTurn, work_soon_);
   shell.every(kAssert, [this] { keep_lead(); });
@@ -80,6 +81,7 @@ void GlobalPlannerService::listen() {
   shell_.inbox<topics::NavigationStatus>(
       [this](const fleet::NavigationStatus& navigation, const service::Sender& from) {
         fleet_.set_navigation(navigation, from.by.boot_id, shell_.now());
+        hear_obeyed({navigation.traffic_epoch, navigation.traffic_boot_id});
       });
 
   shell_.inbox<topics::SignOff>([this](const fleet::SignOff& sign_off, const service::Sender& from) {
@@ -87,10 +89,6 @@ void GlobalPlannerService::listen() {
     shell_.count("refused_sign_offs");
     shell_.warn("sign_off", "sign_off of " + sign_off.agv_id + " refused: " + from.by.source_id + " is no person");
   });
-
-  // Two leaders that find each other again may both write no plan for a while.
-  shell_.inbox<topics::TrafficStatus>(
-      [this](const fleet::TrafficStatus&, const service::Sender& from) { hear_planner(from.by); });
 
   shell_
       .inbox<topics::Track>([this](const fleet::Track& track) {
@@ -138,6 +136,15 @@ void GlobalPlannerService::hear_planner(const fleet::Origin& by) {
 
   const std::string leader = by.source_id + ", epoch " + std::to_string(by.epoch);
   if (leader != std::exchange(followed_, leader)) shell_.log().info("follows {}", leader);
+}
+
+/// Vehicles tell it when neither of the two has a plan to write.
+void GlobalPlannerService::hear_obeyed(const fleet::Claim& claim) {
+  const bool is_of_our_epoch = leads() && claim.epoch == leadership_.epoch() && claim.boot_id != 0;
+  if (!is_of_our_epoch || !outranks(claim, {leadership_.epoch(), shell_.boot_id()})) return;
+
+  leadership_.hear(claim.epoch, claim.boot_id);
+  keep_lead();
 }
 
 void GlobalPlannerService::keep_lead() {

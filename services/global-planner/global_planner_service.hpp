@@ -48,8 +48,12 @@ class GlobalPlannerService {
   /// Registers what is read with the shell.
   void listen();
 
-  /// A plan or a status of another planner: its epoch decides who leads.
+  /// A plan of another planner: its epoch decides who leads.
   void hear_planner(const fleet::Origin& by);
+
+  /// A vehicle obeys that planner. If it outranks this one in the same epoch, both lead, or did while the network was
+  /// split: this one stands by.
+  void hear_obeyed(const fleet::Claim& claim);
 
   /// Epochs that other services have heard of, so that a restarted planner begins above them.
   void hear(const fleet::ServiceHealth& health, const fleet::Origin& by);
