@@ -16,8 +16,9 @@ using service::Sender;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPeriod{20};
-constexpr int kStatusEvery = 5;           // cycles
-constexpr milliseconds kTrackGrace{300};  // a new track may be heard before the status that lists it
+constexpr milliseconds kSurelySilent{2000};  // a peer that was not heard for so long
+constexpr int kStatusEvery = 5;              // cycles
+constexpr milliseconds kTrackGrace{300};     // a new track may be heard before the status that lists it
 constexpr std::uint32_t kMostStrength = 1'000'000'000;
 constexpr double kLeastTolerance_m = 0.02;  // of a goal's position: no vehicle stops more exactly
 constexpr double kUnknownRadiusM = 0.6;     // of a peer whose vehicle_info has not come yet
@@ -150,6 +151,19 @@ void LocalPlannerService::take(const fleet::TrafficStatus& status, const fleet::
   if (claim != orders_.obeyed()) return;
 
   heard_beat_ = claim == before ? std::max(heard_beat_, status.beat) : status.beat;
+  for (const fleet::SilentVehicle& vehicle : status.signed_off) take_signed_off(vehicle);
+}
+
+/// A vehicle that braked after its last word stands where a person saw it. At the origin: nobody knows its place.
+void LocalPlannerService::take_signed_off(const fleet::SilentVehicle& vehicle) {
+  const auto known = peers_.find(vehicle.agv_id);
+  if (known == peers_.end() || vehicle.place_in_map == geometry::Point2{}) return;
+
+  Peer& peer = known->second;
+  if (shell_.now() - peer.state_arrived < kSurelySilent) return;
+
+  peer.state.base_in_map = {vehicle.place_in_map.x, vehicle.place_in_map.y, peer.state.base_in_map.yaw};
+  peer.state.twist = {};
 }
 
 void LocalPlannerService::take_status(const fleet::TrackingStatus& status, const std::string& source,

@@ -79,6 +79,7 @@ class LocalPlannerService {
   void take_own(const fleet::VehicleState& state, time::Stamp arrived);
 
   /// Does the tracker live, does it see this vehicle's scans, and which tracks has it lost?
+  void take_signed_off(const fleet::SilentVehicle& vehicle);
   void take_status(const fleet::TrackingStatus& status, const std::string& source, time::Stamp arrived);
 
   /// One cycle: inputs, core, command and status.

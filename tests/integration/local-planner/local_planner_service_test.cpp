@@ -14,6 +14,7 @@
 #include "common/wire/geometry.hpp"
 #include "common/wire/map.hpp"
 #include "common/wire/origin.hpp"
+#include "common/wire/traffic.hpp"
 #include "common/wire/vehicle.hpp"
 #include "tests/integration/bus/two_buses.hpp"
 
@@ -53,7 +54,8 @@ class Site {
         vehicles_(bus.writer<topics::VehicleInfo>()),
         states_(bus.writer<topics::VehicleState>()),
         plans_(bus.writer<topics::Plan>()),
-        tracking_(bus.writer<topics::TrackingStatus>()) {
+        tracking_(bus.writer<topics::TrackingStatus>()),
+        traffic_(bus.writer<topics::TrafficStatus>()) {
     bus.on<topics::VelocityCommand>([this](const aisle::VelocityCommand& sample, const SampleInfo& info) {
       if (info.kind != SampleKind::kData || sample.agv_id().to_string() != agv_id_) return;
       commands.push_back(sample);
@@ -118,6 +120,26 @@ class Site {
     plans_.write(plan);
   }
 
+  /// Of another vehicle.
+  void say_peer_stands(const std::string& agv_id, geometry::Point2 place_in_map) {
+    aisle::VehicleState state;
+    state.agv_id(agv_id);
+    state.by(wire::encode(fleet::Origin{"site-of-" + agv_id, 1, 1, sequence_++, 1}));
+    state.base_in_map(wire::encode(geometry::Pose2{place_in_map.x, place_in_map.y, 0.0}));
+    states_.write(state);
+  }
+
+  /// As the planner of publish_plan says it.
+  void say_signed_off(const std::string& agv_id, geometry::Point2 place_in_map) {
+    fleet::TrafficStatus status;
+    status.source_id = "global-planner";
+    status.beat = ++beat_;
+    status.signed_off.push_back({agv_id, place_in_map});
+    aisle::TrafficStatus sample = wire::encode(status);
+    sample.by(wire::encode(fleet::Origin{"global-planner", 1, 1, sequence_++, 1}));
+    traffic_.write(sample);
+  }
+
   const aisle::NavigationStatus* status() const { return statuses.empty() ? nullptr : &statuses.back(); }
   bool says(NavigationPhase phase, NavigationReason reason) const {
     return status() != nullptr && status()->phase() == phase && status()->reason() == reason;
@@ -175,6 +197,8 @@ class Site {
   bus::Writer<topics::VehicleState> states_;
   bus::Writer<topics::Plan> plans_;
   bus::Writer<topics::TrackingStatus> tracking_;
+  bus::Writer<topics::TrafficStatus> traffic_;
+  std::uint64_t beat_{0};
   std::uint64_t sequence_{1};
   std::uint64_t scan_{1};
 };
@@ -267,6 +291,27 @@ TEST(LocalPlannerService, RefusesThePlanOfAPlannerThatWasReplaced) {
   EXPECT_EQ(site.commands.back().goal_id().to_string(), "goal-1");
   site.publish_plan("goal-2", 3.0, 2.0, 4);
   ASSERT_TRUE(until([&] { return site.commands.back().goal_id().to_string() == "goal-2"; }));
+}
+
+TEST(LocalPlannerService, DrivesWhereAVehicleWasHeardLastThatAPersonSawElsewhere) {
+  Site site(190);
+  PlannerProcess planner(190, 1);
+  site.publish_vehicle();
+  site.publish_map();
+  bool peer_speaks = true;
+  site.bus.every(50ms, [&] {
+    if (peer_speaks) site.say_peer_stands("agv-2", {7.0, 5.0});
+  });
+  site.publish_plan("goal-1", 7.0, 5.0);
+  const auto until = [&](const std::function<bool()>& done) {
+    return bus_test::run_until({&planner.bus, &site.bus}, done, 20s);
+  };
+  ASSERT_TRUE(
+      until([&] { return site.status() != nullptr && site.status()->reason() == NavigationReason::REASON_VEHICLE; }));
+
+  peer_speaks = false;
+  planner.bus.every(100ms, [&] { site.say_signed_off("agv-2", {7.0, 8.0}); });
+  EXPECT_TRUE(until([&] { return site.says(NavigationPhase::PHASE_ARRIVED, NavigationReason::REASON_NONE); }));
 }
 
 TEST(LocalPlannerService, FallsSilentWhenTheVehicleObeysALaterEpoch) {
