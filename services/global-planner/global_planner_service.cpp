@@ -104,7 +104,7 @@ void GlobalPlannerService::listen() {
 
   heard_plans_ = shell_.inbox<topics::Plan>([this](const fleet::Plan& plan, const service::Sender& from) {
     if (from.by.boot_id != shell_.boot_id()) {
-      fleet_.expect(plan.agv_id);
+      fleet_.hear_plan(plan.agv_id, plan.goal_id);
       shell_.count("heard_plans");
     }
     hear_planner(from.by);

@@ -152,6 +152,15 @@ void FleetPlanner::take_over() {
   }
 }
 
+void FleetPlanner::hear_plan(const std::string& agv_id, const std::string& goal_id) {
+  if (VehicleEntry* const v = vehicle(agv_id)) v->led_goal = goal_id;
+}
+
+void FleetPlanner::plan_again(const std::string& agv_id) {
+  const auto known = vehicles_.find(agv_id);
+  if (known != vehicles_.end()) known->second.plan.reset();
+}
+
 const Plan* FleetPlanner::plan_of(const std::string& agv_id) const {
   const auto known = vehicles_.find(agv_id);
   return known != vehicles_.end() && known->second.plan ? &*known->second.plan : nullptr;
@@ -193,8 +202,10 @@ std::optional<Plan> FleetPlanner::attend(VehicleEntry& v, Stamp now, const OutOf
   if (map_revision_ == 0 || !v.radius_m || pose == nullptr) return {};
   if (!v.plan && is_arrived(v.navigation, v.goal)) return {};  // reached in a former life of this planner
 
-  if (!v.plan || v.planned_for != *v.goal)
-    return publish(v, plan_anew(v, v.is_taken_over ? PlanTrigger::kTakeover : PlanTrigger::kNewGoal, out_of_time), now);
+  if (!v.plan || v.planned_for != *v.goal) {
+    const bool is_led = v.is_taken_over || v.led_goal == v.goal->id;
+    return publish(v, plan_anew(v, is_led ? PlanTrigger::kTakeover : PlanTrigger::kNewGoal, out_of_time), now);
+  }
 
   v.progress.advance(pose->position());
   const bool is_of_this_map = v.plan->map_revision == map_revision_ && v.plan->map_id == map_id_;
@@ -296,6 +307,7 @@ std::optional<Plan> FleetPlanner::publish(VehicleEntry& v, Plan plan, Stamp now)
   v.progress = PathProgress(plan.waypoints_in_map);
 
   v.is_taken_over = false;
+  v.led_goal.clear();
   v.wait_s = 0.0;
   v.next_attempt = now + from_seconds(settings_.replan_s);
 

@@ -69,6 +69,12 @@ class FleetPlanner {
   /// All plans are made anew: another planner led until now.
   void take_over();
 
+  /// Another leader has planned for this goal: the first plan of this planner for it says that it took over.
+  void hear_plan(const std::string& agv_id, const std::string& goal_id);
+
+  /// Its goal, though planned for, is planned for again.
+  void plan_again(const std::string& agv_id);
+
   /// The next plan to publish, after working for at most one vehicle; call it again until there is none.
   std::optional<Plan> step(time::Stamp now, const OutOfTime& out_of_time);
 
@@ -119,6 +125,7 @@ class FleetPlanner {
     Goal planned_for;              // the goal that the plan was made for
     bool leads_to_nearest{false};  // it cannot be reached: the plan ends at the nearest point that can
     bool is_taken_over{false};     // made under another leader
+    std::string led_goal;          // that another leader has planned for
     bool is_doubted{false};        // the zones have changed since
     PathProgress progress;
 

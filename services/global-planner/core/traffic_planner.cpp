@@ -196,8 +196,20 @@ void TrafficPlanner::set_state(const fleet::VehicleState& state, Stamp now) {
 void TrafficPlanner::set_goal(const Goal& goal) {
   goals_.set_goal(goal);
 
+  const auto known = vehicles_.find(goal.agv_id);
+  if (known != vehicles_.end() && !goal.is_cancelled && goal.id == known->second.reached_goal &&
+      known->second.navigation->goal_id != goal.id) {
+    known->second.reached_goal.clear();
+    goals_.plan_again(goal.agv_id);
+  }
+
   // Later, a goal for a vehicle that is not there holds up nobody.
   if (!began_ && !goal.is_cancelled && goal.agv_id != fleet::kAnyVehicle) expect(goal.agv_id);
+}
+
+void TrafficPlanner::hear_plan(const std::string& agv_id, const std::string& goal_id) {
+  goals_.hear_plan(agv_id, goal_id);
+  expect(agv_id);
 }
 
 void TrafficPlanner::expect(const std::string& agv_id) {

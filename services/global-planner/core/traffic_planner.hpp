@@ -56,7 +56,8 @@ class TrafficPlanner {
 
   void set_vehicle(const fleet::Vehicle& vehicle);
   void set_state(const fleet::VehicleState& state, time::Stamp now);
-  /// A vehicle that had its goal before this planner began takes part: see expect().
+  /// A vehicle that had its goal before this planner began takes part: see expect(). A goal that was reached and is
+  /// given again, after its vehicle was moved out of the way, is driven to again: nobody heard that it was reached.
   void set_goal(const Goal& goal);
 
   /// @param boot_id of the vehicle's local planner
@@ -70,6 +71,9 @@ class TrafficPlanner {
 
   /// A vehicle that others speak of takes part, though its build is not known yet: it may be anywhere.
   void expect(const std::string& agv_id);
+
+  /// Another leader's plan for a goal, or without one: its vehicle takes part.
+  void hear_plan(const std::string& agv_id, const std::string& goal_id);
 
   /// A person says that the vehicle drives no more. It holds all that it may still drive by its last word, or the place
   /// that the person names; a vehicle of which nothing is known leaves the traffic. Ends when it is heard again; a

@@ -315,6 +315,13 @@ TEST_F(Fleet, PlansAnewAfterATakeover) {
   EXPECT_FALSE(step());
 }
 
+TEST_F(Fleet, AGoalThatAnotherLeaderPlannedForIsTakenOverThoughItComesLate) {
+  planner_.hear_plan("agv-1", "goal-1");
+  planner_.take_over();
+  arrive("agv-1", kStart);
+  EXPECT_EQ(first_plan().trigger, PlanTrigger::kTakeover);
+}
+
 TEST_F(Fleet, AsPrintedASteeredVehicleGetsThePathOfTheChosenPlanner) {
   const auto plan_of = [&](bool as_printed) {
     FleetSettings settings;

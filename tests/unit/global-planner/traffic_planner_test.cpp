@@ -306,6 +306,36 @@ TEST_F(TrafficFleet, AnIdleVehicleInTheWayIsMovedWithoutAGoal) {
   EXPECT_EQ(newest_plan("agv-2").goal_in_map.position(), newest_plan("agv-2").waypoints_in_map.back());
 }
 
+TEST_F(TrafficFleet, AReachedGoalThatIsGivenAgainIsDrivenToAgainOnceTheVehicleWasMovedAway) {
+  block(0.0, 6.0, 10.0, 6.2);
+  block(0.0, 3.8, 10.0, 4.0);
+  publish_map();
+  const Pose2 door{10.1, 5.0, 0.0};
+  arrive("agv-1", {7.0, 5.0, 0.0});
+  send_goal("agv-1", "goal-1", door);
+  run(1.0);
+  drive_to_limit("agv-1");
+  says_["agv-1"].phase = fleet::Phase::kArrived;
+  run(1.0);
+
+  // Its word that it is there may not have come yet.
+  const std::size_t plans = plans_["agv-1"].size();
+  send_goal("agv-1", "goal-1", door);
+  run(1.0);
+  ASSERT_EQ(plans_["agv-1"].size(), plans);
+
+  arrive("agv-2", {1.0, 5.0, 0.0});
+  send_goal("agv-2", "goal-2", {15.0, 5.0, 0.0});
+  run(3.0);
+  ASSERT_EQ(newest_plan("agv-1").goal_id, "");
+  drive_to_limit("agv-1");
+  run(1.0);
+
+  send_goal("agv-1", "goal-1", door);
+  run(1.0);
+  EXPECT_EQ(newest_plan("agv-1").goal_id, "goal-1");
+}
+
 /// Two vehicles, of which agv-2 falls silent with road ahead; then another planner leads.
 class TakenOver : public TrafficFleet {
  protected:
