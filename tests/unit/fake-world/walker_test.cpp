@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace aisle::fake_world {
 namespace {
@@ -24,7 +25,7 @@ geometry::Body vehicle_at(double x, double y) {
 }
 
 void walk(Walker& walker, double seconds, const std::vector<geometry::Body>& vehicles = {}) {
-  for (int i = 0; i < static_cast<int>(seconds * 50 + 0.5); ++i) walker.step(0.02, vehicles);
+  for (int i = 0; i < std::lround(seconds * 50); ++i) walker.step(0.02, vehicles);
 }
 
 TEST(Walker, WalksItsWaypointsToAndFro) {
@@ -79,7 +80,7 @@ TEST(Walker, TheOthersWalkOn) {
 }
 
 void walk_among(Walker& walker, double seconds, const std::vector<Walker::Neighbour>& persons) {
-  for (int i = 0; i < static_cast<int>(seconds * 50 + 0.5); ++i) walker.step(0.02, {}, persons);
+  for (int i = 0; i < std::lround(seconds * 50); ++i) walker.step(0.02, {}, persons);
 }
 
 TEST(Walker, WaitsBehindAPersonThatStandsOnItsWay) {
