@@ -15,18 +15,17 @@
 
 namespace {
 
+CLI::App* add_group(CLI::App& parent, const char* name, const char* purpose) {
+  CLI::App* group = parent.add_subcommand(name, purpose);
+  group->require_subcommand(1)->fallthrough();
+  return group;
+}
+
 /// All verbs, in the order of --help.
 void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   using namespace aisle::cli;
 
-  const auto add_group_below = [](CLI::App& parent, const char* name, const char* purpose) {
-    CLI::App* group = parent.add_subcommand(name, purpose);
-    group->require_subcommand(1)->fallthrough();
-    return group;
-  };
-  const auto add_group = [&](const char* name, const char* purpose) { return add_group_below(app, name, purpose); };
-
-  CLI::App& topic = *add_group("topic", "what is said on the site's topics");
+  CLI::App& topic = *add_group(app, "topic", "what is said on the site's topics");
   add_topic_list(topic, cli);
   add_topic_info(topic, cli);
   add_topic_echo(topic, cli);
@@ -37,11 +36,11 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_fleet_sign_off(*app.get_subcommand("fleet"), cli);
   add_traffic(app, cli);
 
-  CLI::App& goal = *add_group("goal", "send a vehicle somewhere, or stop it");
+  CLI::App& goal = *add_group(app, "goal", "send a vehicle somewhere, or stop it");
   add_goal_send(goal, cli);
   add_goal_cancel(goal, cli);
 
-  CLI::App& map = *add_group("map", "the site's map: look, edit, save");
+  CLI::App& map = *add_group(app, "map", "the site's map: look, edit, save");
   add_map_info(map, cli);
   add_map_block(map, cli);
   add_map_unblock(map, cli);
@@ -49,14 +48,15 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_map_accept(map, cli);
   add_map_save(map, cli);
 
-  CLI::App& zone = *add_group_below(map, "zone", "keep-out, speed and other zones of the map");
+  CLI::App& zone = *add_group(map, "zone", "keep-out, speed and other zones of the map");
   add_map_zone_list(zone, cli);
   add_map_zone_add(zone, cli);
   add_map_zone_remove(zone, cli);
 
   add_plan(app, cli);
 
-  CLI::App& experiment = *add_group("experiment", "compare with what is published; write docs/experiments.md anew");
+  CLI::App& experiment =
+      *add_group(app, "experiment", "compare with what is published; write docs/experiments.md anew");
   add_experiment_all(experiment, cli);
   add_experiment_papers(experiment, cli);
   add_experiment_global(experiment, cli);
@@ -66,7 +66,7 @@ void add_verbs(CLI::App& app, aisle::cli::Cli& cli) {
   add_experiment_tracking(experiment, cli);
   add_experiment_traffic(experiment, cli);
 
-  CLI::App& lab = *add_group("lab", "the five papers' tables and figures made again; parameters; sweeps");
+  CLI::App& lab = *add_group(app, "lab", "the five papers' tables and figures made again; parameters; sweeps");
   add_lab_list(lab, cli);
   add_lab_reproduce(lab, cli);
   add_lab_compare(lab, cli);
