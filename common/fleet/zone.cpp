@@ -8,6 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include "common/geometry/polygon.hpp"
+
 namespace aisle::fleet {
 namespace {
 
@@ -85,15 +87,6 @@ std::string refusal_of_shape(const Zone& zone) {
   return "shape: is unknown";
 }
 
-/// Metres from a point to a segment.
-double to_segment_m(Point2 point, Point2 from, Point2 to) {
-  const Point2 along = to - from;
-  const double squared = geometry::dot(along, along);
-  const double share = squared > 0.0 ? std::clamp(geometry::dot(along, point - from) / squared, 0.0, 1.0) : 0.0;
-
-  return geometry::distance(point, from + share * along);
-}
-
 /// Do they cross, each with its ends on different sides of the other? Touching ends are found by their distance, 0.
 bool cross_each_other(Point2 a, Point2 b, Point2 c, Point2 d) {
   const auto side = [](Point2 from, Point2 to, Point2 point) { return geometry::cross(to - from, point - from); };
@@ -105,22 +98,8 @@ bool cross_each_other(Point2 a, Point2 b, Point2 c, Point2 d) {
 double between_segments_m(Point2 a, Point2 b, Point2 c, Point2 d) {
   if (cross_each_other(a, b, c, d)) return 0.0;
 
-  return std::min({to_segment_m(a, c, d), to_segment_m(b, c, d), to_segment_m(c, a, b), to_segment_m(d, a, b)});
-}
-
-/// Even-odd rule: a ray to the right crosses the edges of the polygon an odd number of times from within.
-bool is_within_polygon(const std::vector<Point2>& corners, Point2 point) {
-  bool is_inside = false;
-  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-    const Point2 a = corners[i];
-    const Point2 b = corners[j];
-    if ((a.y > point.y) == (b.y > point.y)) continue;
-
-    const double crossing_x = a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x);
-    if (point.x < crossing_x) is_inside = !is_inside;
-  }
-
-  return is_inside;
+  return std::min({geometry::distance_to_segment(a, c, d), geometry::distance_to_segment(b, c, d),
+                   geometry::distance_to_segment(c, a, b), geometry::distance_to_segment(d, a, b)});
 }
 
 }  // namespace
@@ -209,11 +188,11 @@ bool contains(const Zone& zone, Point2 point_in_map) { return distance_m(zone, p
 
 double distance_m(const Zone& zone, Point2 from_in_map, Point2 to_in_map) {
   if (zone.shape == Zone::Shape::kDisc)
-    return std::max(0.0, to_segment_m(zone.points_in_map[0], from_in_map, to_in_map) - zone.radius_m);
+    return std::max(0.0, geometry::distance_to_segment(zone.points_in_map[0], from_in_map, to_in_map) - zone.radius_m);
 
   // Within, or at the nearest edge.
   const std::vector<Point2> corners = corners_of(zone);
-  if (is_within_polygon(corners, from_in_map)) return 0.0;
+  if (geometry::is_in_polygon(corners, from_in_map)) return 0.0;
 
   double least_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < corners.size(); ++i) {

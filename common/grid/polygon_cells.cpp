@@ -3,22 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/geometry/polygon.hpp"
+
 namespace aisle::grid {
 namespace {
 
 using geometry::Point2;
-
-/// Even-odd rule: a ray to the right crosses the edges an odd number of times from within.
-bool is_within(const std::vector<Point2>& corners, Point2 point) {
-  bool is_inside = false;
-  for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-    const Point2 a = corners[i], b = corners[j];
-    if ((a.y > point.y) == (b.y > point.y)) continue;
-    if (point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)) is_inside = !is_inside;
-  }
-
-  return is_inside;
-}
 
 /// Does the segment touch the square around a centre?
 ///
@@ -51,7 +41,7 @@ std::vector<Cell> cells_touching(const Geometry& geometry, const std::vector<Poi
   for (int y = std::max(0, first.y); y <= std::min(last.y, geometry.height - 1); ++y) {
     for (int x = std::max(0, first.x); x <= std::min(last.x, geometry.width - 1); ++x) {
       const Point2 centre = geometry.center_in_map({x, y});
-      bool is_touched = is_within(corners_in_map, centre);
+      bool is_touched = geometry::is_in_polygon(corners_in_map, centre);
       for (std::size_t i = 0, j = corners_in_map.size() - 1; i < corners_in_map.size() && !is_touched; j = i++)
         is_touched = touches_square(centre, half_m, corners_in_map[j], corners_in_map[i]);
       if (is_touched) out.push_back({x, y});

@@ -18,7 +18,7 @@ bool meets(const fleet::Zone& zone, const Shape& shape);
 bool goes_against(const fleet::Zone& zone, const std::vector<geometry::Point2>& path_in_map);
 
 /// What the zones of the map say of places to stand and of ways. Keep-out zones are no affair of it: their floor counts
-/// as occupied (see KeepOutFloor).
+/// as occupied in the clearance that the roadmap is made of.
 class ZoneRules {
  public:
   ZoneRules() = default;
